@@ -1,0 +1,45 @@
+#pragma once
+// Reading and writing meshes: the format is chosen by content, then by extension.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/error.h"
+#include "core/mesh/mesh_data.h"
+
+namespace aomd::io {
+
+enum class Format { Obj, Ply, Off, Stl };
+
+/// What a reader returns: the mesh and what it had to do to get it.
+struct ReadResult {
+  MeshData mesh;
+  Format format = Format::Obj;
+  std::vector<std::string> notes;  ///< one line each: "12 polygons triangulated", "104 vertices welded"
+};
+
+struct WriteOptions {
+  bool binary = true;  ///< where the format has both (PLY, STL; OFF); OBJ is always text
+};
+
+/// Reads a surface mesh. Polygons become triangles; vertices that no face uses are kept; attributes that we
+/// do not know are passed over. Cost: linear in the file; memory bounded by the file's size, whatever its
+/// header promises.
+/// Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated vertex in a face,
+/// unknown format) with line or byte, or LimitError.
+[[nodiscard]] ReadResult read(const std::filesystem::path& path);
+
+/// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is written
+/// beside its target, flushed, and renamed; an existing target stays untouched when anything fails.
+/// Throws WriteError.
+void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options = {});
+
+/// The format that an extension names. Throws WriteError for an extension that no format has.
+[[nodiscard]] Format format_for_writing(const std::filesystem::path& path);
+
+/// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace aomd::io

@@ -1,0 +1,48 @@
+#pragma once
+// A mesh as plain arrays: what a file holds and what a generator makes, before a Mesh is built from it.
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/mesh/model_ref.h"
+#include "core/mesh/shape.h"
+
+namespace aomd {
+
+/// Entities of one dimension (1 edges, 2 faces, 3 regions), each by its vertices.
+struct EntityList {
+  std::vector<Shape> shapes;            ///< one an entity
+  std::vector<std::uint32_t> vertices;  ///< concatenated; the shape tells how many belong to each
+  std::vector<ModelRef> classes;        ///< one an entity, or empty where nothing is classified
+
+  [[nodiscard]] std::size_t size() const { return shapes.size(); }
+  [[nodiscard]] bool empty() const { return shapes.empty(); }
+  void add(Shape shape, std::initializer_list<std::uint32_t> v, ModelRef model = {}) {
+    shapes.push_back(shape);
+    vertices.insert(vertices.end(), v);
+    if (model.valid() || !classes.empty()) {
+      classes.resize(shapes.size() - 1);
+      classes.push_back(model);
+    }
+  }
+};
+
+/// Vertex positions and the entities that a file lists. Edges are listed only where the file names them
+/// (feature lines, classified curves): the Mesh makes the others when its T asks for them.
+/// Indices are 0-based into `positions`. Vertices that nothing uses are kept.
+struct MeshData {
+  std::vector<glm::dvec3> positions;
+  std::vector<ModelRef> vertex_classes;  ///< one a vertex, or empty
+  EntityList edges;
+  EntityList faces;
+  EntityList regions;
+
+  /// True where the source classifies at least one entity of dimension 1 or more, or a vertex.
+  [[nodiscard]] bool classified() const {
+    return !vertex_classes.empty() || !edges.classes.empty() || !faces.classes.empty() || !regions.classes.empty();
+  }
+};
+
+}  // namespace aomd
