@@ -2,6 +2,7 @@
 // A mesh as plain arrays: what a file holds and what a generator makes, before a Mesh is built from it.
 
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include <glm/vec3.hpp>

@@ -3,7 +3,7 @@
 namespace aomd {
 namespace {
 
-constexpr SubEntity edge(std::uint8_t a, std::uint8_t b) { return {Shape::Edge, {a, b, 0, 0}}; }
+constexpr SubEntity edge(std::uint8_t a, std::uint8_t b) { return {Shape::Line, {a, b, 0, 0}}; }
 constexpr SubEntity tri(std::uint8_t a, std::uint8_t b, std::uint8_t c) { return {Shape::Triangle, {a, b, c, 0}}; }
 constexpr SubEntity quad(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
   return {Shape::Quad, {a, b, c, d}};

@@ -9,7 +9,7 @@
 namespace aomd {
 
 /// The type of an entity. Values beyond the built-in ones belong to templates that a program adds.
-enum class Shape : std::uint8_t { Vertex, Edge, Triangle, Quad, Tetrahedron, Pyramid, Prism, Hexahedron };
+enum class Shape : std::uint8_t { Point, Line, Triangle, Quad, Tetrahedron, Pyramid, Prism, Hexahedron };
 
 inline constexpr int max_shape_vertices = 8;
 inline constexpr int max_shape_edges = 12;
@@ -17,7 +17,7 @@ inline constexpr int max_shape_faces = 6;
 
 /// Vertices of a lower entity as positions in the vertex list of the whole one.
 struct SubEntity {
-  Shape shape = Shape::Vertex;
+  Shape shape = Shape::Point;
   std::array<std::uint8_t, 4> vertices{};
 };
 

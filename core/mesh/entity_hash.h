@@ -1,0 +1,56 @@
+#pragma once
+// Finds an entity from its vertices where no stored adjacency can (paper, section 2.1.1).
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/handle.h"
+
+namespace aomd {
+
+/// A chained hash set of the entities of one level. The key is the sum of randomised vertex ids, the same on
+/// every platform; different entities may share a key, so the caller compares vertices. The set watches itself:
+/// when more than 10 % of its used buckets hold 10 or more entities it grows tenfold, up to a limit.
+class EntityHash {
+ public:
+  [[nodiscard]] static std::uint64_t mix(std::uint32_t vertex);
+  [[nodiscard]] static std::uint64_t key(std::span<const std::uint32_t> vertices);
+
+  struct Statistics {
+    std::uint32_t buckets = 0, used = 0, crowded = 0, worst = 0, rehashes = 0;
+  };
+
+  [[nodiscard]] bool built() const { return !first_.empty(); }
+  [[nodiscard]] Statistics statistics() const;
+  [[nodiscard]] std::size_t bytes() const {
+    return (first_.capacity() + next_.capacity()) * 4 + keys_.capacity() * 8 + length_.capacity() * 2;
+  }
+
+  /// An empty set with room for about `expected` entities.
+  void build(std::uint32_t expected);
+  void insert(std::uint64_t key, std::uint32_t entity);
+  void erase(std::uint32_t entity);
+  void release() { *this = EntityHash(); }
+
+  /// The first entity with this key for which `same(entity)` holds, or no_index. Expected O(1).
+  template <typename Same>
+  [[nodiscard]] std::uint32_t find(std::uint64_t key, Same&& same) const {
+    for (std::uint32_t e = first_[bucket(key)]; e != no_index; e = next_[e])
+      if (keys_[e] == key && same(e)) return e;
+    return no_index;
+  }
+
+ private:
+  [[nodiscard]] std::size_t bucket(std::uint64_t key) const { return key % first_.size(); }
+  void link(std::uint32_t entity);
+  void grow_when_crowded();
+
+  std::vector<std::uint32_t> first_;   ///< by bucket
+  std::vector<std::uint16_t> length_;  ///< by bucket, saturated
+  std::vector<std::uint32_t> next_;    ///< by entity
+  std::vector<std::uint64_t> keys_;    ///< by entity
+  std::uint32_t used_ = 0, crowded_ = 0, rehashes_ = 0;
+};
+
+}  // namespace aomd

@@ -1,0 +1,200 @@
+#include "core/mesh/journal.h"
+
+#include <bit>
+#include <stdexcept>
+
+#include "core/mesh/check.h"
+
+namespace aomd {
+
+const char* step_name(StepKind kind) {
+  constexpr const char* names[] = {"edit", "collapse", "swap", "smooth", "classify"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+void Journal::begin_step(StepKind kind, EntityRef entity) {
+  AOMD_CHECK(!in_step_);
+  if (cursor_ < steps_.size()) {
+    words_.resize(steps_[cursor_].begin);
+    steps_.resize(cursor_);
+    ++epoch_;
+  }
+  steps_.push_back({kind, entity, words_.size()});
+  in_step_ = true;
+}
+
+void Journal::end_step() {
+  AOMD_CHECK(in_step_);
+  in_step_ = false;
+  if (steps_.back().begin == words_.size()) steps_.pop_back();
+  cursor_ = steps_.size();
+}
+
+void Journal::open_record() {
+  implicit_step_ = !in_step_;
+  if (implicit_step_) begin_step(StepKind::Edit, {});
+}
+
+void Journal::close_record() {
+  if (implicit_step_) end_step();
+  implicit_step_ = false;
+}
+
+void Journal::push_position(const glm::dvec3& p) {
+  for (int k = 0; k < 3; ++k) {
+    const auto bits = std::bit_cast<std::uint64_t>(p[k]);
+    words_.push_back(static_cast<std::uint32_t>(bits));
+    words_.push_back(static_cast<std::uint32_t>(bits >> 32));
+  }
+}
+
+glm::dvec3 Journal::read_position(std::uint64_t at) const {
+  glm::dvec3 p;
+  for (int k = 0; k < 3; ++k, at += 2)
+    p[k] = std::bit_cast<double>(std::uint64_t{words_[at]} | std::uint64_t{words_[at + 1]} << 32);
+  return p;
+}
+
+void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh) {
+  open_record();
+  std::array<std::uint32_t, max_shape_vertices> buffer;
+  const auto vertices = mesh.vertices_of(e, buffer);
+  words_.push_back(pack({create ? Kind::Create : Kind::Destroy, e.dimension, mesh.shape(e), fresh,
+                         static_cast<std::uint32_t>(vertices.size())}));
+  words_.push_back(e.index);
+  words_.push_back(mesh.classification(e).bits());
+  if (e.dimension == 0) push_position(mesh.position(Vertex(e.index)));
+  else words_.insert(words_.end(), vertices.begin(), vertices.end());
+  close_record();
+}
+
+void Journal::record_rebind(std::span<const Rebinding> items) {
+  open_record();
+  words_.push_back(pack({Kind::Rebind, 0, Shape::Point, false, static_cast<std::uint32_t>(items.size())}));
+  for (const Rebinding& r : items) {
+    words_.push_back(std::uint32_t{r.entity.dimension} << 8 | r.slot);
+    words_.push_back(r.entity.index);
+    words_.push_back(r.from.index);
+    words_.push_back(r.to.index);
+  }
+  close_record();
+}
+
+void Journal::record_move(Vertex v, const glm::dvec3& from, const glm::dvec3& to) {
+  open_record();
+  words_.push_back(pack({Kind::Move, 0, Shape::Point, false, 1}));
+  words_.push_back(v.index);
+  push_position(from);
+  push_position(to);
+  close_record();
+}
+
+void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
+  open_record();
+  words_.push_back(pack({Kind::Classify, e.dimension, Shape::Point, false, 1}));
+  words_.push_back(e.index);
+  words_.push_back(from.bits());
+  words_.push_back(to.bits());
+  close_record();
+}
+
+void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
+  const Head head = unpack(words_[at]);
+  const std::uint32_t id = words_[at + 1];
+  IdPool& ids = mesh.level(head.dim).ids;
+  const bool recorded_create = head.kind == Kind::Create;
+  if (!create) {
+    mesh.detach_entity(head.dim, id);
+    if (recorded_create) ids.undo_create(id, head.fresh);
+    else ids.destroy(id);
+    if (recorded_create && head.fresh) mesh.grow_level(head.dim);
+    return;
+  }
+  if (recorded_create) {
+    const auto again = ids.create();
+    AOMD_CHECK(again.id == id && again.fresh == head.fresh);
+  } else {
+    ids.undo_destroy(id);
+  }
+  if (mesh.level(head.dim).classes.size() < ids.capacity()) mesh.grow_level(head.dim);
+  const ModelRef model = ModelRef::from_bits(words_[at + 2]);
+  if (head.dim == 0) mesh.attach_vertex(id, read_position(at + 3), model);
+  else mesh.attach_entity(head.dim, id, head.shape, std::span(words_).subspan(at + 3, head.count), model);
+}
+
+void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {
+  const Head head = unpack(words_[at]);
+  const std::uint32_t id = words_[at + 1];
+  switch (head.kind) {
+    case Kind::Create: return apply_entity(mesh, at, forward);
+    case Kind::Destroy: return apply_entity(mesh, at, !forward);
+    case Kind::Move:
+      mesh.positions_[id] = read_position(forward ? at + 8 : at + 2);
+      return;
+    case Kind::Classify:
+      mesh.level(head.dim).classes[id] = ModelRef::from_bits(words_[forward ? at + 3 : at + 2]);
+      return;
+    case Kind::Rebind: break;
+  }
+  std::vector<Rebinding> items(head.count);
+  for (std::uint32_t i = 0; i < head.count; ++i) {
+    const std::uint32_t* w = words_.data() + at + 1 + 4 * std::size_t{i};
+    const Vertex from(w[2]), to(w[3]);
+    items[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to, forward ? to : from};
+  }
+  mesh.apply_rebindings(items);
+}
+
+bool Journal::undo(Mesh& mesh) {
+  AOMD_CHECK(!in_step_);
+  if (cursor_ == 0) return false;
+  --cursor_;
+  std::vector<std::uint64_t> records;
+  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_); at += length(unpack(words_[at])))
+    records.push_back(at);
+  for (auto it = records.rbegin(); it != records.rend(); ++it) apply(mesh, *it, false);
+  return true;
+}
+
+bool Journal::redo(Mesh& mesh) {
+  AOMD_CHECK(!in_step_);
+  if (cursor_ == steps_.size()) return false;
+  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_); at += length(unpack(words_[at])))
+    apply(mesh, at, true);
+  ++cursor_;
+  return true;
+}
+
+void Journal::seek(Mesh& mesh, std::size_t step) {
+  while (cursor_ > step && undo(mesh)) {
+  }
+  while (cursor_ < step && redo(mesh)) {
+  }
+}
+
+void Journal::clear() {
+  words_.clear();
+  steps_.clear();
+  cursor_ = 0;
+  ++epoch_;
+}
+
+void Journal::restore(std::vector<std::uint32_t> words, std::vector<JournalStep> steps) {
+  std::uint64_t at = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::uint64_t end = i + 1 < steps.size() ? steps[i + 1].begin : words.size();
+    if (steps[i].begin != at || end > words.size()) throw std::runtime_error("journal: step out of order");
+    while (at < end) {
+      const Head head = unpack(words[at]);
+      if (head.kind > Kind::Classify || at + length(head) > end) throw std::runtime_error("journal: bad record");
+      at += length(head);
+    }
+  }
+  if (at != words.size()) throw std::runtime_error("journal: records without a step");
+  words_ = std::move(words);
+  steps_ = std::move(steps);
+  cursor_ = 0;
+  ++epoch_;
+}
+
+}  // namespace aomd

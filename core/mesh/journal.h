@@ -1,0 +1,132 @@
+#pragma once
+// Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in different directions.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/mesh/handle.h"
+#include "core/mesh/mesh.h"
+
+namespace aomd {
+
+/// What a step was for. Edit: elementary edits made outside any operator.
+enum class StepKind : std::uint8_t { Edit, Collapse, Swap, Smooth, Classify };
+
+[[nodiscard]] const char* step_name(StepKind kind);
+
+/// One undoable step: a kind, the entity that it was about, and where its records begin.
+struct JournalStep {
+  StepKind kind = StepKind::Edit;
+  EntityRef entity;
+  std::uint64_t begin = 0;  ///< in words
+};
+
+/// A linear history of one mesh. Edits made after an undo discard what had been undone. Undo and redo restore
+/// ids, id stack, connectivity, positions and classification exactly; cost O(records of the step).
+/// Records name entities by vertices only, so a history replays under any representation that has the same levels.
+class Journal {
+ public:
+  [[nodiscard]] std::size_t size() const { return steps_.size(); }
+  /// Steps [0, cursor) are applied.
+  [[nodiscard]] std::size_t cursor() const { return cursor_; }
+  [[nodiscard]] const JournalStep& step(std::size_t i) const { return steps_[i]; }
+  [[nodiscard]] std::size_t bytes() const { return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep); }
+  /// Changes whenever a history is cut or cleared, so that readers of cursors know to start afresh.
+  [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
+
+  /// Collects the edits that follow into one step, until end_step. A step without edits leaves no trace.
+  void begin_step(StepKind kind, EntityRef entity);
+  void end_step();
+
+  /// Each returns false at its end of the history.
+  bool undo(Mesh& mesh);
+  bool redo(Mesh& mesh);
+  /// Undoes or redoes until `step` steps are applied (clamped to the history).
+  void seek(Mesh& mesh, std::size_t step);
+  void clear();
+
+  /// Calls visit(EntityRef) for every entity that steps [first, last) created, deleted, rebound, moved or
+  /// classified; some more than once. O(records).
+  template <typename Visit>
+  void touched(std::size_t first, std::size_t last, Visit&& visit) const;
+
+  /// The raw history, for writing it to a file and reading it back (core/io/journal_file).
+  [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
+  [[nodiscard]] std::span<const JournalStep> steps() const { return steps_; }
+  /// Takes over a history read from a file, nothing of it applied yet. Throws std::runtime_error when a record
+  /// is malformed. Whether it fits a mesh shows only when it is applied.
+  void restore(std::vector<std::uint32_t> words, std::vector<JournalStep> steps);
+
+ private:
+  friend class Mesh;
+  enum class Kind : std::uint32_t { Create, Destroy, Rebind, Move, Classify };
+  struct Head {
+    Kind kind;
+    int dim;
+    Shape shape;
+    bool fresh;
+    std::uint32_t count;
+  };
+  static constexpr std::uint32_t pack(Head h) {
+    return static_cast<std::uint32_t>(h.kind) | static_cast<std::uint32_t>(h.dim) << 3 | std::uint32_t{h.fresh} << 5 |
+           static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
+  }
+  static constexpr Head unpack(std::uint32_t w) {
+    return {static_cast<Kind>(w & 7u), static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u),
+            ((w >> 5) & 1u) != 0, w >> 14};
+  }
+  static constexpr std::size_t length(Head h) {  // words, the head included
+    switch (h.kind) {
+      case Kind::Create:
+      case Kind::Destroy: return 3 + std::size_t{h.dim == 0 ? 6 : h.count};
+      case Kind::Rebind: return 1 + 4 * std::size_t{h.count};
+      case Kind::Move: return 14;
+      case Kind::Classify: return 4;
+    }
+    return 1;
+  }
+
+  // Called by Mesh, after an edit was made (destroy: before)
+  void record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh);
+  void record_rebind(std::span<const Rebinding> items);
+  void record_move(Vertex v, const glm::dvec3& from, const glm::dvec3& to);
+  void record_classify(EntityRef e, ModelRef from, ModelRef to);
+
+  void open_record();
+  void close_record();
+  void push_position(const glm::dvec3& p);
+  [[nodiscard]] std::uint64_t step_end(std::size_t i) const {
+    return i + 1 < steps_.size() ? steps_[i + 1].begin : words_.size();
+  }
+  void apply(Mesh& mesh, std::uint64_t at, bool forward) const;
+  void apply_entity(Mesh& mesh, std::uint64_t at, bool create) const;
+  [[nodiscard]] glm::dvec3 read_position(std::uint64_t at) const;
+
+  std::vector<std::uint32_t> words_;
+  std::vector<JournalStep> steps_;
+  std::size_t cursor_ = 0;
+  std::uint64_t epoch_ = 0;
+  bool in_step_ = false;
+  bool implicit_step_ = false;
+};
+
+template <typename Visit>
+void Journal::touched(std::size_t first, std::size_t last, Visit&& visit) const {
+  if (first >= last) return;
+  const std::uint64_t end = step_end(last - 1);
+  for (std::uint64_t at = steps_[first].begin; at < end;) {
+    const Head head = unpack(words_[at]);
+    if (head.kind == Kind::Rebind) {
+      for (std::uint32_t i = 0; i < head.count; ++i)
+        visit(EntityRef(static_cast<int>(words_[at + 1 + 4 * i] >> 8), words_[at + 2 + 4 * i]));
+    } else {
+      visit(EntityRef(head.dim, words_[at + 1]));
+    }
+    at += length(head);
+  }
+}
+
+}  // namespace aomd

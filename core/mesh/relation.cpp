@@ -1,0 +1,137 @@
+#include "core/mesh/relation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/mesh/check.h"
+
+namespace aomd {
+namespace {
+
+// Block sizes: every number up to 16, then two an octave, so that typical rows fit exactly and 6 bits name them all.
+constexpr std::array<std::uint32_t, 64> block_sizes = [] {
+  std::array<std::uint32_t, 64> sizes{};
+  for (std::uint32_t i = 0; i < 64; ++i) {
+    if (i <= 16) {
+      sizes[i] = i;
+    } else {
+      const std::uint32_t octave = (i - 17) / 2;
+      sizes[i] = std::min<std::uint64_t>((i - 17) % 2 == 0 ? std::uint64_t{24} << octave : std::uint64_t{32} << octave,
+                                         UpRows::max_row_size);
+    }
+  }
+  return sizes;
+}();
+
+std::uint32_t block_for(std::uint32_t size) {
+  if (size <= 16) return size;
+  const auto it = std::lower_bound(block_sizes.begin() + 17, block_sizes.end(), size);
+  AOMD_CHECK(it != block_sizes.end());
+  return static_cast<std::uint32_t>(it - block_sizes.begin());
+}
+
+}  // namespace
+
+void DownRows::allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions) {
+  AOMD_CHECK(stride > 0);
+  stride_ = stride;
+  with_directions_ = with_directions;
+  data_.assign(std::size_t{rows} * stride, no_index);
+  if (with_directions) directions_.assign(rows, 0);
+}
+
+void DownRows::resize(std::uint32_t rows) {
+  data_.resize(std::size_t{rows} * stride_, no_index);
+  if (with_directions_) directions_.resize(rows, 0);
+}
+
+void DownRows::widen(std::uint32_t stride) {
+  if (stride <= stride_) return;
+  const std::size_t rows = data_.size() / stride_;
+  std::vector<std::uint32_t> wider(rows * stride, no_index);
+  for (std::size_t i = 0; i < rows; ++i)
+    std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(i * stride_), stride_,
+                wider.begin() + static_cast<std::ptrdiff_t>(i * stride));
+  data_ = std::move(wider);
+  stride_ = stride;
+}
+
+std::size_t UpRows::bytes() const { return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + free_blocks_.capacity() * 4; }
+
+void UpRows::allocate(std::span<const std::uint32_t> sizes) {
+  release();
+  stored_ = true;
+  free_blocks_.assign(block_sizes.size(), no_index);
+  heads_.resize(sizes.size());
+  std::uint64_t begin = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const std::uint32_t block = block_for(sizes[i]);
+    heads_[i].begin = static_cast<std::uint32_t>(begin);
+    heads_[i].block = block;
+    begin += block_sizes[block];
+  }
+  AOMD_CHECK(begin < no_index);
+  pool_.resize(begin);
+}
+
+void UpRows::resize(std::uint32_t rows) {
+  for (std::size_t i = rows; i < heads_.size(); ++i) give_block(heads_[i]);
+  heads_.resize(rows);
+}
+
+void UpRows::give_block(const Head& head) {
+  if (head.block == 0) return;
+  pool_[head.begin] = free_blocks_[head.block];
+  free_blocks_[head.block] = head.begin;
+}
+
+std::uint32_t UpRows::take_block(std::uint32_t block) {
+  std::uint32_t& first = free_blocks_[block];
+  if (first != no_index) {
+    const std::uint32_t begin = first;
+    first = pool_[begin];
+    return begin;
+  }
+  const std::size_t begin = pool_.size();
+  AOMD_CHECK(begin + block_sizes[block] < no_index);
+  pool_.resize(begin + block_sizes[block]);
+  return static_cast<std::uint32_t>(begin);
+}
+
+void UpRows::grow(Head& head) {
+  const std::uint32_t block = block_for(head.size + 1);
+  const std::uint32_t begin = take_block(block);
+  std::copy_n(pool_.begin() + head.begin, head.size, pool_.begin() + begin);
+  give_block(head);
+  head.begin = begin;
+  head.block = block;
+}
+
+void UpRows::insert(std::uint32_t i, std::uint32_t value) {
+  Head& head = heads_[i];
+  if (head.size == block_sizes[head.block]) grow(head);
+  std::uint32_t* row = pool_.data() + head.begin;
+  std::uint32_t k = head.size;
+  for (; k > 0 && row[k - 1] > value; --k) row[k] = row[k - 1];
+  AOMD_DEBUG_CHECK(k == 0 || row[k - 1] != value);
+  row[k] = value;
+  ++head.size;
+}
+
+bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
+  Head& head = heads_[i];
+  std::uint32_t* row = pool_.data() + head.begin;
+  std::uint32_t* end = row + head.size;
+  std::uint32_t* at = std::find(row, end, value);
+  if (at == end) return false;
+  std::copy(at + 1, end, at);
+  --head.size;
+  return true;
+}
+
+bool UpRows::contains(std::uint32_t i, std::uint32_t value) const {
+  const auto values = row(i);
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+}  // namespace aomd

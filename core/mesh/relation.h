@@ -1,0 +1,112 @@
+#pragma once
+// One stored adjacency T(I,J): rows of indices. Downward rows (I > J) have a fixed length by shape; upward rows
+// (I < J) grow and shrink in a pool and are always sorted, so that they depend on the mesh alone, never on the
+// order of the edits that led to it.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/handle.h"
+
+namespace aomd {
+
+/// A stored row seen as handles. Valid until the next edit of the mesh.
+template <int Dim>
+class Row {
+ public:
+  class Iterator {
+   public:
+    using difference_type = std::ptrdiff_t;
+    using value_type = Handle<Dim>;
+    Iterator() = default;
+    explicit Iterator(const std::uint32_t* p) : p_(p) {}
+    Handle<Dim> operator*() const { return Handle<Dim>(*p_); }
+    Iterator& operator++() { return ++p_, *this; }
+    Iterator operator++(int) { return Iterator(p_++); }
+    friend bool operator==(Iterator, Iterator) = default;
+
+   private:
+    const std::uint32_t* p_ = nullptr;
+  };
+
+  Row() = default;
+  explicit Row(std::span<const std::uint32_t> indices) : indices_(indices) {}
+  [[nodiscard]] Iterator begin() const { return Iterator(indices_.data()); }
+  [[nodiscard]] Iterator end() const { return Iterator(indices_.data() + indices_.size()); }
+  [[nodiscard]] std::size_t size() const { return indices_.size(); }
+  [[nodiscard]] bool empty() const { return indices_.empty(); }
+  [[nodiscard]] Handle<Dim> operator[](std::size_t i) const { return Handle<Dim>(indices_[i]); }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+
+ private:
+  std::span<const std::uint32_t> indices_;
+};
+
+/// Downward rows: `stride` indices each, of which the entity's shape uses the first ones.
+class DownRows {
+ public:
+  [[nodiscard]] bool stored() const { return stride_ != 0; }
+  [[nodiscard]] std::uint32_t stride() const { return stride_; }
+  [[nodiscard]] const std::uint32_t* row(std::uint32_t i) const { return data_.data() + std::size_t{i} * stride_; }
+  [[nodiscard]] std::uint32_t* row(std::uint32_t i) { return data_.data() + std::size_t{i} * stride_; }
+  /// Bit k: the row's k-th entity is used in its own direction. Kept for T(2,1) and T(3,2) only.
+  [[nodiscard]] std::uint16_t directions(std::uint32_t i) const { return directions_[i]; }
+  void set_directions(std::uint32_t i, std::uint16_t bits) { directions_[i] = bits; }
+  [[nodiscard]] std::size_t bytes() const { return data_.capacity() * 4 + directions_.capacity() * 2; }
+
+  void allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions);
+  void resize(std::uint32_t rows);
+  /// Makes room for a shape with more lower entities. O(rows).
+  void widen(std::uint32_t stride);
+  void release() { *this = DownRows(); }
+
+ private:
+  std::vector<std::uint32_t> data_;
+  std::vector<std::uint16_t> directions_;
+  std::uint32_t stride_ = 0;
+  bool with_directions_ = false;
+};
+
+/// Upward rows, sorted. insert and erase cost O(row). Blocks that a grown row leaves behind are used again.
+class UpRows {
+ public:
+  static constexpr std::uint32_t max_row_size = (1u << 26) - 1;
+
+  [[nodiscard]] bool stored() const { return stored_; }
+  [[nodiscard]] std::span<const std::uint32_t> row(std::uint32_t i) const {
+    return {pool_.data() + heads_[i].begin, heads_[i].size};
+  }
+  [[nodiscard]] std::size_t bytes() const;
+
+  /// Rows of the given sizes, to be filled through append() in ascending order of values. O(rows + entries).
+  void allocate(std::span<const std::uint32_t> sizes);
+  /// Adds a value larger than those in the row, into room that allocate() made.
+  void append(std::uint32_t i, std::uint32_t value) {
+    Head& head = heads_[i];
+    pool_[head.begin + head.size++] = value;
+  }
+  void resize(std::uint32_t rows);
+  void insert(std::uint32_t i, std::uint32_t value);
+  /// False when the row does not hold the value.
+  bool erase(std::uint32_t i, std::uint32_t value);
+  [[nodiscard]] bool contains(std::uint32_t i, std::uint32_t value) const;
+  void release() { *this = UpRows(); }
+
+ private:
+  struct Head {
+    std::uint32_t begin = 0;
+    std::uint32_t size : 26 = 0;
+    std::uint32_t block : 6 = 0;  ///< capacity as an index into the table of block sizes
+  };
+  void grow(Head& head);
+  std::uint32_t take_block(std::uint32_t block);
+  void give_block(const Head& head);
+
+  std::vector<Head> heads_;
+  std::vector<std::uint32_t> pool_;
+  std::vector<std::uint32_t> free_blocks_;  ///< by block size: first free block, each holding the next one's place
+  bool stored_ = false;
+};
+
+}  // namespace aomd

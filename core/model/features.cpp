@@ -1,0 +1,170 @@
+#include "core/model/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "core/mesh/geometry.h"
+
+namespace aomd {
+namespace {
+
+constexpr std::size_t shortest_open_chain = 8;
+constexpr std::size_t smallest_set = 6;
+constexpr double smallest_extent = 0.02;
+constexpr double most_hair = 0.15;
+constexpr double most_rough = 2.0 / 3.0;
+
+enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3 };
+
+class FeatureFinder {
+ public:
+  FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark) : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)) {}
+
+  void mark_borders(bool nonmanifold_edges) {
+    for (const Edge e : mesh_.edges()) {
+      const Row<2> faces = mesh_.row<2>(e);
+      const bool border = mesh_.classification(e).dimension() == 1 || faces.size() < 2 ||
+                          (faces.size() > 2 && nonmanifold_edges) || !same_model_face(faces);
+      mark_[e] = border ? Border : None;
+    }
+  }
+
+  void mark_sharp(double angle_deg) {
+    const TurnLimit limit(angle_deg);
+    for (const Edge e : mesh_.edges())
+      if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit)) mark_[e] = Sharp;
+  }
+
+  // Hairs first, all of them, so that shaving one may bare the next; then each set by its share of hair.
+  void drop_roughness() {
+    for (const Vertex v : mesh_.vertices()) shave(v);
+    for (const Edge e : mesh_.edges())
+      if (mark_[e] >= Sharp && !seen_[e]) judge_set(e);
+    drop_all_on_scans();
+  }
+
+ private:
+  bool same_model_face(Row<2> faces) const {
+    const ModelRef first = mesh_.classification(faces[0]);
+    return std::all_of(faces.begin(), faces.end(), [&](Face f) { return mesh_.classification(f) == first; });
+  }
+
+  glm::dvec3 normal(Face f) const {
+    const auto t = mesh_.triangle(f);
+    return area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
+  }
+
+  bool past(Edge e, const TurnLimit& limit) const {
+    const Row<2> faces = mesh_.row<2>(e);
+    const glm::dvec3 n = normal(faces[0]);
+    glm::dvec3 m = normal(faces[1]);
+    if (mesh_.use_direction(faces[0], e) == mesh_.use_direction(faces[1], e)) m = -m;
+    const bool flat = glm::dot(n, n) == 0 || glm::dot(m, m) == 0;
+    return !flat && !limit.allows(n, m);
+  }
+
+  Vertex other_end(Edge e, Vertex v) const {
+    const auto [a, b] = mesh_.edge_vertices(e);
+    return a == v ? b : a;
+  }
+
+  // How many features other than hairs meet here; `next` is one of them that differs from `from`.
+  int meeting(Vertex v, Edge from, Edge& next) const {
+    int count = 0;
+    for (const Edge e : mesh_.row<1>(v)) {
+      if (mark_[e] != Border && mark_[e] != Sharp) continue;
+      ++count;
+      if (e != from) next = e;
+    }
+    return count;
+  }
+
+  // Follows an open chain from its tip; shorter than a curve, it is a hair.
+  void shave(Vertex tip) {
+    Edge next;
+    Vertex at = tip;
+    chain_.clear();
+    if (meeting(at, {}, next) != 1) return;
+    while (mark_[next] == Sharp && chain_.size() < shortest_open_chain) {
+      const Edge e = next;
+      chain_.push_back(e);
+      at = other_end(e, at);
+      if (meeting(at, e, next) != 2) break;
+    }
+    if (chain_.size() >= shortest_open_chain) return;
+    for (const Edge e : chain_) mark_[e] = Hair;
+    if (!chain_.empty() && at != tip) shave(at);
+  }
+
+  void judge_set(Edge seed) {
+    set_.assign(1, seed);
+    seen_[seed] = 1;
+    std::size_t hairs = 0;
+    glm::dvec3 low = mesh_.position(mesh_.edge_vertices(seed)[0]), high = low;
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      hairs += mark_[set_[i]] == Hair;
+      for (const Vertex v : mesh_.edge_vertices(set_[i])) {
+        low = glm::min(low, mesh_.position(v));
+        high = glm::max(high, mesh_.position(v));
+        for (const Edge e : mesh_.row<1>(v))
+          if (mark_[e] >= Sharp && !seen_[e]) seen_[e] = 1, set_.push_back(e);
+      }
+    }
+    const bool tiny = set_.size() < smallest_set && glm::length(high - low) < smallest_extent * diagonal();
+    const bool rough = tiny || static_cast<double>(hairs) > most_hair * static_cast<double>(set_.size());
+    if (!rough) return;
+    for (const Edge e : set_) mark_[e] = Hair;
+  }
+
+  void drop_all_on_scans() {
+    std::size_t sharp = 0, hair = 0;
+    for (const Edge e : mesh_.edges()) sharp += mark_[e] == Sharp, hair += mark_[e] == Hair;
+    if (static_cast<double>(hair) <= most_rough * static_cast<double>(sharp + hair)) return;
+    for (const Edge e : mesh_.edges())
+      if (mark_[e] == Sharp) mark_[e] = Hair;
+  }
+
+  double diagonal() {
+    if (diagonal_ < 0) {
+      glm::dvec3 low(1e300), high(-1e300);
+      for (const Face f : mesh_.faces())
+        for (const Vertex v : mesh_.triangle(f)) {
+          low = glm::min(low, mesh_.position(v));
+          high = glm::max(high, mesh_.position(v));
+        }
+      diagonal_ = glm::length(high - low);
+    }
+    return diagonal_;
+  }
+
+  const Mesh& mesh_;
+  Column<Edge, std::uint8_t>& mark_;
+  Column<Edge, std::uint8_t> seen_;
+  std::vector<Edge> chain_, set_;
+  double diagonal_ = -1;
+};
+
+}  // namespace
+
+FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options, Column<Edge, std::uint8_t>& feature) {
+  feature.assign(mesh.capacity(1), None);
+  FeatureFinder finder(mesh, feature);
+  finder.mark_borders(options.nonmanifold_edges);
+  if (options.angle_deg) {
+    finder.mark_sharp(*options.angle_deg);
+    finder.drop_roughness();
+  }
+  FeatureCount count;
+  for (const Edge e : mesh.edges()) {
+    count.borders += feature[e] == Border;
+    count.sharp += feature[e] == Sharp;
+    count.rough += feature[e] == Hair;
+    feature[e] = feature[e] == Border || feature[e] == Sharp;
+  }
+  return count;
+}
+
+}  // namespace aomd

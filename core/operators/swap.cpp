@@ -1,0 +1,70 @@
+#include "core/operators/swap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/mesh/journal_scope.h"
+
+namespace aomd {
+namespace {
+
+// Gain below this (in the cosine of the smallest angle) is noise and could swap back and forth.
+constexpr double smallest_gain = 1e-6;
+
+std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3; }
+
+// Fills the pair; false unless exactly two faces use the edge, in opposite directions.
+bool find_pair(const Mesh& mesh, Edge edge, EdgePair& pair) {
+  const auto [a, b] = mesh.edge_vertices(edge);
+  pair = {{}, {}, a, b, {}, {}};
+  for (const Face face : mesh.row<2>(a)) {
+    const auto t = mesh.triangle(face);
+    const std::uint32_t i = slot_of(t, b);
+    if (i == 3) continue;
+    const bool forward = t[(i + 2) % 3] == a;  // a before b
+    Face& place = forward ? pair.f : pair.g;
+    if (place.valid()) return false;
+    place = face;
+    (forward ? pair.c : pair.d) = forward ? t[(i + 1) % 3] : t[(i + 2) % 3];
+  }
+  return pair.f.valid() && pair.g.valid();
+}
+
+Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit) {
+  const glm::dvec3 a = mesh.position(e.a), b = mesh.position(e.b), c = mesh.position(e.c), d = mesh.position(e.d);
+  const double before = std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
+  const double after = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
+  if (after > before - smallest_gain)
+    return {Reason::Quality, std::acos(std::min(1.0, after)) * 180 / std::numbers::pi, e.f};
+  const glm::dvec3 old_f = area_normal(a, b, c), old_g = area_normal(b, a, d);
+  const glm::dvec3 new_f = area_normal(d, b, c), new_g = area_normal(c, a, d);
+  if (is_flat(d, b, c, new_f)) return {Reason::Flat, 0, e.f};
+  if (is_flat(c, a, d, new_g)) return {Reason::Flat, 0, e.g};
+  for (const glm::dvec3& now : {new_f, new_g})
+    for (const glm::dvec3& then : {old_f, old_g})
+      if (!limit.allows(then, now)) return {Reason::Angle, angle_between_deg(then, now), e.f};
+  return {};
+}
+
+}  // namespace
+
+Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair) {
+  if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, 0, edge};
+  if (!find_pair(mesh, edge, pair) || pair.c == pair.d) return {Reason::Topology, 0, edge};
+  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, 0, edge};
+  if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
+  if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, 0, other};
+  return {};
+}
+
+void apply_swap(Mesh& mesh, Edge edge, const EdgePair& e) {
+  const JournalScope step(mesh, StepKind::Swap, edge);
+  const std::array<Rebinding, 4> items{{{edge, 0, e.a, e.c},
+                                        {edge, 1, e.b, e.d},
+                                        {e.f, slot_of(mesh.triangle(e.f), e.a), e.a, e.d},
+                                        {e.g, slot_of(mesh.triangle(e.g), e.b), e.b, e.c}}};
+  mesh.rebind(items);
+}
+
+}  // namespace aomd

@@ -1,0 +1,34 @@
+#pragma once
+// Judge, then edit: what an operator says about a proposed edit before anything is changed.
+
+#include <cstdint>
+
+#include "core/mesh/handle.h"
+
+namespace aomd {
+
+/// Why an operator refused, in the order in which the checks run.
+enum class Reason : std::uint8_t {
+  None,            ///< accepted
+  Spacing,         ///< the edge is not shorter than the spacing of either end; number: its length
+  Classification,  ///< paper section 3: the deleted vertex must lie on what the edge lies on, and not on a model vertex
+  Topology,        ///< the link condition: the surface would be pinched, doubled or torn
+  Flat,            ///< a face would have no area
+  Angle,           ///< a face normal would turn too far; number: degrees
+  Quality,         ///< the shape would not get better; number: the smallest angle that would result, in degrees
+};
+inline constexpr int reason_count = 7;
+
+/// "Classification" and so on: the keys of reports.
+[[nodiscard]] const char* reason_name(Reason reason);
+
+/// Yes, or no with the reason, the number that decided and the entity that decided.
+struct Verdict {
+  Reason reason = Reason::None;
+  double number = 0;  ///< see Reason
+  EntityRef entity;
+
+  [[nodiscard]] bool accepted() const { return reason == Reason::None; }
+};
+
+}  // namespace aomd
