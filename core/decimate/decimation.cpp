@@ -144,10 +144,14 @@ bool Decimation::advance() {
   const std::uint32_t id = cursor_++;
   if (!mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).alive(id)) return false;
   switch (phase_) {
-    case Phase::Collapse: return try_collapse(Edge(id));
-    case Phase::Swap: return try_swap(Edge(id));
-    case Phase::Smooth: return try_smooth(Vertex(id));
-    case Phase::Done: break;
+    case Phase::Collapse:
+      return try_collapse(Edge(id));
+    case Phase::Swap:
+      return try_swap(Edge(id));
+    case Phase::Smooth:
+      return try_smooth(Vertex(id));
+    case Phase::Done:
+      break;
   }
   return false;
 }
@@ -155,17 +159,22 @@ bool Decimation::advance() {
 void Decimation::next_phase() {
   cursor_ = 0;
   const bool improving = improved_ < options_.improve_passes;
-  if (phase_ == Phase::Collapse && improving && options_.swap) phase_ = Phase::Swap;
-  else if (phase_ != Phase::Smooth && improving && options_.smooth) phase_ = Phase::Smooth;
-  else end_sweep();
+  if (phase_ == Phase::Collapse && improving && options_.swap)
+    phase_ = Phase::Swap;
+  else if (phase_ != Phase::Smooth && improving && options_.smooth)
+    phase_ = Phase::Smooth;
+  else
+    end_sweep();
 }
 
 void Decimation::end_sweep() {
   SweepStatistics& sweep = sweeps_.back();
   sweep.faces = mesh_.count(2);
   ++improved_;
-  if (sweep.collapses == 0) phase_ = Phase::Done;
-  else begin_sweep();
+  if (sweep.collapses == 0)
+    phase_ = Phase::Done;
+  else
+    begin_sweep();
 }
 
 std::optional<Operation> Decimation::step() {
@@ -196,13 +205,15 @@ std::uint32_t Decimation::smooth_pass() {
   return made;
 }
 
-Decimation::Stop Decimation::run(std::optional<std::chrono::microseconds> budget, const std::function<bool()>& cancelled) {
+Decimation::Stop Decimation::run(std::optional<std::chrono::microseconds> budget,
+                                 const std::function<bool()>& cancelled) {
   constexpr int candidates_between_checks = 64;
   const auto start = std::chrono::steady_clock::now();
   while (!done()) {
     for (int i = 0; i < candidates_between_checks; ++i) advance();
     if (cancelled && cancelled()) return Stop::Cancelled;
-    if (budget && std::chrono::steady_clock::now() - start >= *budget) return done() ? Stop::Done : Stop::Budget;
+    if (budget && std::chrono::steady_clock::now() - start >= *budget)
+      return done() ? Stop::Done : Stop::Budget;
   }
   return Stop::Done;
 }

@@ -19,18 +19,19 @@
 namespace aomd {
 
 struct DecimationOptions {
-  double factor = 4;        ///< how many times longer edges become where the angle does not bind
-  bool coarsest = false;    ///< no limit on length; `factor` is then ignored
-  double angle_deg = 10;    ///< how far the normal of a face may turn in one operation, degrees
+  double factor = 4;      ///< how many times longer edges become where the angle does not bind
+  bool coarsest = false;  ///< no limit on length; `factor` is then ignored
+  double angle_deg = 10;  ///< how far the normal of a face may turn in one operation, degrees
   TopologyRule topology = TopologyRule::Safe;
-  int improve_passes = 2;   ///< sweeps that are followed by swaps and smoothing
+  int improve_passes = 2;  ///< sweeps that are followed by swaps and smoothing
   bool swap = true;
   bool smooth = true;
 
   friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
 };
 
-/// What one sweep and the improvement after it did. `refused` counts the edges that the sweep left, by reason.
+/// What one sweep and the improvement after it did. `refused` counts the edges that the sweep left, by
+/// reason.
 struct SweepStatistics {
   std::uint32_t collapses = 0, swaps = 0, smooths = 0;
   std::uint32_t faces = 0;  ///< after it
@@ -62,13 +63,15 @@ class Decimation {
   std::optional<Operation> step();
   /// To the end of the present sweep of collapses. Returns how many it made.
   std::uint32_t sweep();
-  /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many operations it made.
+  /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many operations it
+  /// made.
   std::uint32_t swap_pass();
   std::uint32_t smooth_pass();
   std::uint32_t improve() { return swap_pass() + smooth_pass(); }
 
   enum class Stop { Done, Budget, Cancelled };
-  /// Runs until done, until `budget` of time is spent (checked every few operations), or until `cancelled` says so.
+  /// Runs until done, until `budget` of time is spent (checked every few operations), or until `cancelled`
+  /// says so.
   Stop run(std::optional<std::chrono::microseconds> budget = {}, const std::function<bool()>& cancelled = {});
 
   [[nodiscard]] Phase phase() const { return phase_; }
@@ -76,7 +79,8 @@ class Decimation {
   /// A guess in [0,1]: each sweep is taken for half of what is left.
   [[nodiscard]] double progress() const;
   [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const { return sweeps_; }
-  /// The wanted length at a vertex: average length of its edges at the start, times factor. Infinite for coarsest.
+  /// The wanted length at a vertex: average length of its edges at the start, times factor. Infinite for
+  /// coarsest.
   [[nodiscard]] double spacing(Vertex v) const;
   /// Why the edge was not collapsed when it was last judged (None: not judged yet).
   [[nodiscard]] Reason last_refusal(Edge e) const { return refusal_[e]; }

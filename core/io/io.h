@@ -2,6 +2,7 @@
 // Reading and writing meshes: the format is chosen by content, then by extension.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,10 @@ struct ReadResult {
 };
 
 struct WriteOptions {
-  bool binary = true;  ///< where the format has both (PLY, STL; OFF); OBJ is always text
+  /// Where the format has both (PLY, STL, OFF). Not given: PLY is binary; STL is binary unless faces are
+  /// classified, since only text holds solids; OFF is text. Binary STL and OFF hold 32-bit floats, so that
+  /// coordinates are rounded; everything else reads back as the same doubles.
+  std::optional<bool> binary{};
 };
 
 /// Reads a surface mesh. Polygons become triangles; vertices that no face uses are kept; attributes that we
@@ -31,15 +35,20 @@ struct WriteOptions {
 /// unknown format) with line or byte, or LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
+/// The same for bytes in memory. `name` stands in messages; its extension counts as a file's does.
+[[nodiscard]] ReadResult read_bytes(const std::string& name, std::string_view bytes);
+
 /// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is written
 /// beside its target, flushed, and renamed; an existing target stays untouched when anything fails.
-/// Throws WriteError.
+/// Classification: PLY keeps all of it; OBJ (groups) and text STL (solids) that of the faces; OFF none.
+/// Throws WriteError, also for a mesh with regions.
 void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options = {});
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);
 
-/// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too.
+/// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too. Symbolic
+/// links are followed, and an existing file keeps its permissions. Pipes and devices are written to directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace aomd::io

@@ -27,7 +27,8 @@ std::uint64_t EntityHash::key(std::span<const std::uint32_t> vertices) {
 
 EntityHash::Statistics EntityHash::statistics() const {
   const auto worst = std::max_element(length_.begin(), length_.end());
-  return {static_cast<std::uint32_t>(first_.size()), used_, crowded_, worst == length_.end() ? 0u : *worst, rehashes_};
+  return {static_cast<std::uint32_t>(first_.size()), used_, crowded_, worst == length_.end() ? 0u : *worst,
+          rehashes_};
 }
 
 void EntityHash::build(std::uint32_t expected) {

@@ -10,8 +10,8 @@
 namespace aomd {
 
 /// A chained hash set of the entities of one level. The key is the sum of randomised vertex ids, the same on
-/// every platform; different entities may share a key, so the caller compares vertices. The set watches itself:
-/// when more than 10 % of its used buckets hold 10 or more entities it grows tenfold, up to a limit.
+/// every platform; different entities may share a key, so the caller compares vertices. The set watches
+/// itself: when more than 10 % of its used buckets hold 10 or more entities it grows tenfold, up to a limit.
 class EntityHash {
  public:
   [[nodiscard]] static std::uint64_t mix(std::uint32_t vertex);
@@ -39,6 +39,13 @@ class EntityHash {
     for (std::uint32_t e = first_[bucket(key)]; e != no_index; e = next_[e])
       if (keys_[e] == key && same(e)) return e;
     return no_index;
+  }
+
+  /// Calls visit(entity) for everything in the set.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    for (const std::uint32_t head : first_)
+      for (std::uint32_t e = head; e != no_index; e = next_[e]) visit(e);
   }
 
  private:

@@ -18,7 +18,8 @@ double angle_between_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * degrees;
 }
 
-// The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared sides alone.
+// The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared sides
+// alone.
 double smallest_angle_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a, v = c - b, w = a - c;
   double x = glm::dot(u, u), y = glm::dot(v, v), z = glm::dot(w, w);

@@ -15,7 +15,9 @@ class IdPool {
     bool fresh;
   };
 
-  [[nodiscard]] bool alive(std::uint32_t id) const { return id < capacity_ && ((bits_[id >> 6] >> (id & 63u)) & 1u); }
+  [[nodiscard]] bool alive(std::uint32_t id) const {
+    return id < capacity_ && ((bits_[id >> 6] >> (id & 63u)) & 1u);
+  }
   /// One past the largest id ever alive: the size of arrays indexed by id.
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// How many ids are alive.

@@ -63,8 +63,10 @@ void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fre
                          static_cast<std::uint32_t>(vertices.size())}));
   words_.push_back(e.index);
   words_.push_back(mesh.classification(e).bits());
-  if (e.dimension == 0) push_position(mesh.position(Vertex(e.index)));
-  else words_.insert(words_.end(), vertices.begin(), vertices.end());
+  if (e.dimension == 0)
+    push_position(mesh.position(Vertex(e.index)));
+  else
+    words_.insert(words_.end(), vertices.begin(), vertices.end());
   close_record();
 }
 
@@ -105,8 +107,10 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
   const bool recorded_create = head.kind == Kind::Create;
   if (!create) {
     mesh.detach_entity(head.dim, id);
-    if (recorded_create) ids.undo_create(id, head.fresh);
-    else ids.destroy(id);
+    if (recorded_create)
+      ids.undo_create(id, head.fresh);
+    else
+      ids.destroy(id);
     if (recorded_create && head.fresh) mesh.grow_level(head.dim);
     return;
   }
@@ -118,29 +122,35 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
   }
   if (mesh.level(head.dim).classes.size() < ids.capacity()) mesh.grow_level(head.dim);
   const ModelRef model = ModelRef::from_bits(words_[at + 2]);
-  if (head.dim == 0) mesh.attach_vertex(id, read_position(at + 3), model);
-  else mesh.attach_entity(head.dim, id, head.shape, std::span(words_).subspan(at + 3, head.count), model);
+  if (head.dim == 0)
+    mesh.attach_vertex(id, read_position(at + 3), model);
+  else
+    mesh.attach_entity(head.dim, id, head.shape, std::span(words_).subspan(at + 3, head.count), model);
 }
 
 void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {
   const Head head = unpack(words_[at]);
   const std::uint32_t id = words_[at + 1];
   switch (head.kind) {
-    case Kind::Create: return apply_entity(mesh, at, forward);
-    case Kind::Destroy: return apply_entity(mesh, at, !forward);
+    case Kind::Create:
+      return apply_entity(mesh, at, forward);
+    case Kind::Destroy:
+      return apply_entity(mesh, at, !forward);
     case Kind::Move:
       mesh.positions_[id] = read_position(forward ? at + 8 : at + 2);
       return;
     case Kind::Classify:
-      mesh.level(head.dim).classes[id] = ModelRef::from_bits(words_[forward ? at + 3 : at + 2]);
+      mesh.classify(head.dim, id, ModelRef::from_bits(words_[forward ? at + 3 : at + 2]));
       return;
-    case Kind::Rebind: break;
+    case Kind::Rebind:
+      break;
   }
   std::vector<Rebinding> items(head.count);
   for (std::uint32_t i = 0; i < head.count; ++i) {
     const std::uint32_t* w = words_.data() + at + 1 + 4 * std::size_t{i};
     const Vertex from(w[2]), to(w[3]);
-    items[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to, forward ? to : from};
+    items[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to,
+                forward ? to : from};
   }
   mesh.apply_rebindings(items);
 }
@@ -186,7 +196,8 @@ void Journal::restore(std::vector<std::uint32_t> words, std::vector<JournalStep>
     if (steps[i].begin != at || end > words.size()) throw std::runtime_error("journal: step out of order");
     while (at < end) {
       const Head head = unpack(words[at]);
-      if (head.kind > Kind::Classify || at + length(head) > end) throw std::runtime_error("journal: bad record");
+      if (head.kind > Kind::Classify || at + length(head) > end)
+        throw std::runtime_error("journal: bad record");
       at += length(head);
     }
   }

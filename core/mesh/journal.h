@@ -1,5 +1,6 @@
 #pragma once
-// Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in different directions.
+// Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in different
+// directions.
 
 #include <cstdint>
 #include <span>
@@ -26,14 +27,17 @@ struct JournalStep {
 
 /// A linear history of one mesh. Edits made after an undo discard what had been undone. Undo and redo restore
 /// ids, id stack, connectivity, positions and classification exactly; cost O(records of the step).
-/// Records name entities by vertices only, so a history replays under any representation that has the same levels.
+/// Records name entities by vertices only, so a history replays under any representation that has the same
+/// levels.
 class Journal {
  public:
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
   /// Steps [0, cursor) are applied.
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   [[nodiscard]] const JournalStep& step(std::size_t i) const { return steps_[i]; }
-  [[nodiscard]] std::size_t bytes() const { return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep); }
+  [[nodiscard]] std::size_t bytes() const {
+    return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep);
+  }
   /// Changes whenever a history is cut or cleared, so that readers of cursors know to start afresh.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 
@@ -56,8 +60,8 @@ class Journal {
   /// The raw history, for writing it to a file and reading it back (core/io/journal_file).
   [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
   [[nodiscard]] std::span<const JournalStep> steps() const { return steps_; }
-  /// Takes over a history read from a file, nothing of it applied yet. Throws std::runtime_error when a record
-  /// is malformed. Whether it fits a mesh shows only when it is applied.
+  /// Takes over a history read from a file, nothing of it applied yet. Throws std::runtime_error when a
+  /// record is malformed. Whether it fits a mesh shows only when it is applied.
   void restore(std::vector<std::uint32_t> words, std::vector<JournalStep> steps);
 
  private:
@@ -71,8 +75,8 @@ class Journal {
     std::uint32_t count;
   };
   static constexpr std::uint32_t pack(Head h) {
-    return static_cast<std::uint32_t>(h.kind) | static_cast<std::uint32_t>(h.dim) << 3 | std::uint32_t{h.fresh} << 5 |
-           static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
+    return static_cast<std::uint32_t>(h.kind) | static_cast<std::uint32_t>(h.dim) << 3 |
+           std::uint32_t{h.fresh} << 5 | static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
   }
   static constexpr Head unpack(std::uint32_t w) {
     return {static_cast<Kind>(w & 7u), static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u),
@@ -81,10 +85,14 @@ class Journal {
   static constexpr std::size_t length(Head h) {  // words, the head included
     switch (h.kind) {
       case Kind::Create:
-      case Kind::Destroy: return 3 + std::size_t{h.dim == 0 ? 6 : h.count};
-      case Kind::Rebind: return 1 + 4 * std::size_t{h.count};
-      case Kind::Move: return 14;
-      case Kind::Classify: return 4;
+      case Kind::Destroy:
+        return 3 + std::size_t{h.dim == 0 ? 6 : h.count};
+      case Kind::Rebind:
+        return 1 + 4 * std::size_t{h.count};
+      case Kind::Move:
+        return 14;
+      case Kind::Classify:
+        return 4;
     }
     return 1;
   }

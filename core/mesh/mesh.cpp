@@ -11,7 +11,8 @@ bool all_triangles(const EntityList& faces) {
   return std::all_of(faces.shapes.begin(), faces.shapes.end(), [](Shape s) { return s == Shape::Triangle; });
 }
 
-void append_entity(const Mesh& mesh, EntityRef e, const std::vector<std::uint32_t>& new_index, EntityList& list) {
+void append_entity(const Mesh& mesh, EntityRef e, const std::vector<std::uint32_t>& new_index,
+                   EntityList& list) {
   std::array<std::uint32_t, max_shape_vertices> buffer;
   for (const std::uint32_t v : mesh.vertices_of(e, buffer)) list.vertices.push_back(new_index[v]);
   list.shapes.push_back(mesh.shape(e));
@@ -50,8 +51,10 @@ Mesh::Mesh(const MeshData& data) : positions_(data.positions) {
   for (std::uint32_t e = 0; e < data.edges.size(); ++e) {
     const Vertex a(data.edges.vertices[2 * e]), b(data.edges.vertices[2 * e + 1]);
     const ModelRef model = data.edges.classes.empty() ? ModelRef() : data.edges.classes[e];
-    if (const Edge known = find_edge(a, b); known.valid()) level(1).classes[known.index] = model;
-    else create_edge(a, b, model);
+    if (const Edge known = find_edge(a, b); known.valid())
+      level(1).classes[known.index] = model;
+    else
+      create_edge(a, b, model);
   }
   edge_hash_.release();
 }
@@ -62,8 +65,8 @@ Shape Mesh::shape(EntityRef e) const {
   return l.shapes.empty() ? l.uniform : l.shapes[e.index];
 }
 
-std::span<const std::uint32_t> Mesh::vertices_of(EntityRef e,
-                                                 std::array<std::uint32_t, max_shape_vertices>& buffer) const {
+std::span<const std::uint32_t> Mesh::vertices_of(
+    EntityRef e, std::array<std::uint32_t, max_shape_vertices>& buffer) const {
   if (e.dimension == 0) {
     buffer[0] = e.index;
     return {buffer.data(), 1};
@@ -112,11 +115,21 @@ Edge Mesh::find_edge(Vertex a, Vertex b) const {
     for (const Edge e : edges()) edge_hash_.insert(edge_key(e.index), e.index);
   }
   const std::uint32_t ends[] = {a.index, b.index};
-  return Edge(edge_hash_.find(EntityHash::key(ends), [&](std::uint32_t e) { return joins(e, a.index, b.index); }));
+  return Edge(
+      edge_hash_.find(EntityHash::key(ends), [&](std::uint32_t e) { return joins(e, a.index, b.index); }));
+}
+
+void Mesh::keep_class_lists(bool keep) {
+  class_lists_.reset();
+  if (!keep) return;
+  class_lists_ = std::make_unique<ClassLists>();
+  for (int dim = 0; dim < 4; ++dim)
+    for (std::uint32_t id = 0; id < capacity(dim); ++id)
+      if (ids(dim).alive(id)) class_lists_->insert(dim, id, level(dim).classes[id]);
 }
 
 std::size_t Mesh::entity_bytes() const {
-  std::size_t sum = positions_.capacity() * sizeof(glm::dvec3);
+  std::size_t sum = positions_.capacity() * sizeof(glm::dvec3) + (class_lists_ ? class_lists_->bytes() : 0);
   for (const Level& l : levels_)
     sum += l.ids.bytes() + l.classes.capacity() * sizeof(ModelRef) + l.shapes.capacity() * sizeof(Shape);
   return sum;

@@ -1,14 +1,16 @@
 #pragma once
-// The mesh database: entities of four levels, the adjacencies that T(I,J) asks for, classification, and edits.
+// The mesh database: entities of four levels, the adjacencies that T(I,J) asks for, classification, and
+// edits.
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/mesh/class_lists.h"
 #include "core/mesh/entity_hash.h"
 #include "core/mesh/handle.h"
 #include "core/mesh/id_pool.h"
@@ -56,7 +58,9 @@ class Request {
  public:
   Request() = default;
   Request(Mesh& mesh, int i, int j) : mesh_(&mesh), i_(i), j_(j) {}
-  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_) { other.mesh_ = nullptr; }
+  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_) {
+    other.mesh_ = nullptr;
+  }
   Request& operator=(Request&& other) noexcept;
   ~Request() { release(); }
   void release();
@@ -73,7 +77,8 @@ struct Rebinding {
   Vertex from, to;
 };
 
-/// The database. Rows and references are valid until the next edit. Movable while no request is out; not copyable.
+/// The database. Rows and references are valid until the next edit. Movable while no request is out; not
+/// copyable.
 class Mesh {
  public:
   Mesh() = default;
@@ -98,11 +103,12 @@ class Mesh {
   // T(I,J): which adjacencies are stored (paper, section 2) ------------------------------------------------
   [[nodiscard]] const Representation& representation() const { return representation_; }
   [[nodiscard]] bool stored(int i, int j) const { return i != j && representation_.stored(i, j); }
-  /// Stores a relation from now on; built in bulk, O(entities). Creates the entities of a level that has none.
-  /// Throws std::invalid_argument for the diagonal.
+  /// Stores a relation from now on; built in bulk, O(entities). Creates the entities of a level that has
+  /// none. Throws std::invalid_argument for the diagonal.
   void set(int i, int j);
   /// Frees a relation unless a request still holds it. Throws std::logic_error where the relation is the last
-  /// downward one of a populated level, since it defines the entities; the message names another to set first.
+  /// downward one of a populated level, since it defines the entities; the message names another to set
+  /// first.
   void unset(int i, int j);
   /// Stores a relation until the returned object dies (it stays if the user has set it too). Counted.
   [[nodiscard]] Request request(int i, int j);
@@ -126,7 +132,8 @@ class Mesh {
     return {Vertex(r[0]), Vertex(r[1]), Vertex(r[2])};
   }
   /// The vertices of any entity in template order, from whichever downward relation is stored.
-  [[nodiscard]] std::span<const std::uint32_t> vertices_of(EntityRef e, std::array<std::uint32_t, max_shape_vertices>& buffer) const;
+  [[nodiscard]] std::span<const std::uint32_t> vertices_of(
+      EntityRef e, std::array<std::uint32_t, max_shape_vertices>& buffer) const;
   /// True when the face uses the edge in the edge's own direction (paper, figure 3). T(2,1) must be stored.
   [[nodiscard]] bool use_direction(Face f, Edge e) const;
   /// The edge between two vertices, or an invalid handle (paper: E_exists_). Through T(0,1) when stored,
@@ -134,10 +141,17 @@ class Mesh {
   [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const;
   [[nodiscard]] const EntityHash& edge_hash() const { return edge_hash_; }
 
+  // The mesh entities of each model entity (paper, section 2.2) ---------------------------------------------
+  /// Builds the lists, which every edit then keeps, or frees them. O(entities).
+  void keep_class_lists(bool keep);
+  /// Null unless kept.
+  [[nodiscard]] const ClassLists* class_lists() const { return class_lists_.get(); }
+
   // Edits: all relations follow, and the journal records when one is attached ------------------------------
   Vertex create_vertex(const glm::dvec3& position, ModelRef model = {});
   Edge create_edge(Vertex a, Vertex b, ModelRef model = {});
-  /// A triangle or quad. Missing edges are created with the face's classification where the level is represented.
+  /// A triangle or quad. Missing edges are created with the face's classification where the level is
+  /// represented.
   Face create_face(std::span<const Vertex> vertices, ModelRef model = {});
   /// Deletes an entity that no higher entity uses; its lower ones stay.
   void destroy(EntityRef e);
@@ -182,7 +196,8 @@ class Mesh {
   void grow_level(int dim);
   void set_shape(int dim, std::uint32_t id, Shape shape);
   void attach_vertex(std::uint32_t id, const glm::dvec3& position, ModelRef model);
-  void attach_entity(int dim, std::uint32_t id, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model);
+  void attach_entity(int dim, std::uint32_t id, Shape shape, std::span<const std::uint32_t> vertices,
+                     ModelRef model);
   void detach_entity(int dim, std::uint32_t id);
   void apply_rebindings(std::span<const Rebinding> items);
   void rebind_edge(const Rebinding& item);
@@ -192,6 +207,7 @@ class Mesh {
   void attach_sides(std::uint32_t face, std::span<const std::uint32_t> vertices);
   void detach_sides(std::uint32_t face, std::span<const std::uint32_t> vertices);
   void ensure_edges(std::span<const Vertex> vertices, ModelRef model);
+  void classify(int dim, std::uint32_t id, ModelRef model);
   [[nodiscard]] std::uint64_t edge_key(std::uint32_t e) const;
   [[nodiscard]] bool used(EntityRef e) const;
 
@@ -199,6 +215,7 @@ class Mesh {
   std::array<Level, 4> levels_;
   Representation representation_;
   mutable EntityHash edge_hash_;
+  std::unique_ptr<ClassLists> class_lists_;
   Journal* journal_ = nullptr;
 };
 

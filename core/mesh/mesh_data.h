@@ -42,7 +42,8 @@ struct MeshData {
 
   /// True where the source classifies at least one entity of dimension 1 or more, or a vertex.
   [[nodiscard]] bool classified() const {
-    return !vertex_classes.empty() || !edges.classes.empty() || !faces.classes.empty() || !regions.classes.empty();
+    return !vertex_classes.empty() || !edges.classes.empty() || !faces.classes.empty() ||
+           !regions.classes.empty();
   }
 };
 

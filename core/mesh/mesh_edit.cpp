@@ -34,12 +34,14 @@ void Mesh::set_shape(int dim, std::uint32_t id, Shape shape) {
 void Mesh::attach_vertex(std::uint32_t id, const glm::dvec3& position, ModelRef model) {
   positions_[id] = position;
   level(0).classes[id] = model;
+  if (class_lists_) class_lists_->insert(0, id, model);
 }
 
 void Mesh::attach_entity(int dim, std::uint32_t id, Shape shape, std::span<const std::uint32_t> vertices,
                          ModelRef model) {
   AOMD_CHECK(dim == 1 || dim == 2);
   level(dim).classes[id] = model;
+  if (class_lists_) class_lists_->insert(dim, id, model);
   set_shape(dim, id, shape);
   if (stored(dim, 0)) std::copy(vertices.begin(), vertices.end(), representation_.down(dim, 0).row(id));
   if (stored(0, dim))
@@ -70,14 +72,15 @@ void Mesh::find_use_directions(std::uint32_t face, std::span<const std::uint32_t
 void Mesh::detach_sides(std::uint32_t face, std::span<const std::uint32_t> vertices) {
   if (!stored(1, 2)) return;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const std::uint32_t e = stored(2, 1)
-                                ? representation_.down(2, 1).row(face)[k]
-                                : find_edge(Vertex(vertices[k]), Vertex(vertices[(k + 1) % vertices.size()])).index;
+    const std::uint32_t e =
+        stored(2, 1) ? representation_.down(2, 1).row(face)[k]
+                     : find_edge(Vertex(vertices[k]), Vertex(vertices[(k + 1) % vertices.size()])).index;
     AOMD_CHECK(representation_.up(1, 2).erase(e, face));
   }
 }
 
 void Mesh::detach_entity(int dim, std::uint32_t id) {
+  if (class_lists_) class_lists_->erase(dim, id, level(dim).classes[id]);
   if (dim == 0) return;
   std::array<std::uint32_t, max_shape_vertices> buffer;
   const auto vertices = vertices_of(EntityRef(dim, id), buffer);
@@ -164,8 +167,8 @@ void Mesh::rebind_face(const Rebinding& item, std::span<std::uint32_t> vertices)
   representation_.up(0, 2).insert(item.to.index, item.entity.index);
 }
 
-// The two sides at the replaced vertex. A side whose edge was itself rebound keeps that edge: then the old pair of
-// vertices is no longer found, or the new pair is found to be the same edge.
+// The two sides at the replaced vertex. A side whose edge was itself rebound keeps that edge: then the old
+// pair of vertices is no longer found, or the new pair is found to be the same edge.
 void Mesh::rebind_sides(const Rebinding& item, std::span<const std::uint32_t> vertices) {
   const auto n = static_cast<std::uint32_t>(vertices.size());
   const std::uint32_t slots[] = {(item.slot + n - 1) % n, item.slot};
@@ -188,7 +191,8 @@ void Mesh::rebind_sides(const Rebinding& item, std::span<const std::uint32_t> ve
 }
 
 void Mesh::apply_rebindings(std::span<const Rebinding> items) {
-  const auto first_face = std::find_if(items.begin(), items.end(), [](const Rebinding& r) { return r.entity.dimension == 2; });
+  const auto first_face =
+      std::find_if(items.begin(), items.end(), [](const Rebinding& r) { return r.entity.dimension == 2; });
   if (stored(2, 0)) {
     for (auto it = items.begin(); it != first_face; ++it) rebind_edge(*it);
     for (auto it = first_face; it != items.end(); ++it) {
@@ -239,9 +243,18 @@ void Mesh::move(Vertex v, const glm::dvec3& position) {
 
 void Mesh::set_classification(EntityRef e, ModelRef model) {
   AOMD_CHECK(alive(e) && model.may_classify(e.dimension));
-  ModelRef& present = level(e.dimension).classes[e.index];
+  const ModelRef present = classification(e);
   if (present == model) return;
   if (journal_) journal_->record_classify(e, present, model);
+  classify(e.dimension, e.index, model);
+}
+
+void Mesh::classify(int dim, std::uint32_t id, ModelRef model) {
+  ModelRef& present = level(dim).classes[id];
+  if (class_lists_) {
+    class_lists_->erase(dim, id, present);
+    class_lists_->insert(dim, id, model);
+  }
   present = model;
 }
 

@@ -15,7 +15,8 @@ std::string name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to
 
 void check_cell(int i, int j) {
   if (i < 0 || i > 3 || j < 0 || j > 3 || i == j)
-    throw std::invalid_argument(name(i, j) + " is not a relation: I and J are two different levels of 0 to 3");
+    throw std::invalid_argument(name(i, j) +
+                                " is not a relation: I and J are two different levels of 0 to 3");
 }
 
 }  // namespace
@@ -46,8 +47,8 @@ void Mesh::unset(int i, int j) {
     std::string others;
     for (int k = 0; k < i; ++k)
       if (k != j) others += (others.empty() ? "" : " or ") + name(i, k);
-    throw std::logic_error(name(i, j) + " defines the " + entity_name(i) + "s: " +
-                           (others.empty() ? "delete them first" : "set " + others + " first"));
+    throw std::logic_error(name(i, j) + " defines the " + entity_name(i) +
+                           "s: " + (others.empty() ? "delete them first" : "set " + others + " first"));
   }
   representation_.demand(i, j).user = false;
   free_unwanted(i, j);
@@ -69,8 +70,10 @@ bool Mesh::defines_level(int i, int j) const {
 
 void Mesh::free_unwanted(int i, int j) {
   if (!stored(i, j) || representation_.demand(i, j).wanted() || defines_level(i, j)) return;
-  if (i > j) representation_.down(i, j).release();
-  else representation_.up(i, j).release();
+  if (i > j)
+    representation_.down(i, j).release();
+  else
+    representation_.up(i, j).release();
 }
 
 void Mesh::build(int i, int j) {
@@ -78,10 +81,14 @@ void Mesh::build(int i, int j) {
   ensure_level(std::max(i, j));
   ensure_level(std::min(i, j));
   if (stored(i, j)) return;
-  if (i < j) build_up(i, j);
-  else if (i == 2 && j == 1) build_face_edges();
-  else if (i == 2 && j == 0) build_face_vertices();
-  else representation_.down(i, j).allocate(capacity(i), widest(i, j), j == i - 1);
+  if (i < j)
+    build_up(i, j);
+  else if (i == 2 && j == 1)
+    build_face_edges();
+  else if (i == 2 && j == 0)
+    build_face_vertices();
+  else
+    representation_.down(i, j).allocate(capacity(i), widest(i, j), j == i - 1);
 }
 
 void Mesh::ensure_level(int dim) {
@@ -144,8 +151,8 @@ void Mesh::build_face_vertices() {
   representation_.down(2, 0) = std::move(rows);
 }
 
-// Edges in ascending order of their smaller vertex, then of the first face that uses them, whose direction and
-// classification they take. Linear: the sides of each vertex are told apart by marks, not by searching.
+// Edges in ascending order of their smaller vertex, then of the first face that uses them, whose direction
+// and classification they take. Linear: the sides of each vertex are told apart by marks, not by searching.
 void Mesh::create_implicit_edges() {
   const DownRows& rows = std::as_const(representation_).down(2, 0);
   if (count(2) == 0) return;
@@ -165,7 +172,9 @@ void Mesh::create_implicit_edges() {
   std::vector<Side> sides(begin.back());
   {
     std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
-    each_side([&](std::uint32_t a, std::uint32_t b, std::uint32_t f) { sides[at[std::min(a, b)]++] = {a, b, f}; });
+    each_side([&](std::uint32_t a, std::uint32_t b, std::uint32_t f) {
+      sides[at[std::min(a, b)]++] = {a, b, f};
+    });
   }
   std::vector<std::uint32_t> mark(capacity(0), no_index);
   std::vector<Side> unique;
@@ -183,6 +192,7 @@ void Mesh::create_implicit_edges() {
     ends[0] = unique[e].from;
     ends[1] = unique[e].to;
     level(1).classes[e] = level(2).classes[unique[e].face];
+    if (class_lists_) class_lists_->insert(1, e, level(1).classes[e]);
   }
 }
 

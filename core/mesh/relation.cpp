@@ -8,7 +8,8 @@
 namespace aomd {
 namespace {
 
-// Block sizes: every number up to 16, then two an octave, so that typical rows fit exactly and 6 bits name them all.
+// Block sizes: every number up to 16, then two an octave, so that typical rows fit exactly and 6 bits name
+// them all.
 constexpr std::array<std::uint32_t, 64> block_sizes = [] {
   std::array<std::uint32_t, 64> sizes{};
   for (std::uint32_t i = 0; i < 64; ++i) {
@@ -16,8 +17,9 @@ constexpr std::array<std::uint32_t, 64> block_sizes = [] {
       sizes[i] = i;
     } else {
       const std::uint32_t octave = (i - 17) / 2;
-      sizes[i] = std::min<std::uint64_t>((i - 17) % 2 == 0 ? std::uint64_t{24} << octave : std::uint64_t{32} << octave,
-                                         UpRows::max_row_size);
+      sizes[i] = std::min<std::uint64_t>(
+          (i - 17) % 2 == 0 ? std::uint64_t{24} << octave : std::uint64_t{32} << octave,
+          UpRows::max_row_size);
     }
   }
   return sizes;
@@ -56,7 +58,9 @@ void DownRows::widen(std::uint32_t stride) {
   stride_ = stride;
 }
 
-std::size_t UpRows::bytes() const { return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + free_blocks_.capacity() * 4; }
+std::size_t UpRows::bytes() const {
+  return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + free_blocks_.capacity() * 4;
+}
 
 void UpRows::allocate(std::span<const std::uint32_t> sizes) {
   release();

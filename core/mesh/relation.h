@@ -1,7 +1,7 @@
 #pragma once
-// One stored adjacency T(I,J): rows of indices. Downward rows (I > J) have a fixed length by shape; upward rows
-// (I < J) grow and shrink in a pool and are always sorted, so that they depend on the mesh alone, never on the
-// order of the edits that led to it.
+// One stored adjacency T(I,J): rows of indices. Downward rows (I > J) have a fixed length by shape; upward
+// rows (I < J) grow and shrink in a pool and are always sorted, so that they depend on the mesh alone, never
+// on the order of the edits that led to it.
 
 #include <cstdint>
 #include <span>
@@ -48,7 +48,9 @@ class DownRows {
  public:
   [[nodiscard]] bool stored() const { return stride_ != 0; }
   [[nodiscard]] std::uint32_t stride() const { return stride_; }
-  [[nodiscard]] const std::uint32_t* row(std::uint32_t i) const { return data_.data() + std::size_t{i} * stride_; }
+  [[nodiscard]] const std::uint32_t* row(std::uint32_t i) const {
+    return data_.data() + std::size_t{i} * stride_;
+  }
   [[nodiscard]] std::uint32_t* row(std::uint32_t i) { return data_.data() + std::size_t{i} * stride_; }
   /// Bit k: the row's k-th entity is used in its own direction. Kept for T(2,1) and T(3,2) only.
   [[nodiscard]] std::uint16_t directions(std::uint32_t i) const { return directions_[i]; }
@@ -105,7 +107,8 @@ class UpRows {
 
   std::vector<Head> heads_;
   std::vector<std::uint32_t> pool_;
-  std::vector<std::uint32_t> free_blocks_;  ///< by block size: first free block, each holding the next one's place
+  std::vector<std::uint32_t>
+      free_blocks_;  ///< by block size: first free block, each holding the next one's place
   bool stored_ = false;
 };
 

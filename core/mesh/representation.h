@@ -12,7 +12,9 @@ namespace aomd {
 class Representation {
  public:
   [[nodiscard]] bool stored(int i, int j) const { return i > j ? down(i, j).stored() : up(i, j).stored(); }
-  [[nodiscard]] std::size_t bytes(int i, int j) const { return i > j ? down(i, j).bytes() : up(i, j).bytes(); }
+  [[nodiscard]] std::size_t bytes(int i, int j) const {
+    return i > j ? down(i, j).bytes() : up(i, j).bytes();
+  }
   /// Downward rows, i > j.
   [[nodiscard]] const DownRows& down(int i, int j) const { return down_[index(i, j)]; }
   [[nodiscard]] DownRows& down(int i, int j) { return down_[index(i, j)]; }

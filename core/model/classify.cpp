@@ -52,7 +52,8 @@ class Classifier {
       if (m.dimension() == 2) tags_[2].taken(m), faces_given_ = true;
     }
     for (const Edge e : mesh_.edges())
-      if (const ModelRef m = mesh_.classification(e); m.dimension() == 1) tags_[1].taken(m), edges_given_ = true;
+      if (const ModelRef m = mesh_.classification(e); m.dimension() == 1)
+        tags_[1].taken(m), edges_given_ = true;
     for (const Vertex v : mesh_.vertices()) {
       const ModelRef m = mesh_.classification(v);
       if (m.dimension() <= 1) tags_[static_cast<std::size_t>(m.dimension())].taken(m);
@@ -98,9 +99,11 @@ class Classifier {
       for (const Edge e : mesh_.row<1>(v))
         if (feature_[e] && count++ < 2) ends[count - 1] = e;
       if (count == 0) continue;
-      const ModelRef first = mesh_.classification(ends[0]), second = count > 1 ? mesh_.classification(ends[1]) : first;
+      const ModelRef first = mesh_.classification(ends[0]),
+                     second = count > 1 ? mesh_.classification(ends[1]) : first;
       const bool split = first.dimension() == 1 && second.dimension() == 1 && first != second;
-      if (count == 2 && !split && corner_.allows(direction_from(v, ends[0]), -direction_from(v, ends[1]))) continue;
+      if (count == 2 && !split && corner_.allows(direction_from(v, ends[0]), -direction_from(v, ends[1])))
+        continue;
       mesh_.set_classification(v, ModelRef(0, tags_[0].take()));
     }
   }

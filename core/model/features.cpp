@@ -21,7 +21,8 @@ enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3 };
 
 class FeatureFinder {
  public:
-  FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark) : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)) {}
+  FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark)
+      : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)) {}
 
   void mark_borders(bool nonmanifold_edges) {
     for (const Edge e : mesh_.edges()) {
@@ -149,7 +150,8 @@ class FeatureFinder {
 
 }  // namespace
 
-FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options, Column<Edge, std::uint8_t>& feature) {
+FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
+                           Column<Edge, std::uint8_t>& feature) {
   feature.assign(mesh.capacity(1), None);
   FeatureFinder finder(mesh, feature);
   finder.mark_borders(options.nonmanifold_edges);

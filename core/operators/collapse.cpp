@@ -51,7 +51,8 @@ void Collapser::mark_neighbours(const Mesh& mesh, Vertex kept) {
 }
 
 bool Collapser::is_apex(Vertex v) const {
-  return std::any_of(removed_.begin(), removed_.end(), [v](const StarFace& f) { return f.next == v || f.previous == v; });
+  return std::any_of(removed_.begin(), removed_.end(),
+                     [v](const StarFace& f) { return f.next == v || f.previous == v; });
 }
 
 // The removed face's two other edges fall together. If neither had another face, the one that stays has none.
@@ -72,7 +73,8 @@ Verdict Collapser::judge_topology(const Mesh& mesh, Vertex deleted, Vertex kept)
     if (pinched(f.next)) return {Reason::Topology, 0, f.next};
     if (pinched(f.previous)) return {Reason::Topology, 0, f.previous};
     if (!marked(f.next) || !marked(f.previous)) continue;
-    for (const Face g : mesh.row<2>(kept)) {  // both ends apexes: the stretched face may fall onto a face of `kept`
+    for (const Face g :
+         mesh.row<2>(kept)) {  // both ends apexes: the stretched face may fall onto a face of `kept`
       const auto t = mesh.triangle(g);
       if (uses(t, f.next) && uses(t, f.previous)) return {Reason::Topology, 0, g};
     }
@@ -82,7 +84,8 @@ Verdict Collapser::judge_topology(const Mesh& mesh, Vertex deleted, Vertex kept)
   return {};
 }
 
-Verdict Collapser::judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept, const TurnLimit& limit) const {
+Verdict Collapser::judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept,
+                                  const TurnLimit& limit) const {
   const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
   for (const StarFace& f : stretched_) {
     const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
@@ -96,7 +99,8 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept,
 
 Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules) {
   const ModelRef model = mesh.classification(deleted);
-  if (model.dimension() == 0 || model != mesh.classification(edge)) return {Reason::Classification, 0, deleted};
+  if (model.dimension() == 0 || model != mesh.classification(edge))
+    return {Reason::Classification, 0, deleted};
   const Vertex kept = other_end(mesh, edge, deleted);
   gather(mesh, deleted, kept);
   if (rules.topology == TopologyRule::Safe) {
@@ -113,8 +117,10 @@ void Collapser::plan_edges(const Mesh& mesh, Edge edge, Vertex deleted, Vertex k
     if (e == edge) continue;
     const auto [a, b] = mesh.edge_vertices(e);
     const Vertex far = a == deleted ? b : a;
-    if (marked(far)) merges_.push_back({e, edge_to_kept_[far]});
-    else rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
+    if (marked(far))
+      merges_.push_back({e, edge_to_kept_[far]});
+    else
+      rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
   }
 }
 
@@ -137,7 +143,8 @@ void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
   mesh.rebind(rebindings_);
   for (const Merge& m : merges_) {
     const ModelRef gone = mesh.classification(m.gone);
-    if (gone.dimension() < mesh.classification(m.survivor).dimension()) mesh.set_classification(m.survivor, gone);
+    if (gone.dimension() < mesh.classification(m.survivor).dimension())
+      mesh.set_classification(m.survivor, gone);
     mesh.destroy(m.gone);
   }
   for (const StarFace& f : removed_) destroy_if_bare(mesh, f.next == kept ? f.previous : f.next, kept);

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/mesh/column.h"
-#include "core/mesh/mesh.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/mesh.h"
 #include "core/operators/verdict.h"
 
 namespace aomd {
@@ -39,16 +39,17 @@ class Collapser {
   /// Checks in this order: classification, topology, flat faces, turned normals.
   [[nodiscard]] Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules);
 
-  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the edge
-  /// go, the others around `deleted` are stretched to the kept end, and edges that fall together become one that
-  /// keeps the lower classification. One journal step.
+  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the
+  /// edge go, the others around `deleted` are stretched to the kept end, and edges that fall together become
+  /// one that keeps the lower classification. One journal step.
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
-  /// The faces that the last judge() or apply() found around the deleted vertex: removed ones and stretched ones.
+  /// The faces that the last judge() or apply() found around the deleted vertex: removed ones and stretched
+  /// ones.
   struct StarFace {
     Face face;
-    std::uint32_t slot;       ///< where the deleted vertex stands in the face
-    Vertex next, previous;    ///< the other two, in the face's order
+    std::uint32_t slot;     ///< where the deleted vertex stands in the face
+    Vertex next, previous;  ///< the other two, in the face's order
   };
   [[nodiscard]] const std::vector<StarFace>& removed() const { return removed_; }
   [[nodiscard]] const std::vector<StarFace>& stretched() const { return stretched_; }
@@ -59,8 +60,10 @@ class Collapser {
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
   [[nodiscard]] bool is_apex(Vertex v) const;
   [[nodiscard]] Verdict judge_topology(const Mesh& mesh, Vertex deleted, Vertex kept) const;
-  [[nodiscard]] bool leaves_bare_edge(const Mesh& mesh, const StarFace& face, Vertex deleted, Vertex kept) const;
-  [[nodiscard]] Verdict judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept, const TurnLimit& limit) const;
+  [[nodiscard]] bool leaves_bare_edge(const Mesh& mesh, const StarFace& face, Vertex deleted,
+                                      Vertex kept) const;
+  [[nodiscard]] Verdict judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept,
+                                       const TurnLimit& limit) const;
   void destroy_if_bare(Mesh& mesh, Vertex apex, Vertex kept);
   void plan_edges(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
 

@@ -12,7 +12,9 @@ namespace {
 // Gain below this (in the cosine of the smallest angle) is noise and could swap back and forth.
 constexpr double smallest_gain = 1e-6;
 
-std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3; }
+std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
+  return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3;
+}
 
 // Fills the pair; false unless exactly two faces use the edge, in opposite directions.
 bool find_pair(const Mesh& mesh, Edge edge, EdgePair& pair) {
@@ -32,7 +34,8 @@ bool find_pair(const Mesh& mesh, Edge edge, EdgePair& pair) {
 }
 
 Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit) {
-  const glm::dvec3 a = mesh.position(e.a), b = mesh.position(e.b), c = mesh.position(e.c), d = mesh.position(e.d);
+  const glm::dvec3 a = mesh.position(e.a), b = mesh.position(e.b), c = mesh.position(e.c),
+                   d = mesh.position(e.d);
   const double before = std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
   const double after = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
   if (after > before - smallest_gain)

@@ -9,8 +9,8 @@
 
 #include <array>
 
-#include "core/mesh/mesh.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/mesh.h"
 #include "core/operators/verdict.h"
 
 namespace aomd {
@@ -22,9 +22,10 @@ struct EdgePair {
 };
 
 /// What swapping an edge would do. Accepted only where the smallest angle of the two triangles grows.
-/// Refusals: Classification (the edge is on a model edge, or its faces differ), Topology (not exactly two faces,
-/// oppositely oriented, or the other diagonal exists), Flat, Angle (a new normal further than `max_turn` from
-/// either old one), Quality. The mesh must store T(0,1), T(0,2), T(2,0). `pair` receives what was found.
+/// Refusals: Classification (the edge is on a model edge, or its faces differ), Topology (not exactly two
+/// faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new normal further than
+/// `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2), T(2,0). `pair` receives what
+/// was found.
 [[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair);
 
 /// Swaps: edge and both faces keep their ids. One journal step.

@@ -3,7 +3,8 @@
 namespace aomd {
 
 const char* reason_name(Reason reason) {
-  constexpr const char* names[] = {"None", "Spacing", "Classification", "Topology", "Flat", "Angle", "Quality"};
+  constexpr const char* names[] = {"None", "Spacing", "Classification", "Topology",
+                                   "Flat", "Angle",   "Quality"};
   return names[static_cast<int>(reason)];
 }
 

@@ -11,11 +11,12 @@ namespace aomd {
 enum class Reason : std::uint8_t {
   None,            ///< accepted
   Spacing,         ///< the edge is not shorter than the spacing of either end; number: its length
-  Classification,  ///< paper section 3: the deleted vertex must lie on what the edge lies on, and not on a model vertex
+  Classification,  ///< paper section 3: the deleted vertex must lie on what the edge lies on, and not on a
+                   ///< model vertex
   Topology,        ///< the link condition: the surface would be pinched, doubled or torn
   Flat,            ///< a face would have no area
   Angle,           ///< a face normal would turn too far; number: degrees
-  Quality,         ///< the shape would not get better; number: the smallest angle that would result, in degrees
+  Quality,  ///< the shape would not get better; number: the smallest angle that would result, in degrees
 };
 inline constexpr int reason_count = 7;
 

@@ -1,0 +1,149 @@
+#include "core/io/io.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "core/io/formats.h"
+#include "core/io/text_cursor.h"
+
+namespace aomd::io {
+namespace {
+
+using detail::Source;
+
+constexpr std::array<std::pair<std::string_view, Format>, 4> extensions{
+    {{".obj", Format::Obj}, {".ply", Format::Ply}, {".off", Format::Off}, {".stl", Format::Stl}}};
+
+std::optional<Format> format_of_name(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [name, format] : extensions) {
+    if (extension == name) return format;
+  }
+  return {};
+}
+
+std::string_view extension_of(Format format) { return extensions[static_cast<std::size_t>(format)].first; }
+
+/// What the content is beyond doubt, if anything.
+std::optional<Format> format_of_content(const Source& source) {
+  if (detail::is_binary_stl(source.bytes)) return Format::Stl;
+  detail::TextCursor cursor(source, source.bytes, 0, '#');
+  if (cursor.skip_to_content()) return {};
+  const std::string_view word = cursor.word();
+  if (word == "ply") return Format::Ply;
+  if (detail::is_off(word)) return Format::Off;
+  if (word == "solid" || word == "SOLID") return Format::Stl;
+  constexpr std::string_view obj_words[] = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
+  if (std::find(std::begin(obj_words), std::end(obj_words), word) != std::end(obj_words)) return Format::Obj;
+  return {};
+}
+
+/// Text that calls itself "solid" and goes on with facets, in spite of a size that fits no facet count.
+bool is_text_stl(const Source& source) {
+  if (detail::is_binary_stl(source.bytes)) return false;
+  detail::TextCursor cursor(source, source.bytes);
+  cursor.skip_to_content();
+  const std::string_view word = cursor.word();
+  return (word == "solid" || word == "SOLID" || word == "Solid") &&
+         source.bytes.find('\0') == std::string_view::npos;
+}
+
+ReadResult read_as(Format format, const Source& source) {
+  switch (format) {
+    case Format::Obj:
+      return detail::read_obj(source);
+    case Format::Ply:
+      return detail::read_ply(source);
+    case Format::Off:
+      return detail::read_off(source);
+    case Format::Stl:
+      break;
+  }
+  return detail::read_stl(source, !is_text_stl(source));
+}
+
+ReadResult read_source(const Source& source) {
+  const auto named = format_of_name(source.name);
+  const auto found = format_of_content(source);
+  if (!found && !named) source.fail("is in no format that is known here");
+  ReadResult result = read_as(found ? *found : *named, source);
+  if (found && named && *found != *named) {
+    result.notes.push_back("read as " + std::string(extension_of(*found)) + ", which is what the content is");
+  }
+  return result;
+}
+
+bool binary_by_default(Format format, const MeshData& mesh) {
+  // Binary STL has no solids, and few programs read binary OFF.
+  return format == Format::Ply || (format == Format::Stl && mesh.faces.classes.empty());
+}
+
+void check_writable(const std::filesystem::path& path, const MeshData& mesh, bool single_precision) {
+  if (!mesh.regions.empty()) {
+    throw WriteError(path.string(), {}, "this format holds surfaces, and the mesh has regions");
+  }
+  const double limit =
+      single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  for (const glm::dvec3& p : mesh.positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(p[axis]) <= limit))
+        throw WriteError(path.string(), {}, "a coordinate does not fit the format");
+    }
+  }
+}
+
+}  // namespace
+
+ReadResult read(const std::filesystem::path& path) {
+  const detail::FileBytes bytes(path);
+  return read_bytes(path.string(), bytes.view());
+}
+
+ReadResult read_bytes(const std::string& name, std::string_view bytes) {
+  const Source source{name, bytes};
+  if (bytes.empty()) source.fail("is empty");
+  try {
+    return read_source(source);
+  } catch (const std::bad_alloc&) {
+    throw LimitError(name, {}, "the mesh does not fit into memory");
+  }
+}
+
+Format format_for_writing(const std::filesystem::path& path) {
+  if (const auto format = format_of_name(path)) return *format;
+  throw WriteError(path.string(), {}, "the extension names no format: .obj, .ply, .off or .stl");
+}
+
+void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
+  const Format format = format_for_writing(path);
+  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
+  check_writable(path, mesh, binary && (format == Format::Stl || format == Format::Off));
+  switch (format) {
+    case Format::Obj:
+      return write_file(path, detail::write_obj(mesh));
+    case Format::Ply:
+      return write_file(path, detail::write_ply(mesh, binary));
+    case Format::Off:
+      return write_file(path, detail::write_off(mesh, binary));
+    case Format::Stl:
+      return write_file(path, detail::write_stl(mesh, binary));
+  }
+}
+
+namespace detail {
+
+bool fits_float(const MeshData& mesh) {
+  const auto fits = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
+  return std::all_of(mesh.positions.begin(), mesh.positions.end(),
+                     [&](const glm::dvec3& p) { return fits(p.x) && fits(p.y) && fits(p.z); });
+}
+
+}  // namespace detail
+}  // namespace aomd::io

@@ -1,0 +1,253 @@
+// PLY: vertex, face, edge and tristrips elements; everything else is passed over.
+
+#include <algorithm>
+
+#include "core/io/face_sink.h"
+#include "core/io/formats.h"
+#include "core/io/ply_body.h"
+#include "core/io/ply_header.h"
+#include "core/mesh/handle.h"
+
+namespace aomd::io::detail {
+namespace {
+
+/// What a property means to us.
+enum class Role : std::uint8_t { Skip, X, Y, Z, Indices, Vertex1, Vertex2, ModelDimension, ModelTag };
+
+Role role_of(const PlyElement& element, const PlyProperty& p) {
+  const std::string &e = element.name, &n = p.name;
+  if (p.list) return n == "vertex_indices" || n == "vertex_index" ? Role::Indices : Role::Skip;
+  if (n == "model_dimension") return Role::ModelDimension;
+  if (n == "model_tag") return Role::ModelTag;
+  if (e == "vertex") return n == "x" ? Role::X : n == "y" ? Role::Y : n == "z" ? Role::Z : Role::Skip;
+  if (e == "edge") return n == "vertex1" ? Role::Vertex1 : n == "vertex2" ? Role::Vertex2 : Role::Skip;
+  return Role::Skip;
+}
+
+/// One element's values that we use.
+struct Record {
+  double position[3] = {};
+  std::int64_t ends[2] = {};
+  std::int64_t model_dimension = 7, model_tag = 0;
+  std::vector<std::int64_t> indices;
+};
+
+template <class Body>
+class PlyReader {
+ public:
+  PlyReader(const Source& source, const PlyHeader& header)
+      : source_(source),
+        header_(header),
+        body_(source, header),
+        vertex_count_(promised_vertices()),
+        faces_(vertex_count_) {}
+
+  ReadResult read() {
+    for (const PlyElement& element : header_.elements) read_element(element);
+    if (!body_.at_end()) body_.fail("data after the last element");
+    ReadResult result;
+    result.format = Format::Ply;
+    note_polygons(result.notes, faces_.finish(mesh_));
+    drop_empty_classes(mesh_);
+    result.mesh = std::move(mesh_);
+    return result;
+  }
+
+ private:
+  std::uint64_t promised_vertices() const {
+    const PlyElement* element = header_.find("vertex");
+    if (!element) source_.fail("the PLY header declares no vertices");
+    return element->count;
+  }
+
+  void read_element(const PlyElement& element) {
+    roles_.clear();
+    for (const PlyProperty& p : element.properties) roles_.push_back(role_of(element, p));
+    classified_ = has(Role::ModelDimension) && has(Role::ModelTag);
+    if (header_.encoding != PlyEncoding::Ascii) check_room(element);
+    const std::size_t expected = believable(element);
+    if (element.name == "vertex") {
+      need(element, {Role::X, Role::Y, Role::Z}, "x, y and z");
+      mesh_.positions.reserve(expected);
+      each(element, [&] { add_vertex(); });
+    } else if (element.name == "face") {
+      need(element, {Role::Indices}, "a list vertex_indices");
+      faces_.reserve(expected);
+      each(element, [&] { add_face(); });
+    } else if (element.name == "edge" && has(Role::Vertex1) && has(Role::Vertex2)) {
+      each(element, [&] { add_edge(); });
+    } else if (element.name == "tristrips" && has(Role::Indices)) {
+      each(element, [&] { add_strip(); });
+    } else {
+      std::fill(roles_.begin(), roles_.end(), Role::Skip);
+      each(element, [] {});
+    }
+  }
+
+  [[nodiscard]] bool has(Role role) const {
+    return std::find(roles_.begin(), roles_.end(), role) != roles_.end();
+  }
+
+  void need(const PlyElement& element, std::initializer_list<Role> roles, const char* names) const {
+    for (const Role role : roles) {
+      if (!has(role))
+        source_.fail_at_line(element.line_offset, "element " + element.name + " needs " + names);
+    }
+  }
+
+  /// Refuses at once what the file is too short for.
+  void check_room(const PlyElement& element) const {
+    const std::size_t least = element.least_size(header_.encoding);
+    if (least == 0 || element.count <= body_.left() / least) return;
+    source_.fail_at_byte(source_.bytes.size(), "the file ends early: " + std::to_string(element.count) +
+                                                   " of " + shown(element.name) + " need " +
+                                                   std::to_string(least) + " or more bytes each, " +
+                                                   std::to_string(body_.left()) + " are left");
+  }
+
+  /// How many elements the rest of the file can hold, at most.
+  [[nodiscard]] std::size_t believable(const PlyElement& element) const {
+    const std::size_t least = std::max<std::size_t>(element.least_size(header_.encoding), 1);
+    const auto expected =
+        static_cast<std::size_t>(std::min<std::uint64_t>(element.count, body_.left() / least + 1));
+    if (expected >= no_index)
+      throw LimitError(source_.name, {}, "more than 2^32 - 2 of " + shown(element.name));
+    return expected;
+  }
+
+  template <class Use>
+  void each(const PlyElement& element, Use&& use) {
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (body_.at_end()) {
+        body_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(element.count) +
+                   " of " + shown(element.name));
+      }
+      for (std::size_t p = 0; p < roles_.size(); ++p) take(element.properties[p], roles_[p]);
+      use();
+      body_.end_element();
+    }
+  }
+
+  void take(const PlyProperty& p, Role role) {
+    constexpr const char* names[] = {"", "x", "y", "z"};
+    switch (role) {
+      case Role::X:
+      case Role::Y:
+      case Role::Z: {
+        const auto axis = static_cast<std::size_t>(role);
+        record_.position[axis - 1] = body_.real(p.type, names[axis]);
+        break;
+      }
+      case Role::Vertex1:
+        record_.ends[0] = body_.integer(p.type, "vertex1");
+        break;
+      case Role::Vertex2:
+        record_.ends[1] = body_.integer(p.type, "vertex2");
+        break;
+      case Role::ModelDimension:
+        record_.model_dimension = body_.integer(p.type, "model_dimension");
+        break;
+      case Role::ModelTag:
+        record_.model_tag = body_.integer(p.type, "model_tag");
+        break;
+      case Role::Indices:
+        take_indices(p);
+        break;
+      case Role::Skip:
+        pass_over(p);
+        break;
+    }
+  }
+
+  std::size_t list_size(const PlyProperty& p) {
+    const std::int64_t n = body_.integer(p.count_type, "the length of a list");
+    if (n < 0) body_.fail("a list of negative length");
+    if (static_cast<std::uint64_t>(n) > body_.left()) body_.fail("a list longer than the rest of the file");
+    return static_cast<std::size_t>(n);
+  }
+
+  void take_indices(const PlyProperty& p) {
+    const std::size_t n = list_size(p);
+    record_.indices.resize(n);
+    for (std::int64_t& index : record_.indices) index = body_.integer(p.type, "a vertex index");
+  }
+
+  void pass_over(const PlyProperty& p) {
+    const std::size_t n = p.list ? list_size(p) : 1;
+    for (std::size_t i = 0; i < n; ++i) body_.skip(p.type);
+  }
+
+  /// The class of the current element, whose dimension is `lowest`.
+  ModelRef model(int lowest) const {
+    if (!classified_ || record_.model_dimension == 7) return {};
+    const std::int64_t dimension = record_.model_dimension, tag = record_.model_tag;
+    if (dimension < lowest || dimension > 3) {
+      body_.fail("a " + std::string(entity_name(lowest)) + " cannot lie on a model entity of dimension " +
+                 std::to_string(dimension));
+    }
+    if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
+      body_.fail("model_tag " + std::to_string(tag) + " is out of range");
+    return {static_cast<int>(dimension), static_cast<std::int32_t>(tag)};
+  }
+
+  void add_vertex() {
+    mesh_.positions.emplace_back(record_.position[0], record_.position[1], record_.position[2]);
+    if (classified_) mesh_.vertex_classes.push_back(model(0));
+  }
+
+  void add_face() {
+    const std::string wrong = faces_.add(record_.indices, model(2));
+    if (!wrong.empty()) body_.fail(wrong);
+  }
+
+  void add_edge() {
+    const std::string wrong = edge_defect(record_.ends[0], record_.ends[1], vertex_count_);
+    if (!wrong.empty()) body_.fail(wrong);
+    mesh_.edges.add(
+        Shape::Line,
+        {static_cast<std::uint32_t>(record_.ends[0]), static_cast<std::uint32_t>(record_.ends[1])}, model(1));
+  }
+
+  /// Strips end with -1; every second triangle runs the other way. Triangles that repeat a vertex are how
+  /// strips turn corners: they are no faces.
+  void add_strip() {
+    std::size_t start = 0;
+    const std::vector<std::int64_t>& v = record_.indices;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      if (v[i] == -1) start = i + 1;
+      if (v[i] == -1 || i < start + 2) continue;
+      const bool odd = (i - start) % 2 == 1;
+      const std::int64_t triangle[] = {v[i - 2], v[odd ? i : i - 1], v[odd ? i - 1 : i]};
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      const std::string wrong = faces_.add(triangle, model(2));
+      if (!wrong.empty()) body_.fail(wrong);
+    }
+  }
+
+  const Source& source_;
+  const PlyHeader& header_;
+  Body body_;
+  std::uint64_t vertex_count_;
+  FaceSink faces_;
+  MeshData mesh_;
+  std::vector<Role> roles_;
+  bool classified_ = false;
+  Record record_;
+};
+
+}  // namespace
+
+ReadResult read_ply(const Source& source) {
+  const PlyHeader header = read_ply_header(source);
+  switch (header.encoding) {
+    case PlyEncoding::LittleEndian:
+      return PlyReader<PlyBinary<std::endian::little>>(source, header).read();
+    case PlyEncoding::BigEndian:
+      return PlyReader<PlyBinary<std::endian::big>>(source, header).read();
+    case PlyEncoding::Ascii:
+      break;
+  }
+  return PlyReader<PlyText>(source, header).read();
+}
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,71 @@
+#include "core/io/png.h"
+
+#include <png.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/io/io.h"
+
+namespace aomd::io {
+namespace {
+
+/// libpng's simplified interface, freed on every way out.
+class PngControl {
+ public:
+  PngControl() {
+    image.version = PNG_IMAGE_VERSION;
+  }
+  ~PngControl() { png_image_free(&image); }
+  PngControl(const PngControl&) = delete;
+  PngControl& operator=(const PngControl&) = delete;
+
+  png_image image{};
+};
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw ReadError(path.string(), {}, "is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ReadError(path.string(), {}, "cannot be opened");
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) throw ReadError(path.string(), {}, "cannot be read");
+  return bytes;
+}
+
+std::string encode(const std::filesystem::path& path, const Image& picture) {
+  PngControl png;
+  png.image.width = static_cast<png_uint_32>(picture.width);
+  png.image.height = static_cast<png_uint_32>(picture.height);
+  png.image.format = PNG_FORMAT_RGBA;
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image), '\0');
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.rgba.data(), 0, nullptr) == 0)
+    throw WriteError(path.string(), {}, std::string("cannot be encoded: ") + png.image.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+}  // namespace
+
+Image read_png(const std::filesystem::path& path) {
+  const std::string bytes = read_bytes(path);
+  PngControl png;
+  if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
+    throw ReadError(path.string(), {}, std::string("is not a PNG picture: ") + png.image.message);
+  if (std::uint64_t{png.image.width} * png.image.height > max_image_pixels)
+    throw LimitError(path.string(), {}, "the picture has more than 2^26 pixels");
+  png.image.format = PNG_FORMAT_RGBA;
+  Image picture(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
+  if (png_image_finish_read(&png.image, nullptr, picture.rgba.data(), 0, nullptr) == 0)
+    throw ReadError(path.string(), {}, std::string("is damaged: ") + png.image.message);
+  return picture;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  if (image.empty()) throw WriteError(path.string(), {}, "the picture is empty");
+  write_file(path, encode(path, image));
+}
+
+}  // namespace aomd::io

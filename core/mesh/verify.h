@@ -1,0 +1,34 @@
+#pragma once
+// Is the database consistent? Named findings for tests, the command line and the viewer.
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace aomd {
+
+/// One thing that is wrong: its kind, the entity concerned, and a sentence.
+struct Finding {
+  std::string name;
+  EntityRef entity;
+  std::string text;
+};
+
+/// Checks everything that T stores against the entities' vertices, and returns what is wrong. An empty result
+/// means:
+///  - "dead reference", "repeated vertex": entities use living, different vertices;
+///  - "not finite": coordinates are numbers;
+///  - "duplicate edge", "missing edge": where edges exist, each pair of vertices that a face joins has just
+///  one;
+///  - "wrong side", "wrong use direction": T(2,1) agrees with the faces' vertices;
+///  - "upward list": T(0,1), T(0,2), T(1,2) hold just what the entities say, sorted;
+///  - "classification order": M^I on G^J only if J >= I (paper, section 2.1);
+///  - "classification closure": no entity is on a model entity of higher dimension than one that it bounds;
+///  - "class list": the lists of model entities agree with the entities;
+///  - "id stack": every id is alive or on the stack, once;
+///  - "hash set": existence queries find every edge and nothing else.
+/// Edges with any number of faces, repeated faces, and unused vertices are legal. O(entities).
+[[nodiscard]] std::vector<Finding> verify(const Mesh& mesh);
+
+}  // namespace aomd

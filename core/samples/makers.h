@@ -1,0 +1,18 @@
+#pragma once
+// The generators behind make_sample(), each for a size that its bounds allow.
+
+#include "core/mesh/mesh_data.h"
+
+namespace aomd::sample {
+
+[[nodiscard]] MeshData make_scan(int faces);
+[[nodiscard]] MeshData make_bracket(int cells);
+[[nodiscard]] MeshData make_plane_hole(int cells);
+[[nodiscard]] MeshData make_box(int cells);
+[[nodiscard]] MeshData make_cylinder(int rings);
+[[nodiscard]] MeshData make_sphere(int frequency);
+[[nodiscard]] MeshData make_torus(int cells);
+[[nodiscard]] MeshData make_terrain(int cells);
+[[nodiscard]] MeshData make_nonmanifold(int cells);
+
+}  // namespace aomd::sample
