@@ -69,17 +69,9 @@ void Decimation::begin_sweep() {
 Verdict Decimation::judge(Edge edge, Vertex& deleted) {
   const auto ends = mesh_.edge_vertices(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
-  Verdict worst{Reason::Spacing, length, edge};
-  for (const Vertex v : ends) {
-    if (!(0.5 * spacing(v) > length)) continue;
-    const Verdict verdict = collapser_.judge(mesh_, edge, v, rules());
-    if (verdict.accepted()) {
-      deleted = v;
-      return verdict;
-    }
-    if (verdict.reason >= worst.reason) worst = verdict;
-  }
-  return worst;
+  const std::array<bool, 2> short_for{0.5 * spacing(ends[0]) > length, 0.5 * spacing(ends[1]) > length};
+  if (!short_for[0] && !short_for[1]) return {Reason::Spacing, edge, length};
+  return collapser_.judge_either(mesh_, edge, short_for, rules(), deleted);
 }
 
 bool Decimation::unchanged_since(Edge e) const {
@@ -103,8 +95,7 @@ bool Decimation::try_collapse(Edge edge) {
   }
   ++now_;
   collapser_.apply(mesh_, edge, deleted);
-  for (const auto* star : {&collapser_.removed(), &collapser_.stretched()})
-    for (const Collapser::StarFace& f : *star) touch(f.next), touch(f.previous);
+  for (const Collapser::StarFace& f : collapser_.star()) touch(f.next), touch(f.previous);
   ++sweep.collapses;
   last_ = {StepKind::Collapse, edge};
   return true;
@@ -141,8 +132,9 @@ bool Decimation::advance() {
     next_phase();
     return false;
   }
-  const std::uint32_t id = cursor_++;
-  if (!mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).alive(id)) return false;
+  const std::uint32_t id = mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).next_alive(cursor_);
+  cursor_ = id + 1;
+  if (id >= end_of_phase()) return false;
   switch (phase_) {
     case Phase::Collapse:
       return try_collapse(Edge(id));

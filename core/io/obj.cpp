@@ -92,7 +92,10 @@ class ObjReader {
 
   static std::string joined(const char** names, int n) {
     std::string all;
-    for (int i = 0; i < n; ++i) all += (i > 0 ? " " : "") + std::string(names[i]);
+    for (int i = 0; i < n; ++i) {
+      if (i > 0) all += ' ';
+      all += names[i];
+    }
     return all;
   }
 

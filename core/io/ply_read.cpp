@@ -162,7 +162,8 @@ class PlyReader {
   std::size_t list_size(const PlyProperty& p) {
     const std::int64_t n = body_.integer(p.count_type, "the length of a list");
     if (n < 0) body_.fail("a list of negative length");
-    if (static_cast<std::uint64_t>(n) > body_.left()) body_.fail("a list longer than the rest of the file");
+    if (static_cast<std::uint64_t>(n) > body_.left())
+      body_.fail("a list of " + std::to_string(n) + ", longer than the rest of the file");
     return static_cast<std::size_t>(n);
   }
 

@@ -14,9 +14,7 @@ namespace {
 /// libpng's simplified interface, freed on every way out.
 class PngControl {
  public:
-  PngControl() {
-    image.version = PNG_IMAGE_VERSION;
-  }
+  PngControl() { image.version = PNG_IMAGE_VERSION; }
   ~PngControl() { png_image_free(&image); }
   PngControl(const PngControl&) = delete;
   PngControl& operator=(const PngControl&) = delete;
@@ -39,6 +37,8 @@ std::string encode(const std::filesystem::path& path, const Image& picture) {
   png.image.width = static_cast<png_uint_32>(picture.width);
   png.image.height = static_cast<png_uint_32>(picture.height);
   png.image.format = PNG_FORMAT_RGBA;
+  // Smooth pictures: a third more bytes for a fifth of the time.
+  png.image.flags = PNG_IMAGE_FLAG_FAST;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image), '\0');
   png_alloc_size_t size = bytes.size();
   if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.rgba.data(), 0, nullptr) == 0)

@@ -66,7 +66,8 @@ double mean_ssim(const io::Image& a, const io::Image& b) {
       WindowSums sums;
       for (int y = y0; y < std::min(a.height, y0 + window_size); ++y) {
         for (int x = x0; x < std::min(a.width, x0 + window_size); ++x) {
-          const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
+          const auto i =
+              static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
           sums.add(la[i], lb[i]);
         }
       }
@@ -125,7 +126,8 @@ io::Image difference_picture(const io::Image& a, const io::Image& b) {
         base = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
       }
       if (inside(a, x, y) && inside(b, x, y))
-        amount = std::min(1.0, static_cast<double>(pixel_difference(a.pixel(x, y), b.pixel(x, y))) / full_red_at);
+        amount =
+            std::min(1.0, static_cast<double>(pixel_difference(a.pixel(x, y), b.pixel(x, y))) / full_red_at);
       paint(result.pixel(x, y), base, amount);
     }
   }

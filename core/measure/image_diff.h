@@ -10,7 +10,7 @@ namespace aomd::measure {
 /// The difference of two pictures. Where the sizes differ nothing is compared: ssim is 0, all pixels differ.
 struct ImageDifference {
   bool same_size = false;
-  double ssim = 0;                    ///< mean structural similarity of the luminance: 1 equal, about 0 unrelated
+  double ssim = 0;  ///< mean structural similarity of the luminance: 1 equal, about 0 unrelated
   int largest_channel_difference = 0;  ///< 0..255, over red, green, blue and alpha
   std::size_t differing_pixels = 0;    ///< pixels in which any channel differs
   std::size_t pixels = 0;              ///< pixels of the larger picture

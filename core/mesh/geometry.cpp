@@ -14,8 +14,9 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 TurnLimit::TurnLimit(double angle_deg)
     : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)), square_(cosine_ * cosine_) {}
 
-double angle_between_deg(const glm::dvec3& a, const glm::dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * degrees;
+double cosine_between(const glm::dvec3& a, const glm::dvec3& b) {
+  const double squares = glm::dot(a, a) * glm::dot(b, b);
+  return squares > 0 ? glm::dot(a, b) / std::sqrt(squares) : 0;
 }
 
 // The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared sides

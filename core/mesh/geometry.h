@@ -32,8 +32,8 @@ class TurnLimit {
   double angle_deg_, cosine_, square_;
 };
 
-/// The angle between two vectors in degrees, 0..180; accurate near both ends.
-[[nodiscard]] double angle_between_deg(const glm::dvec3& a, const glm::dvec3& b);
+/// The cosine of the angle between two vectors; 0 where one has no length.
+[[nodiscard]] double cosine_between(const glm::dvec3& a, const glm::dvec3& b);
 
 /// True when a triangle has no area worth the name: less than 1e-12 of its longest side squared.
 [[nodiscard]] inline bool is_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,

@@ -1,6 +1,7 @@
 #pragma once
 // The id stack (paper, section 2.1.1): ids of deleted entities are given to the next ones, last freed first.
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,15 @@ class IdPool {
 
   [[nodiscard]] bool alive(std::uint32_t id) const {
     return id < capacity_ && ((bits_[id >> 6] >> (id & 63u)) & 1u);
+  }
+  /// The first id at or after `id` that is alive, or capacity(). Skips 64 dead ones at a time.
+  [[nodiscard]] std::uint32_t next_alive(std::uint32_t id) const {
+    while (id < capacity_) {
+      const std::uint64_t rest = bits_[id >> 6] >> (id & 63u);
+      if (rest) return id + static_cast<std::uint32_t>(std::countr_zero(rest));
+      id = (id | 63u) + 1;
+    }
+    return capacity_;
   }
   /// One past the largest id ever alive: the size of arrays indexed by id.
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }

@@ -33,15 +33,12 @@ class EntityRange {
   struct Sentinel {};
   class Iterator {
    public:
-    Iterator(const IdPool* ids, std::uint32_t at) : ids_(ids), at_(at) { skip(); }
+    Iterator(const IdPool* ids, std::uint32_t at) : ids_(ids), at_(ids->next_alive(at)) {}
     Handle<Dim> operator*() const { return Handle<Dim>(at_); }
-    Iterator& operator++() { return ++at_, skip(), *this; }
+    Iterator& operator++() { return at_ = ids_->next_alive(at_ + 1), *this; }
     friend bool operator==(const Iterator& i, Sentinel) { return i.at_ >= i.ids_->capacity(); }
 
    private:
-    void skip() {
-      while (at_ < ids_->capacity() && !ids_->alive(at_)) ++at_;
-    }
     const IdPool* ids_;
     std::uint32_t at_;
   };

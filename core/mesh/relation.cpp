@@ -125,10 +125,10 @@ void UpRows::insert(std::uint32_t i, std::uint32_t value) {
 bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   Head& head = heads_[i];
   std::uint32_t* row = pool_.data() + head.begin;
-  std::uint32_t* end = row + head.size;
-  std::uint32_t* at = std::find(row, end, value);
-  if (at == end) return false;
-  std::copy(at + 1, end, at);
+  std::uint32_t k = head.size;
+  while (k > 0 && row[k - 1] > value) --k;
+  if (k == 0 || row[k - 1] != value) return false;
+  for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
   return true;
 }

@@ -15,139 +15,161 @@ Vertex other_end(const Mesh& mesh, Edge edge, Vertex v) {
   return a == v ? b : a;
 }
 
-bool uses(const std::array<Vertex, 3>& triangle, Vertex v) {
-  return triangle[0] == v || triangle[1] == v || triangle[2] == v;
-}
-
 }  // namespace
 
-Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {}
+Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0) {}
 
-void Collapser::gather(const Mesh& mesh, Vertex deleted, Vertex kept) {
-  removed_.clear();
-  stretched_.clear();
-  for (const Face f : mesh.row<2>(deleted)) {
-    const auto t = mesh.triangle(f);
-    const std::uint32_t slot = t[0] == deleted ? 0 : t[1] == deleted ? 1 : 2;
-    const Vertex next = t[slot == 2 ? 0 : slot + 1], previous = t[slot == 0 ? 2 : slot - 1];
-    (next == kept || previous == kept ? removed_ : stretched_).push_back({f, slot, next, previous});
+void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
+  const Row<2> faces = mesh.row<2>(v);
+  star.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto t = mesh.triangle(faces[i]);
+    const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+    star[i] = {faces[i], slot, t[slot == 2 ? 0 : slot + 1], t[slot == 0 ? 2 : slot - 1]};
   }
 }
 
-void Collapser::mark_neighbours(const Mesh& mesh, Vertex kept) {
-  if (mark_.size() < mesh.capacity(0)) {
-    mark_.resize(mesh.capacity(0), 0);
-    edge_to_kept_.resize(mesh.capacity(0));
-  }
+void Collapser::mark_neighbours(Vertex kept, const Star& star) {
   if (++stamp_ == 0) {
     mark_.assign(mark_.size(), 0);
     stamp_ = 1;
   }
-  for (const Edge e : mesh.row<1>(kept)) {
-    const Vertex v = other_end(mesh, e, kept);
-    mark_[v] = stamp_;
-    edge_to_kept_[v] = e;
-  }
+  for (const StarFace& f : star) mark_[f.next] = mark_[f.previous] = stamp_;
+  mark_[kept] = stamp_;
 }
 
-bool Collapser::is_apex(Vertex v) const {
-  return std::any_of(removed_.begin(), removed_.end(),
-                     [v](const StarFace& f) { return f.next == v || f.previous == v; });
+// True when the edge's ends have a face with v: then v may be a neighbour of both.
+bool Collapser::is_apex(const Star& star, Vertex v, Vertex other_end) {
+  return std::any_of(star.begin(), star.end(), [&](const StarFace& f) { return f.uses(v) && f.uses(other_end); });
 }
 
-// The removed face's two other edges fall together. If neither had another face, the one that stays has none.
-bool Collapser::leaves_bare_edge(const Mesh& mesh, const StarFace& face, Vertex deleted, Vertex kept) const {
-  const Vertex apex = face.next == kept ? face.previous : face.next;
-  const auto has_apex = [&](const StarFace& f) { return f.next == apex || f.previous == apex; };
-  if (std::any_of(stretched_.begin(), stretched_.end(), has_apex)) return false;
-  for (const Face f : mesh.row<2>(kept)) {
-    const auto t = mesh.triangle(f);
-    if (uses(t, apex) && !uses(t, deleted)) return false;
-  }
+// The two other edges of a removed face fall together. If neither has a further face, the one that stays has none.
+bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const {
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const StarFace& f : stars_[i])
+      if (f.uses(apex) && !f.uses(ends[1 - i])) return false;
   return true;
 }
 
-Verdict Collapser::judge_topology(const Mesh& mesh, Vertex deleted, Vertex kept) const {
-  const auto pinched = [&](Vertex v) { return v != kept && marked(v) && !is_apex(v); };
-  for (const StarFace& f : stretched_) {
-    if (pinched(f.next)) return {Reason::Topology, 0, f.next};
-    if (pinched(f.previous)) return {Reason::Topology, 0, f.previous};
-    if (!marked(f.next) || !marked(f.previous)) continue;
-    for (const Face g :
-         mesh.row<2>(kept)) {  // both ends apexes: the stretched face may fall onto a face of `kept`
-      const auto t = mesh.triangle(g);
-      if (uses(t, f.next) && uses(t, f.previous)) return {Reason::Topology, 0, g};
+// The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of their
+// faces, no two faces fall together, and no edge loses its last face.
+Verdict Collapser::judge_topology(const std::array<Vertex, 2>& ends) {
+  mark_neighbours(ends[1], stars_[1]);
+  for (const StarFace& f : stars_[0]) {
+    if (f.uses(ends[1])) {
+      const Vertex apex = f.next == ends[1] ? f.previous : f.next;
+      if (leaves_bare_edge(ends, apex)) return {Reason::Topology, f.face};
+      continue;
     }
+    const bool next = marked(f.next), previous = marked(f.previous);
+    if (next && !is_apex(stars_[0], f.next, ends[1])) return {Reason::Topology, f.next};
+    if (previous && !is_apex(stars_[0], f.previous, ends[1])) return {Reason::Topology, f.previous};
+    if (!next || !previous) continue;
+    for (const StarFace& g : stars_[1])
+      if (g.uses(f.next) && g.uses(f.previous)) return {Reason::Topology, g.face};
   }
-  for (const StarFace& f : removed_)
-    if (leaves_bare_edge(mesh, f, deleted, kept)) return {Reason::Topology, 0, f.face};
   return {};
 }
 
-Verdict Collapser::judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept,
-                                  const TurnLimit& limit) const {
+Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
+                                  const TurnLimit& limit) {
   const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
-  for (const StarFace& f : stretched_) {
+  for (const StarFace& f : star) {
+    if (f.uses(kept)) continue;
     const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
-    if (is_flat(to, p, q, after)) return {Reason::Flat, 0, f.face};
+    if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
     if (limit.allows(before, after) || is_flat(from, p, q, before)) continue;
-    return {Reason::Angle, angle_between_deg(before, after), f.face};
+    return {Reason::Angle, f.face, cosine_between(before, after)};
   }
   return {};
+}
+
+Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
+                                Vertex& deleted) {
+  const auto ends = mesh.edge_vertices(edge);
+  const ModelRef model = mesh.classification(edge);
+  Verdict furthest;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!may_go[i]) continue;
+    const ModelRef own = mesh.classification(ends[i]);
+    may_go[i] = own == model && own.dimension() != 0;
+    if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
+  }
+  if (!may_go[0] && !may_go[1]) return furthest;
+  const bool both = rules.topology == TopologyRule::Safe;
+  if (both || may_go[0]) gather(mesh, ends[0], stars_[0]);
+  if (both || may_go[1]) gather(mesh, ends[1], stars_[1]);
+  if (both)
+    if (const Verdict v = judge_topology(ends); !v.accepted()) return v;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!may_go[i]) continue;
+    const Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);
+    if (v.accepted()) {
+      deleted = ends[i];
+      return v;
+    }
+    if (v.reason >= furthest.reason) furthest = v;
+  }
+  return furthest;
 }
 
 Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules) {
-  const ModelRef model = mesh.classification(deleted);
-  if (model.dimension() == 0 || model != mesh.classification(edge))
-    return {Reason::Classification, 0, deleted};
-  const Vertex kept = other_end(mesh, edge, deleted);
-  gather(mesh, deleted, kept);
-  if (rules.topology == TopologyRule::Safe) {
-    mark_neighbours(mesh, kept);
-    if (const Verdict v = judge_topology(mesh, deleted, kept); !v.accepted()) return v;
-  }
-  return judge_geometry(mesh, deleted, kept, rules.max_turn);
+  const bool first = mesh.edge_vertices(edge)[0] == deleted;
+  return judge_either(mesh, edge, {first, !first}, rules, deleted);
 }
 
-void Collapser::plan_edges(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
+// Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at its end.
+void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
   merges_.clear();
   rebindings_.clear();
-  for (const Edge e : mesh.row<1>(deleted)) {
+  const Row<1> edges = mesh.row<1>(deleted);
+  for (std::size_t i = edges.size(); i-- > 0;) {
+    const Edge e = edges[i];
     if (e == edge) continue;
     const auto [a, b] = mesh.edge_vertices(e);
     const Vertex far = a == deleted ? b : a;
-    if (marked(far))
-      merges_.push_back({e, edge_to_kept_[far]});
-    else
-      rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
+    const Edge twin = marked(far) ? mesh.find_edge(kept, far) : Edge();
+    if (twin.valid()) merges_.push_back({e, twin});
+    else rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
+  }
+  bare_.clear();
+  for (auto f = stars_[0].rbegin(); f != stars_[0].rend(); ++f) {
+    if (!f->uses(kept)) {
+      rebindings_.push_back({f->face, f->slot, deleted, kept});
+      continue;
+    }
+    const Vertex apex = f->next == kept ? f->previous : f->next;
+    if (leaves_bare_edge({deleted, kept}, apex)) bare_.push_back(apex);
+  }
+}
+
+void Collapser::merge_edges(Mesh& mesh) {
+  for (const Merge& m : merges_) {
+    const ModelRef gone = mesh.classification(m.gone);
+    if (gone.dimension() < mesh.classification(m.survivor).dimension()) mesh.set_classification(m.survivor, gone);
+    mesh.destroy(m.gone);
   }
 }
 
 // Without the link condition an edge may lose its last face; then it goes too.
-void Collapser::destroy_if_bare(Mesh& mesh, Vertex apex, Vertex kept) {
-  for (const Face f : mesh.row<2>(kept))
-    if (uses(mesh.triangle(f), apex)) return;
-  if (marked(apex)) mesh.destroy(edge_to_kept_[apex]);
-  mark_[apex] = 0;
+void Collapser::destroy_bare_edges(Mesh& mesh, Vertex kept) const {
+  for (const Vertex apex : bare_)
+    if (const Edge bare = mesh.find_edge(kept, apex); bare.valid()) mesh.destroy(bare);
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
   const JournalScope step(mesh, StepKind::Collapse, edge);
   const Vertex kept = other_end(mesh, edge, deleted);
-  gather(mesh, deleted, kept);
-  mark_neighbours(mesh, kept);
-  plan_edges(mesh, edge, deleted, kept);
-  for (const StarFace& f : removed_) mesh.destroy(f.face);
-  for (const StarFace& f : stretched_) rebindings_.push_back({f.face, f.slot, deleted, kept});
+  gather(mesh, deleted, stars_[0]);
+  gather(mesh, kept, stars_[1]);
+  mark_neighbours(kept, stars_[1]);
+  plan(mesh, edge, deleted, kept);
+  for (const StarFace& f : stars_[0])
+    if (f.uses(kept)) mesh.destroy(f.face);
   mesh.rebind(rebindings_);
-  for (const Merge& m : merges_) {
-    const ModelRef gone = mesh.classification(m.gone);
-    if (gone.dimension() < mesh.classification(m.survivor).dimension())
-      mesh.set_classification(m.survivor, gone);
-    mesh.destroy(m.gone);
-  }
-  for (const StarFace& f : removed_) destroy_if_bare(mesh, f.next == kept ? f.previous : f.next, kept);
+  merge_edges(mesh);
+  destroy_bare_edges(mesh, kept);
   mesh.destroy(edge);
   mesh.destroy(deleted);
 }

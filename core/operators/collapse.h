@@ -11,6 +11,7 @@
 //      \ | /                      |/
 //        u                        u
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -39,43 +40,49 @@ class Collapser {
   /// Checks in this order: classification, topology, flat faces, turned normals.
   [[nodiscard]] Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules);
 
-  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the
-  /// edge go, the others around `deleted` are stretched to the kept end, and edges that fall together become
-  /// one that keeps the lower classification. One journal step.
+  /// The same for both ends that `may_go` names (in the edge's order), with the work that they share done once.
+  /// Returns the first acceptance, whose end is put in `deleted`, else the refusal that got furthest.
+  [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
+                                     const CollapseRules& rules, Vertex& deleted);
+
+  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the edge
+  /// go, the others around `deleted` are stretched to the kept end, and edges that fall together become one that
+  /// keeps the lower classification. One journal step.
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
-  /// The faces that the last judge() or apply() found around the deleted vertex: removed ones and stretched
-  /// ones.
+  /// A face around an end of the edge, seen from that end.
   struct StarFace {
     Face face;
-    std::uint32_t slot;     ///< where the deleted vertex stands in the face
-    Vertex next, previous;  ///< the other two, in the face's order
+    std::uint32_t slot = 0;  ///< where the end stands in the face
+    Vertex next, previous;   ///< the other two, in the face's order
+    [[nodiscard]] bool uses(Vertex v) const { return next == v || previous == v; }
   };
-  [[nodiscard]] const std::vector<StarFace>& removed() const { return removed_; }
-  [[nodiscard]] const std::vector<StarFace>& stretched() const { return stretched_; }
+  /// The faces around the vertex that the last apply() deleted, as they were before.
+  [[nodiscard]] const std::vector<StarFace>& star() const { return stars_[0]; }
 
  private:
-  void gather(const Mesh& mesh, Vertex deleted, Vertex kept);
-  void mark_neighbours(const Mesh& mesh, Vertex kept);
+  using Star = std::vector<StarFace>;
+  static void gather(const Mesh& mesh, Vertex v, Star& star);
+  void mark_neighbours(Vertex kept, const Star& star);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
-  [[nodiscard]] bool is_apex(Vertex v) const;
-  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, Vertex deleted, Vertex kept) const;
-  [[nodiscard]] bool leaves_bare_edge(const Mesh& mesh, const StarFace& face, Vertex deleted,
-                                      Vertex kept) const;
-  [[nodiscard]] Verdict judge_geometry(const Mesh& mesh, Vertex deleted, Vertex kept,
-                                       const TurnLimit& limit) const;
-  void destroy_if_bare(Mesh& mesh, Vertex apex, Vertex kept);
-  void plan_edges(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
+  [[nodiscard]] Verdict judge_topology(const std::array<Vertex, 2>& ends);
+  [[nodiscard]] static bool is_apex(const Star& star, Vertex v, Vertex other_end);
+  [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
+  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
+                                              const TurnLimit& limit);
+  void plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
+  void merge_edges(Mesh& mesh);
+  void destroy_bare_edges(Mesh& mesh, Vertex kept) const;
 
-  std::vector<StarFace> removed_, stretched_;
+  std::array<Star, 2> stars_;           ///< of the edge's two ends
   Column<Vertex, std::uint32_t> mark_;  ///< == stamp_ for the neighbours of the kept vertex
-  Column<Vertex, Edge> edge_to_kept_;   ///< of marked vertices
   std::uint32_t stamp_ = 0;
   struct Merge {
     Edge gone, survivor;
   };
   std::vector<Merge> merges_;
   std::vector<Rebinding> rebindings_;
+  std::vector<Vertex> bare_;  ///< apexes whose merged edge is left without a face
 };
 
 }  // namespace aomd

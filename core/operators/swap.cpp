@@ -1,8 +1,6 @@
 #include "core/operators/swap.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "core/mesh/journal_scope.h"
 
@@ -39,25 +37,25 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
   const double before = std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
   const double after = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
   if (after > before - smallest_gain)
-    return {Reason::Quality, std::acos(std::min(1.0, after)) * 180 / std::numbers::pi, e.f};
+    return {Reason::Quality, e.f, after};
   const glm::dvec3 old_f = area_normal(a, b, c), old_g = area_normal(b, a, d);
   const glm::dvec3 new_f = area_normal(d, b, c), new_g = area_normal(c, a, d);
-  if (is_flat(d, b, c, new_f)) return {Reason::Flat, 0, e.f};
-  if (is_flat(c, a, d, new_g)) return {Reason::Flat, 0, e.g};
+  if (is_flat(d, b, c, new_f)) return {Reason::Flat, e.f};
+  if (is_flat(c, a, d, new_g)) return {Reason::Flat, e.g};
   for (const glm::dvec3& now : {new_f, new_g})
     for (const glm::dvec3& then : {old_f, old_g})
-      if (!limit.allows(then, now)) return {Reason::Angle, angle_between_deg(then, now), e.f};
+      if (!limit.allows(then, now)) return {Reason::Angle, e.f, cosine_between(then, now)};
   return {};
 }
 
 }  // namespace
 
 Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair) {
-  if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, 0, edge};
-  if (!find_pair(mesh, edge, pair) || pair.c == pair.d) return {Reason::Topology, 0, edge};
-  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, 0, edge};
+  if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
+  if (!find_pair(mesh, edge, pair) || pair.c == pair.d) return {Reason::Topology, edge};
+  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, edge};
   if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
-  if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, 0, other};
+  if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, other};
   return {};
 }
 

@@ -1,11 +1,20 @@
 #include "core/operators/verdict.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace aomd {
 
 const char* reason_name(Reason reason) {
   constexpr const char* names[] = {"None", "Spacing", "Classification", "Topology",
                                    "Flat", "Angle",   "Quality"};
   return names[static_cast<int>(reason)];
+}
+
+double Verdict::number() const {
+  if (reason != Reason::Angle && reason != Reason::Quality) return measure_;
+  return std::acos(std::clamp(measure_, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
 }  // namespace aomd

@@ -24,12 +24,20 @@ inline constexpr int reason_count = 7;
 [[nodiscard]] const char* reason_name(Reason reason);
 
 /// Yes, or no with the reason, the number that decided and the entity that decided.
-struct Verdict {
+class Verdict {
+ public:
+  constexpr Verdict() = default;
+  constexpr Verdict(Reason why, EntityRef who, double measure = 0) : reason(why), entity(who), measure_(measure) {}
+
   Reason reason = Reason::None;
-  double number = 0;  ///< see Reason
   EntityRef entity;
 
   [[nodiscard]] bool accepted() const { return reason == Reason::None; }
+  /// See Reason; computed when asked for, since a sweep refuses many edges and shows few.
+  [[nodiscard]] double number() const;
+
+ private:
+  double measure_ = 0;  ///< a length, or the cosine of the angle in question
 };
 
 }  // namespace aomd

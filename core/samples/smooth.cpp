@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/samples/build.h"
@@ -107,9 +108,9 @@ struct Lobe {
 /// Distance of the creature's surface from its centre: since it is a function of the direction, the surface
 /// cannot cross itself.
 double creature(const glm::dvec3& d) {
-  static const std::array<Lobe, 9> lobes{{{{0.80, 0.00, 0.62}, 0.60, 14},  // head
-                                          {{0.52, 0.22, 0.90}, 0.42, 48},  // ears
-                                          {{0.52, -0.22, 0.90}, 0.42, 48},
+  static const std::array<Lobe, 9> lobes{{{{0.80, 0.00, 0.62}, 0.62, 16},  // head
+                                          {{0.40, 0.34, 0.95}, 0.62, 60},  // ears
+                                          {{0.40, -0.34, 0.95}, 0.62, 60},
                                           {{1.00, 0.00, 0.42}, 0.16, 70},   // nose
                                           {{-1.00, 0.00, 0.05}, 0.26, 40},  // tail
                                           {{0.62, 0.48, -0.70}, 0.34, 26},  // feet
@@ -123,9 +124,10 @@ double creature(const glm::dvec3& d) {
   return r + 0.035 * noise(3.0 * d + glm::dvec3(11, 7, 5)) + 0.012 * noise(9.0 * d) + 0.005 * noise(21.0 * d);
 }
 
-glm::dvec3 as_floats(const glm::dvec3& p) {
-  return {static_cast<double>(static_cast<float>(p.x)), static_cast<double>(static_cast<float>(p.y)),
-          static_cast<double>(static_cast<float>(p.z))};
+/// On the grid of a scanner's resolution, which also makes every coordinate exactly a 32-bit float.
+glm::dvec3 measured(const glm::dvec3& p) {
+  constexpr double steps = 4096;
+  return glm::floor(p * steps + 0.5) / steps;
 }
 
 /// Adds a grid of (nu x nv) cells between vertices that `at(i, j)` names.
@@ -146,7 +148,7 @@ MeshData make_scan(int faces) {
   const double error = 0.05 / n;  // what a scanner adds: a twentieth of an edge or so
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::dvec3 d = mesh.positions[v];
-    mesh.positions[v] = as_floats(50.0 * (creature(d) + error * hashed(v)) * d);
+    mesh.positions[v] = measured(50.0 * (creature(d) + error * hashed(v)) * d);
   }
   order_in_space(mesh);
   return mesh;

@@ -1,0 +1,173 @@
+#include "core/io/journal_file.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "core/io/byte_writer.h"
+#include "core/io/io.h"
+#include "core/io/source.h"
+
+namespace aomd::io {
+namespace {
+
+constexpr std::string_view magic = "AOMDJRNL";
+constexpr std::uint32_t version = 1;
+constexpr std::size_t checksum_at = 80, header_size = 88, step_size = 16, word_size = 4;
+
+enum JournalFlag : std::uint32_t { has_feature_angle = 1, nonmanifold_edges = 2, keep_present = 4, all_flags = 7 };
+
+/// FNV-1a over 64-bit values, with a last mix so that every bit counts.
+class Hash {
+ public:
+  void add(std::uint64_t value) { state_ = (state_ ^ value) * 0x100000001b3u ^ state_ >> 47; }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  [[nodiscard]] std::uint64_t value() const { return state_ ^ state_ >> 29; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+template <typename Value>
+Value load(std::string_view bytes, std::size_t at) {
+  char raw[sizeof(Value)];
+  for (std::size_t i = 0; i < sizeof raw; ++i)
+    raw[i] = bytes[at + (std::endian::native == std::endian::little ? i : sizeof raw - 1 - i)];
+  Value value;
+  std::memcpy(&value, raw, sizeof raw);
+  return value;
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+  Hash hash;
+  for (std::size_t at = 0; at + word_size <= bytes.size(); at += word_size)
+    if (at != checksum_at && at != checksum_at + word_size) hash.add(load<std::uint32_t>(bytes, at));
+  return hash.value();
+}
+
+std::uint32_t flags_of(const ClassifyOptions& options) {
+  return (options.feature_angle_deg ? has_feature_angle : 0u) | (options.nonmanifold_edges ? nonmanifold_edges : 0u) |
+         (options.keep_present ? keep_present : 0u);
+}
+
+/// The header without its checksum.
+void put_header(detail::ByteWriter& out, const JournalFile& file) {
+  const auto put = [&](auto value) { out.raw<std::endian::little>(value); };
+  out << magic;
+  put(version);
+  put(flags_of(file.classify));
+  for (const std::uint32_t n : file.start.counts) put(n);
+  put(std::uint64_t{0});
+  put(file.start.hash);
+  put(file.classify.feature_angle_deg.value_or(0.0));
+  put(file.classify.corner_angle_deg);
+  put(std::uint64_t{file.journal.steps().size()});
+  put(std::uint64_t{file.journal.words().size()});
+}
+
+JournalFile parse_header(const detail::Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.substr(0, magic.size()) != magic) source.fail("is no journal");
+  if (bytes.size() < header_size) source.fail_at_byte(bytes.size(), "the journal ends within its header");
+  if (const auto found = load<std::uint32_t>(bytes, 8); found != version)
+    source.fail_at_byte(8, "a journal of version " + std::to_string(found) + "; this program reads version " +
+                               std::to_string(version));
+  const auto flags = load<std::uint32_t>(bytes, 12);
+  JournalFile file;
+  for (std::size_t dim = 0; dim < 4; ++dim) file.start.counts[dim] = load<std::uint32_t>(bytes, 16 + 4 * dim);
+  file.start.hash = load<std::uint64_t>(bytes, 40);
+  const auto feature = load<double>(bytes, 48), corner = load<double>(bytes, 56);
+  const auto is_angle = [](double angle) { return angle >= 0 && angle <= 180; };
+  if (flags > all_flags || !is_angle(feature) || !is_angle(corner))
+    source.fail_at_byte(12, "the journal's header is damaged");
+  file.classify.feature_angle_deg = flags & has_feature_angle ? std::optional(feature) : std::nullopt;
+  file.classify.corner_angle_deg = corner;
+  file.classify.nonmanifold_edges = (flags & nonmanifold_edges) != 0;
+  file.classify.keep_present = (flags & keep_present) != 0;
+  return file;
+}
+
+std::vector<JournalStep> parse_steps(const detail::Source& source, std::size_t count) {
+  std::vector<JournalStep> steps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t at = header_size + i * step_size;
+    const auto head = load<std::uint32_t>(source.bytes, at);
+    const std::uint32_t kind = head & 255u, dim = head >> 8;
+    if (kind > static_cast<std::uint32_t>(StepKind::Classify) || dim > 3)
+      source.fail_at_byte(at, "a step of unknown kind");
+    steps[i] = {static_cast<StepKind>(kind),
+                EntityRef(static_cast<int>(dim), load<std::uint32_t>(source.bytes, at + 4)),
+                load<std::uint64_t>(source.bytes, at + 8)};
+  }
+  return steps;
+}
+
+}  // namespace
+
+MeshFingerprint fingerprint(const Mesh& mesh) {
+  MeshFingerprint print;
+  Hash hash;
+  std::array<std::uint32_t, max_shape_vertices> buffer;
+  for (int dim = 0; dim < 4; ++dim) {
+    print.counts[static_cast<std::size_t>(dim)] = mesh.count(dim);
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
+      const EntityRef e(dim, id);
+      if (!mesh.alive(e)) continue;
+      hash.add(std::uint64_t{id} << 32 | mesh.classification(e).bits());
+      for (const std::uint32_t v : mesh.vertices_of(e, buffer)) hash.add(std::uint64_t{v});
+      if (dim == 0)
+        for (int axis = 0; axis < 3; ++axis) hash.add(mesh.position(Vertex(id))[axis]);
+    }
+  }
+  print.hash = hash.value();
+  return print;
+}
+
+void write_journal(const std::filesystem::path& path, const JournalFile& file) {
+  const auto steps = file.journal.steps();
+  const auto words = file.journal.words();
+  detail::ByteWriter out;
+  out.reserve(header_size + steps.size() * step_size + words.size() * word_size);
+  put_header(out, file);
+  out.raw<std::endian::little>(std::uint64_t{0});
+  for (const JournalStep& step : steps) {
+    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) | std::uint32_t{step.entity.dimension} << 8);
+    out.raw<std::endian::little>(step.entity.index);
+    out.raw<std::endian::little>(step.begin);
+  }
+  for (const std::uint32_t word : words) out.raw<std::endian::little>(word);
+  std::string bytes = out.take();
+  detail::ByteWriter sum;
+  sum.raw<std::endian::little>(checksum(bytes));
+  bytes.replace(checksum_at, 8, sum.take());
+  write_file(path, bytes);
+}
+
+JournalFile read_journal(const std::filesystem::path& path) {
+  const detail::FileBytes content(path);
+  const detail::Source source{path.string(), content.view()};
+  JournalFile file = parse_header(source);
+  const auto step_count = load<std::uint64_t>(source.bytes, 64), word_count = load<std::uint64_t>(source.bytes, 72);
+  const std::uint64_t room = source.bytes.size() - header_size;
+  if (step_count > room / step_size || word_count > room / word_size ||
+      step_count * step_size + word_count * word_size != room)
+    source.fail_at_byte(64, "the journal is truncated or has bytes to spare");
+  if (load<std::uint64_t>(source.bytes, checksum_at) != checksum(source.bytes))
+    source.fail_at_byte(checksum_at, "the journal is damaged: its checksum does not fit");
+  std::vector<std::uint32_t> words(word_count);
+  for (std::size_t i = 0; i < word_count; ++i)
+    words[i] = load<std::uint32_t>(source.bytes, header_size + step_count * step_size + i * word_size);
+  try {
+    file.journal.restore(std::move(words), parse_steps(source, step_count));
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    source.fail(e.what());
+  }
+  return file;
+}
+
+}  // namespace aomd::io

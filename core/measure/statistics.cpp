@@ -1,0 +1,167 @@
+#include "core/measure/statistics.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/mesh/geometry.h"
+
+namespace aomd::measure {
+namespace {
+
+// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no hash and no
+// sort of the whole.
+class Sides {
+ public:
+  explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
+    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool) { ++begin_[std::min(a, b) + 1]; });
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    ends_.resize(begin_.back());
+    std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
+    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool of_face) {
+      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face ? 1u : 0u};
+    });
+  }
+
+  void count(Counts& counts) {
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
+      const auto ends = std::span(ends_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+      std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.vertex < b.vertex; });
+      for (std::size_t i = 0; i < ends.size();) {
+        std::uint32_t faces = 0;
+        const std::uint32_t other = ends[i].vertex;
+        for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
+        ++counts.edges;
+        counts.boundary_edges += faces == 1;
+        counts.nonmanifold_edges += faces > 2;
+      }
+    }
+  }
+
+ private:
+  struct End {
+    std::uint32_t vertex, faces;
+  };
+
+  template <typename Visit>
+  static void each(const Mesh& mesh, Visit&& visit) {
+    std::array<std::uint32_t, max_shape_vertices> buffer;
+    for (const Face f : mesh.faces()) {
+      const auto v = mesh.vertices_of(f, buffer);
+      for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[k + 1 < v.size() ? k + 1 : 0], true);
+    }
+    for (const Edge e : mesh.edges()) {
+      const auto [a, b] = mesh.edge_vertices(e);
+      visit(a.index, b.index, false);
+    }
+  }
+
+  std::vector<std::uint32_t> begin_;
+  std::vector<End> ends_;
+};
+
+// Sets of vertices that faces connect.
+class Components {
+ public:
+  explicit Components(const Mesh& mesh) : parent_(mesh.capacity(0)), used_(mesh.capacity(0), 0) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    std::array<std::uint32_t, max_shape_vertices> buffer;
+    for (const Face f : mesh.faces()) {
+      const auto v = mesh.vertices_of(f, buffer);
+      for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = root(v[0]);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() {
+    std::size_t sets = 0;
+    for (std::uint32_t v = 0; v < parent_.size(); ++v) sets += used_[v] && root(v) == v;
+    return sets;
+  }
+  [[nodiscard]] bool used(Vertex v) const { return used_[v.index] != 0; }
+
+ private:
+  std::uint32_t root(std::uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> used_;
+};
+
+void count_vertices(const Mesh& mesh, Counts& counts) {
+  Components components(mesh);
+  counts.components = components.count();
+  std::vector<std::uint8_t> on_edge(mesh.capacity(0), 0);
+  for (const Edge e : mesh.edges())
+    for (const Vertex v : mesh.edge_vertices(e)) on_edge[v.index] = 1;
+  counts.vertices = mesh.count(0);
+  for (const Vertex v : mesh.vertices()) counts.unused_vertices += !components.used(v) && !on_edge[v.index];
+}
+
+void count_classes(const Mesh& mesh, Counts& counts) {
+  for (int dim = 0; dim < 4; ++dim) {
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
+      if (!mesh.ids(dim).alive(id)) continue;
+      const ModelRef model = mesh.classification(EntityRef(dim, id));
+      if (model.valid()) ++counts.by_class[static_cast<std::size_t>(model.dimension())];
+    }
+  }
+}
+
+}  // namespace
+
+Counts count_entities(const Mesh& mesh) {
+  Counts counts;
+  count_vertices(mesh, counts);
+  Sides(mesh).count(counts);
+  counts.faces = mesh.count(2);
+  counts.regions = mesh.count(3);
+  counts.euler = static_cast<std::int64_t>(counts.vertices - counts.unused_vertices) -
+                 static_cast<std::int64_t>(counts.edges) + static_cast<std::int64_t>(counts.faces);
+  for (const Face f : mesh.faces()) ++counts.by_shape[static_cast<std::size_t>(mesh.shape(f))];
+  count_classes(mesh, counts);
+  return counts;
+}
+
+Quality measure_quality(const Mesh& mesh) {
+  const Triangles triangles = triangles_of(mesh);
+  if (triangles.corners.empty()) return {};
+  double sum = 0, worst = 180;
+  std::size_t below = 0;
+  for (const auto& [a, b, c] : triangles.corners) {
+    const double angle = smallest_angle_deg(a, b, c);
+    sum += angle;
+    worst = std::min(worst, angle);
+    below += angle < 10;
+  }
+  const auto n = static_cast<double>(triangles.corners.size());
+  return {sum / n, worst, 100 * static_cast<double>(below) / n};
+}
+
+std::size_t count_flips(const TriangleTree& original, const Mesh& result) {
+  // Faces that share the nearest point are equally near, up to rounding of about this part of the size.
+  constexpr double equally_near = 1e-9;
+  const auto normal = [](const Triangle& t) { return area_normal(t[0], t[1], t[2]); };
+  const double size2 = original.diagonal2();
+  std::size_t flips = 0;
+  std::uint32_t hint = no_index;
+  for (const Triangle& t : triangles_of(result).corners) {
+    const glm::dvec3 own = normal(t);
+    if (!(glm::dot(own, own) > 0)) continue;
+    const auto nearest = original.nearest((t[0] + t[1] + t[2]) / 3.0, hint);
+    if (nearest.triangle == no_index) return 0;
+    hint = nearest.triangle;
+    bool agrees = glm::dot(own, normal(original.triangle(hint))) >= 0;
+    if (!agrees)
+      original.within(nearest.point, equally_near * equally_near * size2,
+                      [&](std::uint32_t n) { agrees = agrees || glm::dot(own, normal(original.triangle(n))) > 0; });
+    flips += !agrees;
+  }
+  return flips;
+}
+
+}  // namespace aomd::measure

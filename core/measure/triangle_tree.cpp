@@ -1,0 +1,155 @@
+#include "core/measure/triangle_tree.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace aomd::measure {
+
+void Box::add(const glm::dvec3& p) {
+  low = glm::min(low, p);
+  high = glm::max(high, p);
+}
+
+void Box::add(const Box& box) {
+  low = glm::min(low, box.low);
+  high = glm::max(high, box.high);
+}
+
+double Box::distance2(const glm::dvec3& p) const {
+  const glm::dvec3 d = glm::max(glm::max(low - p, p - high), glm::dvec3(0));
+  return glm::dot(d, d);
+}
+
+Triangles triangles_of(const Mesh& mesh) {
+  Triangles result;
+  result.corners.reserve(mesh.count(2));
+  result.faces.reserve(mesh.count(2));
+  std::array<std::uint32_t, max_shape_vertices> buffer;
+  for (const Face f : mesh.faces()) {
+    const auto v = mesh.vertices_of(f, buffer);
+    const auto at = [&](std::size_t k) { return mesh.position(Vertex(v[k])); };
+    for (std::size_t k = 2; k < v.size(); ++k) {
+      result.corners.push_back({at(0), at(k - 1), at(k)});
+      result.faces.push_back(f);
+    }
+  }
+  return result;
+}
+
+/// A triangle while the tree is built: what sorting needs lies together.
+struct TriangleTree::Item {
+  glm::dvec3 centre;
+  std::uint32_t source;
+};
+
+TriangleTree::TriangleTree(std::span<const Triangle> triangles) {
+  const auto n = static_cast<std::uint32_t>(triangles.size());
+  if (n == 0) return;
+  std::vector<Item> items(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Triangle& t = triangles[i];
+    items[i] = {t[0] + t[1] + t[2], i};
+  }
+  nodes_.reserve(n);
+  triangles_.reserve(n);
+  boxes_.reserve(n);
+  source_.reserve(n);
+  build(items, 0);
+  for (const Item& item : items) {
+    triangles_.push_back(triangles[item.source]);
+    source_.push_back(item.source);
+    Box& box = boxes_.emplace_back();
+    for (const glm::dvec3& p : triangles_.back()) box.add(p);
+  }
+  for (std::size_t id = nodes_.size(); id-- > 0;) {  // children stand after their parents
+    Node& node = nodes_[id];
+    if (node.leaf()) {
+      for (std::uint32_t k = node.begin; k < node.end; ++k) node.box.add(boxes_[k]);
+    } else {
+      node.box = nodes_[id + 1].box;
+      node.box.add(nodes_[node.right].box);
+    }
+  }
+}
+
+double TriangleTree::diagonal2() const {
+  if (nodes_.empty()) return 0;
+  const glm::dvec3 size = nodes_[0].box.high - nodes_[0].box.low;
+  return glm::dot(size, size);
+}
+
+std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
+  const auto id = static_cast<std::uint32_t>(nodes_.size());
+  Node& node = nodes_.emplace_back();
+  node.begin = begin;
+  node.end = begin + static_cast<std::uint32_t>(items.size());
+  if (items.size() <= leaf_size) return id;
+  Box centres;
+  for (const Item& item : items) centres.add(item.centre);
+  const glm::dvec3 size = centres.high - centres.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
+  build(items.first(half), begin);
+  const std::uint32_t right = build(items.subspan(half), begin + static_cast<std::uint32_t>(half));
+  nodes_[id].right = right;
+  return id;
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
+  Nearest best;
+  if (nodes_.empty()) return best;
+  const auto consider = [&](std::uint32_t n) {
+    const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
+    if (const double d2 = glm::dot(d, d); d2 < best.distance2) best = {n, q, d2};
+  };
+  if (hint != no_index) consider(hint);
+  struct Waiting {
+    std::uint32_t node;
+    double distance2;
+  } stack[stack_size];
+  std::size_t top = 0;
+  stack[top++] = {0, nodes_[0].box.distance2(p)};
+  while (top > 0) {
+    const Waiting next = stack[--top];
+    if (!(next.distance2 < best.distance2)) continue;
+    const Node& node = nodes_[next.node];
+    if (node.leaf()) {
+      for (std::uint32_t n = node.begin; n < node.end; ++n) consider(n);
+      continue;
+    }
+    Waiting near{next.node + 1, nodes_[next.node + 1].box.distance2(p)};
+    Waiting far{node.right, nodes_[node.right].box.distance2(p)};
+    if (far.distance2 < near.distance2) std::swap(near, far);
+    stack[top++] = far;
+    stack[top++] = near;
+  }
+  return best;
+}
+
+glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p) {
+  const auto& [a, b, c] = t;
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const glm::dvec3 bp = p - b;
+  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return d1 > d3 ? a + ab * (d1 / (d1 - d3)) : a;
+  const glm::dvec3 cp = p - c;
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return d2 > d6 ? a + ac * (d2 / (d2 - d6)) : a;
+  const double va = d3 * d6 - d5 * d4;
+  const double s = d4 - d3, r = d5 - d6;
+  if (va <= 0 && s >= 0 && r >= 0) return s + r > 0 ? b + (c - b) * (s / (s + r)) : b;
+  const double sum = va + vb + vc;
+  return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
+}
+
+}  // namespace aomd::measure

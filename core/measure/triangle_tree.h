@@ -1,0 +1,154 @@
+#pragma once
+// A tree of boxes over triangles: which boxes touch, and which triangle is nearest to a point.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/mesh/mesh.h"
+
+namespace aomd::measure {
+
+/// The corners of a triangle in its own order.
+using Triangle = std::array<glm::dvec3, 3>;
+
+/// The faces of a mesh as triangles; a quad (a, b, c, d) becomes (a, b, c) and (a, c, d).
+struct Triangles {
+  std::vector<Triangle> corners;
+  std::vector<Face> faces;  ///< the face that each is of
+};
+
+/// O(faces); the faces must hold their vertices or edges.
+[[nodiscard]] Triangles triangles_of(const Mesh& mesh);
+
+/// An axis-parallel box; an empty one holds nothing.
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const glm::dvec3& p);
+  void add(const Box& box);
+  /// True when the closed boxes have a point in common.
+  [[nodiscard]] bool touches(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
+           low.z <= other.high.z && other.low.z <= high.z;
+  }
+  /// Squared distance of a point; 0 inside.
+  [[nodiscard]] double distance2(const glm::dvec3& p) const;
+};
+
+/// Triangles sorted into a binary tree, split at the median of the longest side; at most 4 a leaf.
+/// Built in O(n log n); the triangles are copied, 150 bytes each with the tree.
+class TriangleTree {
+ public:
+  explicit TriangleTree(std::span<const Triangle> triangles);
+
+  [[nodiscard]] std::size_t size() const { return triangles_.size(); }
+  /// The n-th triangle in the tree's order, and its index in what the tree was built from.
+  [[nodiscard]] const Triangle& triangle(std::uint32_t n) const { return triangles_[n]; }
+  [[nodiscard]] std::uint32_t source(std::uint32_t n) const { return source_[n]; }
+  /// Squared diagonal of the box around all; 0 when empty.
+  [[nodiscard]] double diagonal2() const;
+
+  struct Nearest {
+    std::uint32_t triangle = no_index;  ///< in the tree's order
+    glm::dvec3 point{};
+    double distance2 = std::numeric_limits<double>::infinity();
+  };
+  /// The point of all triangles that is nearest to `p`. A `hint` (a triangle likely to be near, in the tree's
+  /// order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
+  [[nodiscard]] Nearest nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
+
+  /// Calls visit(n) for every triangle, in the tree's order, whose squared distance to `p` is at most `distance2`.
+  template <typename Visit>
+  void within(const glm::dvec3& p, double distance2, Visit&& visit) const;
+
+  /// Calls visit(n, m) once for every pair of triangles whose boxes touch.
+  template <typename Visit>
+  void touching_pairs(Visit&& visit) const;
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0, end = 0;  ///< triangles below it
+    std::uint32_t right = 0;           ///< 0: a leaf; else the left child follows at once
+    [[nodiscard]] bool leaf() const { return right == 0; }
+  };
+  static constexpr std::uint32_t leaf_size = 4;
+  static constexpr std::size_t stack_size = 128;  // the depth is at most log2 of 2^32 / 4, two entries a level
+
+  struct Item;
+  std::uint32_t build(std::span<Item> items, std::uint32_t begin);
+  template <typename Visit>
+  void pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Triangle> triangles_;
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> source_;
+};
+
+/// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
+[[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);
+
+template <typename Visit>
+void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) const {
+  if (nodes_.empty()) return;
+  std::uint32_t stack[stack_size];
+  std::size_t top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const std::uint32_t id = stack[--top];
+    const Node& node = nodes_[id];
+    if (node.box.distance2(p) > distance2) continue;
+    if (!node.leaf()) {
+      stack[top++] = node.right;
+      stack[top++] = id + 1;
+      continue;
+    }
+    for (std::uint32_t n = node.begin; n < node.end; ++n) {
+      const glm::dvec3 d = nearest_point(triangles_[n], p) - p;
+      if (d.x * d.x + d.y * d.y + d.z * d.z <= distance2) visit(n);
+    }
+  }
+}
+
+template <typename Visit>
+void TriangleTree::pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const {
+  const Node &x = nodes_[a], &y = nodes_[b];
+  if (!x.box.touches(y.box)) return;
+  if (x.leaf() && y.leaf()) {
+    for (std::uint32_t n = x.begin; n < x.end; ++n) {
+      if (!boxes_[n].touches(y.box)) continue;
+      for (std::uint32_t m = y.begin; m < y.end; ++m)
+        if (boxes_[n].touches(boxes_[m])) visit(n, m);
+    }
+  } else if (y.leaf() || (!x.leaf() && x.end - x.begin >= y.end - y.begin)) {
+    pairs_between(a + 1, b, visit);
+    pairs_between(x.right, b, visit);
+  } else {
+    pairs_between(a, b + 1, visit);
+    pairs_between(a, y.right, visit);
+  }
+}
+
+// Two children of one node against each other, for every node: that meets every pair once.
+template <typename Visit>
+void TriangleTree::touching_pairs(Visit&& visit) const {
+  for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
+    const Node& node = nodes_[id];
+    if (!node.leaf()) {
+      pairs_between(id + 1, node.right, visit);
+      continue;
+    }
+    for (std::uint32_t n = node.begin; n < node.end; ++n)
+      for (std::uint32_t m = n + 1; m < node.end; ++m)
+        if (boxes_[n].touches(boxes_[m])) visit(n, m);
+  }
+}
+
+}  // namespace aomd::measure
