@@ -17,7 +17,7 @@ Vertex other_end(const Mesh& mesh, Edge edge, Vertex v) {
 
 }  // namespace
 
-Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0) {}
+Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {}
 
 void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
   const Row<2> faces = mesh.row<2>(v);
@@ -29,11 +29,17 @@ void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
   }
 }
 
-void Collapser::mark_neighbours(Vertex kept, const Star& star) {
-  if (++stamp_ == 0) {
-    mark_.assign(mark_.size(), 0);
-    stamp_ = 1;
+void Collapser::next_stamp(const Mesh& mesh) {
+  if (mark_.size() < mesh.capacity(0)) {
+    mark_.resize(mesh.capacity(0), 0);
+    edge_to_kept_.resize(mesh.capacity(0));
   }
+  if (++stamp_ != 0) return;
+  mark_.assign(mark_.size(), 0);
+  stamp_ = 1;
+}
+
+void Collapser::mark_neighbours(Vertex kept, const Star& star) {
   for (const StarFace& f : star) mark_[f.next] = mark_[f.previous] = stamp_;
   mark_[kept] = stamp_;
 }
@@ -53,7 +59,8 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
 
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of their
 // faces, no two faces fall together, and no edge loses its last face.
-Verdict Collapser::judge_topology(const std::array<Vertex, 2>& ends) {
+Verdict Collapser::judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends) {
+  next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
   for (const StarFace& f : stars_[0]) {
     if (f.uses(ends[1])) {
@@ -101,7 +108,7 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
   if (both || may_go[0]) gather(mesh, ends[0], stars_[0]);
   if (both || may_go[1]) gather(mesh, ends[1], stars_[1]);
   if (both)
-    if (const Verdict v = judge_topology(ends); !v.accepted()) return v;
+    if (const Verdict v = judge_topology(mesh, ends); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
     const Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);
@@ -119,6 +126,16 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
   return judge_either(mesh, edge, {first, !first}, rules, deleted);
 }
 
+// By edges, not by faces as in judging: an edge without faces must find its twin too.
+void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
+  next_stamp(mesh);
+  for (const Edge e : mesh.row<1>(kept)) {
+    const Vertex far = other_end(mesh, e, kept);
+    mark_[far] = stamp_;
+    edge_to_kept_[far] = e;
+  }
+}
+
 // Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at its end.
 void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
   merges_.clear();
@@ -129,8 +146,7 @@ void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
     if (e == edge) continue;
     const auto [a, b] = mesh.edge_vertices(e);
     const Vertex far = a == deleted ? b : a;
-    const Edge twin = marked(far) ? mesh.find_edge(kept, far) : Edge();
-    if (twin.valid()) merges_.push_back({e, twin});
+    if (marked(far)) merges_.push_back({e, edge_to_kept_[far]});
     else rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
   }
   bare_.clear();
@@ -153,9 +169,9 @@ void Collapser::merge_edges(Mesh& mesh) {
 }
 
 // Without the link condition an edge may lose its last face; then it goes too.
-void Collapser::destroy_bare_edges(Mesh& mesh, Vertex kept) const {
+void Collapser::destroy_bare_edges(Mesh& mesh) {
   for (const Vertex apex : bare_)
-    if (const Edge bare = mesh.find_edge(kept, apex); bare.valid()) mesh.destroy(bare);
+    if (marked(apex)) mesh.destroy(edge_to_kept_[apex]), mark_[apex] = 0;
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
@@ -163,13 +179,13 @@ void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
   const Vertex kept = other_end(mesh, edge, deleted);
   gather(mesh, deleted, stars_[0]);
   gather(mesh, kept, stars_[1]);
-  mark_neighbours(kept, stars_[1]);
+  mark_edges(mesh, kept);
   plan(mesh, edge, deleted, kept);
   for (const StarFace& f : stars_[0])
     if (f.uses(kept)) mesh.destroy(f.face);
   mesh.rebind(rebindings_);
   merge_edges(mesh);
-  destroy_bare_edges(mesh, kept);
+  destroy_bare_edges(mesh);
   mesh.destroy(edge);
   mesh.destroy(deleted);
 }

@@ -63,19 +63,22 @@ class Collapser {
  private:
   using Star = std::vector<StarFace>;
   static void gather(const Mesh& mesh, Vertex v, Star& star);
+  void next_stamp(const Mesh& mesh);
   void mark_neighbours(Vertex kept, const Star& star);
+  void mark_edges(const Mesh& mesh, Vertex kept);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
-  [[nodiscard]] Verdict judge_topology(const std::array<Vertex, 2>& ends);
+  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends);
   [[nodiscard]] static bool is_apex(const Star& star, Vertex v, Vertex other_end);
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
                                               const TurnLimit& limit);
   void plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
   void merge_edges(Mesh& mesh);
-  void destroy_bare_edges(Mesh& mesh, Vertex kept) const;
+  void destroy_bare_edges(Mesh& mesh);
 
   std::array<Star, 2> stars_;           ///< of the edge's two ends
   Column<Vertex, std::uint32_t> mark_;  ///< == stamp_ for the neighbours of the kept vertex
+  Column<Vertex, Edge> edge_to_kept_;   ///< of vertices marked by mark_edges()
   std::uint32_t stamp_ = 0;
   struct Merge {
     Edge gone, survivor;
