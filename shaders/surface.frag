@@ -1,0 +1,65 @@
+#version 330 core
+in vec3 eye_normal;
+in vec3 face_color;
+noperspective in vec3 corner_weight;
+flat in uint face_flags;
+
+uniform vec4 edge_color;
+uniform float edge_width;
+uniform float pixel_scale;
+uniform vec4 back_color;
+uniform vec4 highlight_color;
+
+out vec4 color;
+
+// The key light is fixed to the camera, so that shape reads from every side.
+const vec3 key_direction = vec3(-0.369, 0.527, 0.766);
+const vec3 half_direction = vec3(-0.196, 0.280, 0.940);  // between the key light and the eye
+const vec3 fill_direction = vec3(0.873, -0.218, 0.436);
+
+vec3 lit(vec3 base, vec3 n) {
+  float sky = 0.5 + 0.5 * n.y;
+  vec3 ambient = mix(vec3(0.29, 0.28, 0.275), vec3(0.43, 0.44, 0.46), sky);
+  float key = max(dot(n, key_direction), 0.0);
+  float fill = max(dot(n, fill_direction), 0.0);
+  float rim = 1.0 - max(n.z, 0.0);
+  float gloss = max(dot(n, half_direction), 0.0);
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  vec3 light = ambient + key * vec3(0.60, 0.59, 0.57) + fill * vec3(0.17, 0.18, 0.20);
+  return base * light + vec3(0.045 * gloss) + 0.10 * rim * rim * rim * sky;
+}
+
+// How much of this pixel is covered by the face's edges, in [0,1].
+float edge_cover() {
+  vec3 slope = vec3(length(vec2(dFdx(corner_weight.x), dFdy(corner_weight.x))),
+                    length(vec2(dFdx(corner_weight.y), dFdy(corner_weight.y))),
+                    length(vec2(dFdx(corner_weight.z), dFdy(corner_weight.z))));
+  vec3 distance_px = corner_weight / max(slope, 1e-6);
+  float nearest = 1e6;
+  if ((face_flags & 1u) == 0u) nearest = min(nearest, distance_px.z);
+  if ((face_flags & 2u) == 0u) nearest = min(nearest, distance_px.x);
+  if ((face_flags & 4u) == 0u) nearest = min(nearest, distance_px.y);
+  // The radius of the face's inner circle in pixels: where it is small, lines would paint the face over.
+  float radius_px = 1.0 / max(slope.x + slope.y + slope.z, 1e-6);
+  float fade = smoothstep(1.2, 4.5, radius_px / pixel_scale);
+  return fade * clamp(0.5 * edge_width * pixel_scale + 0.5 - nearest, 0.0, 1.0);
+}
+
+void main() {
+  vec3 n = normalize(eye_normal);
+  vec3 base = face_color;
+  if (!gl_FrontFacing) {
+    n = -n;
+    // Stripes tell a back from a face of that colour, also to colour-blind eyes.
+    float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / (10.0 * pixel_scale)));
+    base = mix(base, back_color.rgb, back_color.a) * (1.0 - 0.14 * stripe);
+  }
+  if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
+  // Squares and roots stand in for the sRGB curve.
+  vec3 shaded = sqrt(min(lit(base * base, n), 1.0));
+  color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
+}

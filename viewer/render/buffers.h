@@ -1,0 +1,91 @@
+#pragma once
+// Vertex buffers that follow the arrays of a Drawable.
+
+#include <cstddef>
+
+#include "viewer/render/gl.h"
+#include "viewer/scene/drawable.h"
+
+namespace aomd::render {
+
+/// A buffer object with its vertex array; the context must be current whenever a member runs.
+class VertexBuffer {
+ public:
+  explicit VertexBuffer(const Gl& gl);
+  ~VertexBuffer();
+  VertexBuffer(const VertexBuffer&) = delete;
+  VertexBuffer& operator=(const VertexBuffer&) = delete;
+
+  /// Brings the buffer up to date and makes the array clean. Uploads only the dirty ranges; all of it where
+  /// the buffer had to grow (by half at least, so that growing is rare). Returns the bytes that travelled.
+  template <typename T>
+  std::size_t upload(scene::Patched<T>& array) {
+    const std::size_t bytes = update(array.values().data(), array.size(), sizeof(T), array.dirty());
+    array.clean();
+    return bytes;
+  }
+  void bind() const { gl_.BindVertexArray(vertex_array_); }
+  [[nodiscard]] GLsizei count() const { return static_cast<GLsizei>(count_); }
+
+ protected:
+  /// For the constructors of derived classes: float or normalised components of an attribute.
+  struct Attribute {
+    GLuint index;
+    GLint components;
+    GLenum type;
+    std::size_t offset;
+  };
+  void add(const Attribute& attribute, std::size_t stride, GLuint divisor) const;
+  void add_integer(const Attribute& attribute, std::size_t stride) const;
+
+  const Gl& gl_;
+
+ private:
+  std::size_t update(const void* data, std::size_t count, std::size_t element_bytes,
+                     std::span<const scene::ElementRange> dirty);
+
+  GLuint vertex_array_ = 0;
+  GLuint buffer_ = 0;
+  std::size_t capacity_ = 0;
+  std::size_t count_ = 0;
+};
+
+class CornerBuffer : public VertexBuffer {
+ public:
+  explicit CornerBuffer(const Gl& gl);
+};
+
+class SegmentBuffer : public VertexBuffer {
+ public:
+  explicit SegmentBuffer(const Gl& gl);
+};
+
+class DiscBuffer : public VertexBuffer {
+ public:
+  explicit DiscBuffer(const Gl& gl);
+};
+
+/// The GPU's copy of one Drawable.
+class DrawableBuffers {
+ public:
+  explicit DrawableBuffers(const Gl& gl);
+
+  /// Uploads what changed since the last call; cost and traffic are proportional to that. The Drawable must
+  /// be the same one at every call.
+  void upload(scene::Drawable& drawable);
+  /// Bytes that the last upload sent.
+  [[nodiscard]] std::size_t uploaded_bytes() const { return uploaded_bytes_; }
+
+  CornerBuffer corners;
+  SegmentBuffer model_edges;
+  DiscBuffer model_vertices;
+  SegmentBuffer highlight_lines;
+  DiscBuffer highlight_discs;
+  glm::dvec3 origin{0};
+  scene::Box bounds;
+
+ private:
+  std::size_t uploaded_bytes_ = 0;
+};
+
+}  // namespace aomd::render

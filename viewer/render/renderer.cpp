@@ -1,0 +1,169 @@
+#include "viewer/render/renderer.h"
+
+#include <cmath>
+#include <limits>
+
+#include <glm/ext/matrix_transform.hpp>
+
+namespace aomd::render {
+
+using scene::rgb;
+using scene::unpack_color;
+
+namespace {
+
+constexpr scene::Color with_alpha(scene::Color color, std::uint32_t alpha) {
+  return (color & 0x00ffffffu) | alpha << 24;
+}
+
+constexpr float disc_outline_px = 1.25f;
+
+void draw_instances(const Gl& gl, const VertexBuffer& buffer) {
+  if (buffer.count() == 0) return;
+  buffer.bind();
+  gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, buffer.count());
+}
+
+glm::vec3 opaque(scene::Color color) { return glm::vec3(unpack_color(color)); }
+
+}  // namespace
+
+SceneTheme light_scene_theme() {
+  return {.background_top = rgb(0xf7f9fb),
+          .background_bottom = rgb(0xd3dae3),
+          .edge = with_alpha(rgb(0x1b2430), 150),
+          .back_face = with_alpha(rgb(0xb4533c), 165),
+          .highlight = with_alpha(rgb(0xff2f92), 205),
+          .outline = rgb(0xffffff)};
+}
+
+SceneTheme dark_scene_theme() {
+  return {.background_top = rgb(0x2b313b),
+          .background_bottom = rgb(0x14171c),
+          .edge = with_alpha(rgb(0x0b0e13), 165),
+          .back_face = with_alpha(rgb(0x9c4632), 165),
+          .highlight = with_alpha(rgb(0xff4da3), 205),
+          .outline = rgb(0x0e1116)};
+}
+
+/// What all programs need to know about one picture.
+struct Renderer::Frame {
+  glm::mat4 view;
+  glm::mat4 projection;
+  glm::vec4 clip_plane;
+  glm::vec2 size_px;
+  float pixel_size;  ///< world units a pixel, at depth 1 in perspective
+  float near_depth;  ///< perspective only: lines are cut there
+  bool orthographic;
+  const RenderSettings& settings;
+
+  Frame(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& s, glm::ivec2 size)
+      : size_px(size), orthographic(camera.orthographic), settings(s) {
+    const double aspect = static_cast<double>(size.x) / size.y;
+    const glm::dmat4 p = camera.projection(aspect, buffers.bounds);
+    view = glm::mat4(camera.view() * glm::translate(glm::dmat4(1), buffers.origin));
+    projection = glm::mat4(p);
+    pixel_size = static_cast<float>(2.0 / (p[1][1] * size.y));
+    near_depth =
+        orthographic ? -std::numeric_limits<float>::max() : static_cast<float>(p[3][2] / (p[2][2] - 1.0));
+    const glm::dvec4 plane = s.clip_plane.value_or(glm::dvec4(0, 0, 0, 1));
+    clip_plane = glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), buffers.origin));
+  }
+
+  void apply(ShaderProgram& program) const {
+    program.use();
+    program.set("view", view);
+    program.set("projection", projection);
+    program.set("clip_plane", clip_plane);
+    program.set("pixel_scale", settings.pixel_scale);
+  }
+  void apply_strokes(ShaderProgram& program) const {
+    apply(program);
+    program.set("size_px", size_px);
+    program.set("pixel_size", pixel_size);
+    program.set("near_depth", near_depth);
+    program.set("orthographic", orthographic ? 1 : 0);
+    program.set("outline_color", opaque(settings.theme.outline));
+  }
+};
+
+Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
+    : gl_(gl),
+      background_(gl, sources, "background"),
+      surface_(gl, sources, "surface"),
+      stroke_(gl, sources, "stroke"),
+      nothing_(gl),
+      target_(gl, wanted_samples) {}
+
+void Renderer::render(const DrawableBuffers& buffers, const scene::Camera& camera,
+                      const RenderSettings& settings, const PixelRect& rect, GLuint destination) {
+  if (rect.empty()) return;
+  gl_.Disable(GL_SCISSOR_TEST);
+  const glm::ivec2 size{rect.width, rect.height};
+  target_.begin(size);
+  draw(buffers, camera, settings, size);
+  target_.resolve(destination, rect);
+}
+
+void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
+                    const RenderSettings& settings, glm::ivec2 size) {
+  const Frame frame(buffers, camera, settings, size);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_DEPTH_TEST);
+  draw_background(settings.theme);
+  gl_.DepthMask(GL_TRUE);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LEQUAL);
+  if (settings.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
+  if (settings.show_surface) draw_surface(buffers.corners, frame);
+  gl_.Enable(GL_BLEND);
+  gl_.BlendEquation(GL_FUNC_ADD);
+  gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  frame.apply_strokes(stroke_);
+  if (settings.show_model_edges) draw_strokes(buffers.model_edges);
+  draw_strokes(buffers.highlight_lines);
+  if (settings.show_model_vertices) draw_strokes(buffers.model_vertices);
+  draw_strokes(buffers.highlight_discs);
+  gl_.Disable(GL_CLIP_DISTANCE0);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_DEPTH_TEST);
+}
+
+void Renderer::draw_background(const SceneTheme& theme) {
+  background_.use();
+  background_.set("top", opaque(theme.background_top));
+  background_.set("bottom", opaque(theme.background_bottom));
+  nothing_.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
+  if (corners.count() == 0) return;
+  const RenderSettings& settings = frame.settings;
+  frame.apply(surface_);
+  surface_.set("edge_color", settings.show_edges ? unpack_color(settings.theme.edge) : glm::vec4(0));
+  surface_.set("edge_width", settings.edge_width_px);
+  surface_.set("back_color", unpack_color(settings.theme.back_face));
+  surface_.set("highlight_color", unpack_color(settings.theme.highlight));
+  corners.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+void Renderer::draw_strokes(const SegmentBuffer& segments) {
+  stroke_.set("half_width_per_thickness", 0.5f);
+  stroke_.set("outline_px", 0.0f);
+  stroke_.set("pull_px", 0.0f);
+  draw_instances(gl_, segments);
+}
+
+void Renderer::draw_strokes(const DiscBuffer& discs) {
+  stroke_.set("half_width_per_thickness", 1.0f);
+  stroke_.set("outline_px", disc_outline_px);
+  // A little more than the lines that meet here.
+  stroke_.set("pull_px", 2.0f);
+  draw_instances(gl_, discs);
+}
+
+}  // namespace aomd::render

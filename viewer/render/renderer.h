@@ -1,0 +1,75 @@
+#pragma once
+// Draws a Drawable as a Camera sees it.
+
+#include <optional>
+
+#include <glm/vec4.hpp>
+
+#include "viewer/render/buffers.h"
+#include "viewer/render/framebuffer.h"
+#include "viewer/render/gl.h"
+#include "viewer/render/shader_program.h"
+#include "viewer/render/shader_sources.h"
+#include "viewer/scene/camera.h"
+#include "viewer/scene/drawable.h"
+
+namespace aomd::render {
+
+/// The scene's colours that do not come from the Drawable.
+struct SceneTheme {
+  scene::Color background_top = 0;
+  scene::Color background_bottom = 0;
+  scene::Color edge = 0;       ///< of mesh edges; its alpha is their strength
+  scene::Color back_face = 0;  ///< what faces seen from behind tend to; its alpha is how far
+  scene::Color highlight = 0;  ///< of highlighted faces; its alpha is how far
+  scene::Color outline = 0;    ///< around discs
+};
+
+[[nodiscard]] SceneTheme light_scene_theme();
+[[nodiscard]] SceneTheme dark_scene_theme();
+
+struct RenderSettings {
+  bool show_surface = true;
+  bool show_edges = true;  ///< mesh edges; they fade where triangles shrink to a few pixels
+  bool show_model_edges = true;
+  bool show_model_vertices = true;
+  float edge_width_px = 1.1f;  ///< of mesh edges, at pixel scale 1
+  float pixel_scale = 1.0f;    ///< framebuffer pixels a logical pixel: scales all widths and radii
+  SceneTheme theme = light_scene_theme();
+  /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
+  std::optional<glm::dvec4> clip_plane = {};
+};
+
+/// Programs and targets of one context, which must be current whenever a member runs.
+class Renderer {
+ public:
+  static constexpr int wanted_samples = 4;
+
+  /// Compiles the shaders. Throws GlError.
+  Renderer(const Gl& gl, const ShaderSources& sources);
+
+  /// Draws into `rect` of framebuffer `destination` (0 is the window's) through an own target with several
+  /// samples. Nothing outside `rect` changes. An empty rect is left alone.
+  void render(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
+              const PixelRect& rect, GLuint destination = 0);
+  /// The same into the framebuffer that is bound, which needs depth; the viewport must be `size` large.
+  void draw(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
+            glm::ivec2 size);
+  [[nodiscard]] int samples() const { return target_.samples(); }
+
+ private:
+  struct Frame;
+  void draw_background(const SceneTheme& theme);
+  void draw_surface(const CornerBuffer& corners, const Frame& frame);
+  void draw_strokes(const SegmentBuffer& segments);
+  void draw_strokes(const DiscBuffer& discs);
+
+  const Gl& gl_;
+  ShaderProgram background_;
+  ShaderProgram surface_;
+  ShaderProgram stroke_;  ///< lines and discs
+  VertexBuffer nothing_;  ///< the background's triangle comes from gl_VertexID
+  MultisampleTarget target_;
+};
+
+}  // namespace aomd::render

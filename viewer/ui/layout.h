@@ -1,0 +1,28 @@
+#pragma once
+// Where everything stands: one arrangement that follows the window's size.
+
+#include <imgui.h>
+
+#include "viewer/scene/view.h"
+
+namespace aomd::ui {
+
+struct Area {
+  ImVec2 position{0, 0};
+  ImVec2 size{0, 0};
+};
+
+/// In ImGui's units. Areas of panels that are off are empty.
+struct Layout {
+  Area menu;
+  Area mesh;        ///< left
+  Area decimation;  ///< right
+  Area timeline;    ///< bottom, from side to side
+  Area status;
+  Area viewport;    ///< what is left
+};
+
+/// Side panels take between a fifth and a third of the width and give way in small windows. `em` is the font's size.
+[[nodiscard]] Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em);
+
+}  // namespace aomd::ui

@@ -1,0 +1,189 @@
+#include "viewer/ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/scene/commands.h"
+
+namespace aomd::ui {
+namespace {
+
+void draw_bar_sign(ImDrawList& list, ImVec2 c, float r, float x, ImU32 color) {
+  list.AddRectFilled({c.x + x - 0.13f * r, c.y - 0.8f * r}, {c.x + x + 0.13f * r, c.y + 0.8f * r}, color);
+}
+
+void draw_arrow_sign(ImDrawList& list, ImVec2 c, float r, float direction, ImU32 color) {
+  list.AddTriangleFilled({c.x - 0.55f * direction * r, c.y - 0.8f * r}, {c.x + 0.75f * direction * r, c.y},
+                         {c.x - 0.55f * direction * r, c.y + 0.8f * r}, color);
+}
+
+/// Three quarters of a turn with an arrow head; mirrored for redo.
+void draw_turn_sign(ImDrawList& list, ImVec2 c, float r, float direction, ImU32 color) {
+  constexpr int pieces = 14;
+  for (int i = 0; i <= pieces; ++i) {
+    const float angle = -2.6f + 3.9f * static_cast<float>(i) / pieces;
+    list.PathLineTo({c.x + direction * 0.75f * r * std::cos(angle), c.y + 0.1f * r + 0.75f * r * std::sin(angle)});
+  }
+  list.PathStroke(color, false, 0.28f * r);
+  const ImVec2 tip{c.x - direction * 0.68f * r, c.y - 0.25f * r};
+  list.AddTriangleFilled({tip.x - direction * 0.4f * r, tip.y - 0.55f * r}, {tip.x + direction * 0.65f * r, tip.y - 0.1f * r},
+                         {tip.x - direction * 0.25f * r, tip.y + 0.55f * r}, color);
+}
+
+void draw_icon(Icon icon, ImVec2 c, float r, ImU32 color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  switch (icon) {
+    case Icon::First:
+    case Icon::Last: {
+      const float side = icon == Icon::First ? -1.0f : 1.0f;
+      draw_bar_sign(list, c, r, 0.7f * side * r, color);
+      draw_arrow_sign(list, {c.x - 0.1f * side * r, c.y}, r, side, color);
+      return;
+    }
+    case Icon::Back:
+    case Icon::Forward: {
+      const float side = icon == Icon::Back ? -1.0f : 1.0f;
+      draw_bar_sign(list, c, r, -0.65f * side * r, color);
+      draw_arrow_sign(list, {c.x + 0.2f * side * r, c.y}, 0.85f * r, side, color);
+      return;
+    }
+    case Icon::Play:
+      return draw_arrow_sign(list, c, 1.1f * r, 1, color);
+    case Icon::Pause:
+      draw_bar_sign(list, c, 1.2f * r, -0.4f * r, color);
+      draw_bar_sign(list, c, 1.2f * r, 0.4f * r, color);
+      return;
+    case Icon::Undo:
+      return draw_turn_sign(list, c, r, 1, color);
+    case Icon::Redo:
+      return draw_turn_sign(list, c, r, -1, color);
+  }
+}
+
+}  // namespace
+
+void text(std::string_view s) { ImGui::TextUnformatted(s.data(), s.data() + s.size()); }
+
+void muted(const Frame& frame, std::string_view s) {
+  ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
+  text(s);
+  ImGui::PopStyleColor();
+}
+
+void text_right(std::string_view s) {
+  const float width = ImGui::CalcTextSize(s.data(), s.data() + s.size()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+  text(s);
+}
+
+void heading(const Frame& frame, const char* title) {
+  ImGui::PushFont(frame.fonts.heading);
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+}
+
+void gap(float ems) { ImGui::Dummy({0, ems * em()}); }
+
+void tooltip(std::string_view s) {
+  if (s.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(22 * em());
+  text(s);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void command_tooltip(std::string_view line) {
+  const std::string_view name = line.substr(0, line.find(' '));
+  for (const scene::Command& command : scene::commands()) {
+    if (command.name != name) continue;
+    std::string help(command.help);
+    if (const auto chord = scene::chord_of_line(line); !chord.empty()) help += " (" + std::string(chord) + ")";
+    tooltip(help);
+  }
+}
+
+void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
+  ImGui::EndDisabled();
+  command_tooltip(line);
+}
+
+void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+  const ImVec4 a = frame.colors.accent;
+  const auto lighter = [&](float by) {
+    return ImVec4(a.x + (1 - a.x) * by, a.y + (1 - a.y) * by, a.z + (1 - a.z) * by, 1);
+  };
+  const bool dark_text = 0.3f * a.x + 0.6f * a.y + 0.1f * a.z > 0.5f;
+  ImGui::PushStyleColor(ImGuiCol_Button, a);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lighter(0.15f));
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, lighter(0.3f));
+  ImGui::PushStyleColor(ImGuiCol_Text, dark_text ? ImVec4(0.05f, 0.08f, 0.12f, 1) : ImVec4(1, 1, 1, 1));
+  command_button(frame, label, line, width, enabled);
+  ImGui::PopStyleColor(4);
+}
+
+void command_item(Frame& frame, const char* label, const std::string& line, bool selected, bool enabled) {
+  const std::string chord(scene::chord_of_line(line));
+  if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled)) frame.emit(line);
+}
+
+bool icon_button(const char* id, Icon icon, bool enabled) {
+  const float side = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushID(id);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::Button("##icon", {1.25f * side, side});
+  draw_icon(icon, {corner.x + 0.625f * side, corner.y + 0.5f * side}, 0.24f * side, ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::PopID();
+  ImGui::EndDisabled();
+  return pressed;
+}
+
+void bar(double share, ImU32 color, float height_ems) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = height_ems * em();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float radius = 0.5f * height;
+  list.AddRectFilled(from, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), radius);
+  const float filled = static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
+  if (filled > 0) list.AddRectFilled(from, {from.x + std::max(filled, height), from.y + height}, color, radius);
+  ImGui::Dummy({width, height});
+}
+
+bool number_control(const char* id, double& value, const NumberStyle& style) {
+  const float field = 4.6f * em();
+  ImGui::PushID(id);
+  ImGui::SetNextItemWidth(std::max(3 * em(), ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemInnerSpacing.x));
+  const ImGuiSliderFlags flags =
+      ImGuiSliderFlags_NoInput | (style.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low, &style.high, "", flags);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::SetNextItemWidth(field);
+  double typed = value;
+  if (ImGui::InputDouble("##field", &typed, 0, 0, style.format, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue)) {
+    value = std::clamp(typed, style.low, style.high);
+    changed = true;
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+std::string fitted(const std::string& a, float width) {
+  if (ImGui::CalcTextSize(a.c_str()).x <= width) return a;
+  for (std::size_t keep = a.size(); keep > 4; --keep) {
+    // Names with bytes beyond ASCII are cut between characters.
+    const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(a[i]) & 0xc0u) == 0x80u; };
+    std::size_t head = keep / 2;
+    std::size_t tail = a.size() - (keep - head);
+    while (head > 0 && inside(head)) --head;
+    while (tail < a.size() && inside(tail)) ++tail;
+    const std::string shorter = a.substr(0, head) + "\u2026" + a.substr(tail);
+    if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
+  }
+  return "\u2026";
+}
+
+}  // namespace aomd::ui

@@ -1,0 +1,55 @@
+#pragma once
+// The few building blocks that all panels are made of.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <imgui.h>
+
+#include "viewer/ui/frame.h"
+
+namespace aomd::ui {
+
+/// The size of the present font: all distances are multiples of it, so that they follow the scale.
+[[nodiscard]] inline float em() { return ImGui::GetFontSize(); }
+
+void text(std::string_view s);
+void muted(const Frame& frame, std::string_view s);
+/// Right-aligned in the present column.
+void text_right(std::string_view s);
+/// A panel's or section's title.
+void heading(const Frame& frame, const char* title);
+void gap(float ems = 0.35f);
+/// For the last item, wrapped, also while it is disabled. Empty text shows nothing.
+void tooltip(std::string_view s);
+/// The help of a command and its key.
+void command_tooltip(std::string_view line);
+
+/// A button that emits `line`; it fills `width` (0: its text, negative: what is left).
+void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+/// In the accent colour: the one thing to do.
+void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+/// A menu entry that emits `line` and shows its key.
+void command_item(Frame& frame, const char* label, const std::string& line, bool selected = false,
+                  bool enabled = true);
+
+enum class Icon { First, Back, Play, Pause, Forward, Last, Undo, Redo };
+/// A square button with a drawn sign.
+[[nodiscard]] bool icon_button(const char* id, Icon icon, bool enabled);
+
+/// A thin horizontal bar of `share` (0..1) of the width that is left.
+void bar(double share, ImU32 color, float height_ems);
+
+/// A slider and a field to type into, side by side. True while the value changes.
+struct NumberStyle {
+  double low = 0, high = 1;
+  const char* format = "%.1f";
+  bool logarithmic = false;
+};
+[[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
+
+/// `a` shortened in its middle so that it is at most `width` wide.
+[[nodiscard]] std::string fitted(const std::string& a, float width);
+
+}  // namespace aomd::ui
