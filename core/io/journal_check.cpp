@@ -1,4 +1,5 @@
-// Whether a history fits a mesh, found out on a shadow of it: only ids, vertex lists and how often each is used.
+// Whether a history fits a mesh, found out on a shadow of it: only ids, vertex lists and how often each is
+// used.
 
 #include <bit>
 #include <cmath>
@@ -31,10 +32,14 @@ struct Record {
   [[nodiscard]] std::size_t length() const {
     switch (kind) {
       case RecordKind::Create:
-      case RecordKind::Destroy: return 2 + std::size_t{dim == 0 ? 6 : count};
-      case RecordKind::Rebind: return 4 * std::size_t{count};
-      case RecordKind::Move: return 13;
-      case RecordKind::Classify: return 3;
+      case RecordKind::Destroy:
+        return 2 + std::size_t{dim == 0 ? 6 : count};
+      case RecordKind::Rebind:
+        return 4 * std::size_t{count};
+      case RecordKind::Move:
+        return 13;
+      case RecordKind::Classify:
+        return 3;
     }
     return 0;
   }
@@ -67,10 +72,14 @@ class Shadow {
   bool apply(const Record& r) {
     if (r.dim > 2) return false;
     switch (r.kind) {
-      case RecordKind::Create: return create(r);
-      case RecordKind::Destroy: return destroy(r);
-      case RecordKind::Rebind: return rebind(r);
-      case RecordKind::Move: return alive(0, r.body[0]) && finite(r.body.subspan(1));
+      case RecordKind::Create:
+        return create(r);
+      case RecordKind::Destroy:
+        return destroy(r);
+      case RecordKind::Rebind:
+        return rebind(r);
+      case RecordKind::Move:
+        return alive(0, r.body[0]) && finite(r.body.subspan(1));
       case RecordKind::Classify:
         return alive(r.dim, r.body[0]) && legal_class(r.dim, r.body[1]) && legal_class(r.dim, r.body[2]);
     }
@@ -130,7 +139,8 @@ class Shadow {
     } else {
       const Held& h = held(r.dim, id);
       const auto listed = r.body.subspan(2);
-      if (!std::equal(listed.begin(), listed.end(), h.vertices.begin(), h.vertices.begin() + h.count)) return false;
+      if (!std::equal(listed.begin(), listed.end(), h.vertices.begin(), h.vertices.begin() + h.count))
+        return false;
       for (const std::uint32_t v : listed) --uses_[v];
     }
     ids(r.dim).destroy(id);
@@ -168,7 +178,8 @@ void check_journal(const JournalFile& file, const std::string& name, const Mesh&
   const auto words = file.journal.words();
   for (std::size_t at = 0; at < words.size();) {
     const Record record(words.subspan(at));
-    if (!shadow.apply(record)) throw ReadError(name, {}, "the journal's record at word " + std::to_string(at) + " cannot be applied");
+    if (!shadow.apply(record))
+      throw ReadError(name, {}, "the journal's record at word " + std::to_string(at) + " cannot be applied");
     at += 1 + record.body.size();
   }
 }

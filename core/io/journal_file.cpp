@@ -18,7 +18,12 @@ constexpr std::string_view magic = "AOMDJRNL";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t checksum_at = 80, header_size = 88, step_size = 16, word_size = 4;
 
-enum JournalFlag : std::uint32_t { has_feature_angle = 1, nonmanifold_edges = 2, keep_present = 4, all_flags = 7 };
+enum JournalFlag : std::uint32_t {
+  has_feature_angle = 1,
+  nonmanifold_edges = 2,
+  keep_present = 4,
+  all_flags = 7
+};
 
 /// FNV-1a over 64-bit values, with a last mix so that every bit counts.
 class Hash {
@@ -44,13 +49,14 @@ Value load(std::string_view bytes, std::size_t at) {
 std::uint64_t checksum(std::string_view bytes) {
   Hash hash;
   for (std::size_t at = 0; at + word_size <= bytes.size(); at += word_size)
-    if (at != checksum_at && at != checksum_at + word_size) hash.add(load<std::uint32_t>(bytes, at));
+    if (at != checksum_at && at != checksum_at + word_size)
+      hash.add(std::uint64_t{load<std::uint32_t>(bytes, at)});
   return hash.value();
 }
 
 std::uint32_t flags_of(const ClassifyOptions& options) {
-  return (options.feature_angle_deg ? has_feature_angle : 0u) | (options.nonmanifold_edges ? nonmanifold_edges : 0u) |
-         (options.keep_present ? keep_present : 0u);
+  return (options.feature_angle_deg ? has_feature_angle : 0u) |
+         (options.nonmanifold_edges ? nonmanifold_edges : 0u) | (options.keep_present ? keep_present : 0u);
 }
 
 /// The header without its checksum.
@@ -134,7 +140,8 @@ void write_journal(const std::filesystem::path& path, const JournalFile& file) {
   put_header(out, file);
   out.raw<std::endian::little>(std::uint64_t{0});
   for (const JournalStep& step : steps) {
-    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) | std::uint32_t{step.entity.dimension} << 8);
+    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) | std::uint32_t{step.entity.dimension}
+                                                                             << 8);
     out.raw<std::endian::little>(step.entity.index);
     out.raw<std::endian::little>(step.begin);
   }
@@ -150,7 +157,8 @@ JournalFile read_journal(const std::filesystem::path& path) {
   const detail::FileBytes content(path);
   const detail::Source source{path.string(), content.view()};
   JournalFile file = parse_header(source);
-  const auto step_count = load<std::uint64_t>(source.bytes, 64), word_count = load<std::uint64_t>(source.bytes, 72);
+  const auto step_count = load<std::uint64_t>(source.bytes, 64),
+             word_count = load<std::uint64_t>(source.bytes, 72);
   const std::uint64_t room = source.bytes.size() - header_size;
   if (step_count > room / step_size || word_count > room / word_size ||
       step_count * step_size + word_count * word_size != room)

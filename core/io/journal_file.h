@@ -19,7 +19,8 @@
 
 namespace aomd::io {
 
-/// What tells one start mesh from another: entity counts and a hash of connectivity, positions and classification.
+/// What tells one start mesh from another: entity counts and a hash of connectivity, positions and
+/// classification.
 struct MeshFingerprint {
   std::array<std::uint32_t, 4> counts{};
   std::uint64_t hash = 0;

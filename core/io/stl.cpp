@@ -92,8 +92,7 @@ class StlText {
     if (cursor_.skip_to_content())
       cursor_.fail("the file ends where \"" + std::string(keyword) + "\" should follow");
     const std::string_view word = cursor_.word();
-    if (!same(word, keyword))
-      cursor_.fail("expected \"" + std::string(keyword) + "\", found " + shown(word));
+    if (!same(word, keyword)) cursor_.fail("expected \"" + std::string(keyword) + "\", found " + shown(word));
   }
 
   /// True, and past it, where the solid ends.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -17,7 +17,6 @@ using Index = std::uint32_t;
 /// A mesh edge on a model edge.
 struct Curve {
   Index a, b;
-  int sides;  ///< stands for the model faces beside it: equal where those are equal
 };
 
 std::vector<Curve> find_curves(const MeshData& mesh) {
@@ -35,17 +34,15 @@ std::vector<Curve> find_curves(const MeshData& mesh) {
   std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
     return std::tie(l.a, l.b, l.tag) < std::tie(r.a, r.b, r.tag);
   });
-  std::map<std::vector<std::int32_t>, int> kinds;
   std::vector<Curve> curves;
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
-    std::vector<std::int32_t> tags;
+    bool one_face = true;
     for (next = i; next < sides.size() && sides[next].a == sides[i].a && sides[next].b == sides[i].b;
          ++next) {
-      tags.push_back(sides[next].tag);
+      one_face = one_face && sides[next].tag == sides[i].tag;
     }
-    if (tags.size() == 2 && tags[0] == tags[1]) continue;
-    const int kind = kinds.try_emplace(tags, static_cast<int>(kinds.size())).first->second;
-    curves.push_back({sides[i].a, sides[i].b, kind});
+    if (next - i == 2 && one_face) continue;
+    curves.push_back({sides[i].a, sides[i].b});
   }
   return curves;
 }
@@ -135,8 +132,7 @@ void classify_below_faces(MeshData& mesh, std::span<const Index> corners) {
   std::int32_t last_vertex = 0;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     const std::size_t degree = at.first[v + 1] - at.first[v];
-    const auto sides = [&](std::size_t i) { return curves[at.curve[at.first[v] + i]].sides; };
-    const bool passes = degree == 0 || (degree == 2 && sides(0) == sides(1));
+    const bool passes = degree == 0 || degree == 2;
     const bool named = std::find(corners.begin(), corners.end(), v) != corners.end();
     if (!passes || named) mesh.vertex_classes[v] = ModelRef(0, ++last_vertex);
   }

@@ -1,0 +1,12 @@
+#pragma once
+// Counts what the program allocates through operator new, which fuzz/counted_new.cpp replaces.
+
+#include <atomic>
+#include <cstddef>
+
+namespace aomd::test {
+
+extern std::atomic<std::size_t> live_bytes;
+extern std::atomic<std::size_t> peak_bytes;  ///< the most since it was last set
+
+}  // namespace aomd::test

@@ -1,0 +1,10 @@
+# Readers, writers and generated meshes: included by tests/CMakeLists.txt.
+aomd_test(io_test)
+aomd_test(io_obj_test)
+aomd_test(io_off_stl_test)
+aomd_test(io_ply_test)
+aomd_test(io_polygon_test)
+aomd_test(io_write_test)
+aomd_test(io_fuzz_test)
+target_sources(io_fuzz_test PRIVATE fuzz/io_fuzz.cpp fuzz/counted_new.cpp)
+aomd_test(samples_test)
