@@ -15,7 +15,9 @@ std::vector<std::uint32_t> ids(const Row& row) {
 using Ids = std::vector<std::uint32_t>;
 
 template <typename A, typename B>
-concept Comparable = requires(A a, B b) { a == b; };
+concept Comparable = requires(A a, B b) {
+  a == b;
+};
 static_assert(Comparable<Vertex, Vertex>);
 static_assert(!Comparable<Vertex, Face>, "handles of two kinds must not compare");
 static_assert(sizeof(Vertex) == 4 && sizeof(ModelRef) == 4);
@@ -65,7 +67,8 @@ TEST(MeshTest, AllRelationsOfTheSquare) {
   EXPECT_EQ(ids(mesh.row<1>(Face(0))), (Ids{0, 3, 1}));  // 0-1, 1-2, 2-0
   EXPECT_EQ(ids(mesh.row<1>(Face(1))), (Ids{1, 4, 2}));  // 0-2, 2-3, 3-0
   EXPECT_EQ(ids(mesh.row<2>(Edge(1))), (Ids{0, 1}));     // the diagonal
-  EXPECT_TRUE(mesh.use_direction(Face(0), Edge(1)));     // face 0 made it, face 1 uses it the other way (figure 3)
+  EXPECT_TRUE(
+      mesh.use_direction(Face(0), Edge(1)));  // face 0 made it, face 1 uses it the other way (figure 3)
   EXPECT_FALSE(mesh.use_direction(Face(1), Edge(1)));
 }
 
@@ -183,7 +186,8 @@ TEST(EntityHashTest, GrowsTenfoldWhenCrowdedAndStaysConsistent) {
   EXPECT_LE(hash.statistics().crowded * 10, hash.statistics().used);
   for (std::uint32_t i = 0; i < n; i += 2) hash.erase(i);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t found = hash.find(EntityHash::mix(i) + EntityHash::mix(i + 1), [&](std::uint32_t e) { return e == i; });
+    const std::uint32_t found =
+        hash.find(EntityHash::mix(i) + EntityHash::mix(i + 1), [&](std::uint32_t e) { return e == i; });
     EXPECT_EQ(found, i % 2 ? i : no_index);
   }
   EXPECT_EQ(EntityHash::mix(1), 0x6e789e6aa1b965f4ull) << "keys must be the same on every platform";

@@ -1,5 +1,5 @@
-// Random edit programs: whatever T stores, the same edits give the same mesh; all back is the start, all forward
-// the end; verify stays silent.
+// Random edit programs: whatever T stores, the same edits give the same mesh; all back is the start, all
+// forward the end; verify stays silent.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   std::uint32_t operator()(std::uint32_t below) {
-    return below ? static_cast<std::uint32_t>(EntityHash::mix(static_cast<std::uint32_t>(++state_)) % below) : 0;
+    return below ? static_cast<std::uint32_t>(EntityHash::mix(static_cast<std::uint32_t>(++state_)) % below)
+                 : 0;
   }
 
  private:
@@ -32,13 +33,21 @@ class Program {
   void edit() {
     switch (random_(8)) {
       case 0:
-      case 1: return collapse();
-      case 2: return swap();
-      case 3: return smooth();
-      case 4: return destroy_face();
-      case 5: return create_face();
-      case 6: return reclassify();
-      case 7: mesh_.create_vertex({double(random_(100)), double(random_(100)), double(random_(100))}); return;
+      case 1:
+        return collapse();
+      case 2:
+        return swap();
+      case 3:
+        return smooth();
+      case 4:
+        return destroy_face();
+      case 5:
+        return create_face();
+      case 6:
+        return reclassify();
+      case 7:
+        mesh_.create_vertex({double(random_(100)), double(random_(100)), double(random_(100))});
+        return;
     }
   }
 
@@ -141,7 +150,8 @@ TEST(RandomEditsTest, TheSameEditsGiveTheSameMeshUnderEveryRepresentation) {
         program.edit();
         if (i % 10 == 0) {
           const auto findings = verify(mesh);
-          ASSERT_TRUE(findings.empty()) << animal.name << " edit " << i << ": " << findings[0].name << ": " << findings[0].text;
+          ASSERT_TRUE(findings.empty())
+              << animal.name << " edit " << i << ": " << findings[0].name << ": " << findings[0].text;
         }
       }
       if (expected.empty()) expected = zoo::fingerprint(mesh);
@@ -180,7 +190,8 @@ TEST(RandomEditsTest, AHistoryReplaysUnderAnotherRepresentation) {
     Program program(mesh, 5);
     for (int i = 0; i < 200; ++i) program.edit();
     Journal copy;
-    copy.restore({journal.words().begin(), journal.words().end()}, {journal.steps().begin(), journal.steps().end()});
+    copy.restore({journal.words().begin(), journal.words().end()},
+                 {journal.steps().begin(), journal.steps().end()});
     Mesh other = with_representation(animal.data, {false, false, false, false, false});
     copy.seek(other, copy.size());
     EXPECT_EQ(zoo::fingerprint(other), zoo::fingerprint(mesh)) << animal.name;

@@ -28,7 +28,9 @@ inline MeshData triangle() { return make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0,
 //  | /|
 //  |/ |
 //  0--1
-inline MeshData square() { return make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}); }
+inline MeshData square() {
+  return make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+}
 
 inline MeshData tetrahedron() {
   return make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
@@ -42,7 +44,8 @@ inline MeshData octahedron() {
 
 // Three triangles on one edge 0-1: a book with three pages.
 inline MeshData book() {
-  return make({{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-1, 1, 0.5}, {-1, -1, 0.5}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  return make({{0, 0, 0}, {0, 0, 1}, {1, 0, 0.5}, {-1, 1, 0.5}, {-1, -1, 0.5}},
+              {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
 }
 
 // Two triangles that share one vertex only, and a vertex that nothing uses.
@@ -72,7 +75,8 @@ inline MeshData torus(std::uint32_t n, std::uint32_t m) {
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
       const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / m, r = 1 + 0.05 * std::sin(3 * u + 5 * v);
-      p.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u), r * std::sin(v));
+      p.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
+                     r * std::sin(v));
     }
   const auto at = [&](std::uint32_t i, std::uint32_t j) { return (i % n) * m + j % m; };
   for (std::uint32_t i = 0; i < n; ++i)
@@ -98,8 +102,14 @@ struct Animal {
 };
 
 inline std::vector<Animal> all() {
-  return {{"triangle", triangle()},   {"square", square()}, {"tetrahedron", tetrahedron()}, {"octahedron", octahedron()},
-          {"book", book()},           {"bow_tie", bow_tie()}, {"grid", grid(6)},             {"torus", torus(12, 9)},
+  return {{"triangle", triangle()},
+          {"square", square()},
+          {"tetrahedron", tetrahedron()},
+          {"octahedron", octahedron()},
+          {"book", book()},
+          {"bow_tie", bow_tie()},
+          {"grid", grid(6)},
+          {"torus", torus(12, 9)},
           {"dirty", dirty()}};
 }
 
@@ -123,7 +133,8 @@ inline int euler(const Mesh& mesh) {
   return distinct(used) - distinct(sides) + static_cast<int>(mesh.count(2));
 }
 
-/// Everything that the mesh is, as text: equal strings, equal meshes (ids, id stacks, connectivity, positions, classes).
+/// Everything that the mesh is, as text: equal strings, equal meshes (ids, id stacks, connectivity,
+/// positions, classes).
 inline std::string fingerprint(const Mesh& mesh) {
   std::string s;
   const auto add = [&](auto x) { s += std::to_string(x) + ' '; };

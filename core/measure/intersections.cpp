@@ -20,9 +20,9 @@ using glm::dvec3;
 
 Kernel::Point_3 exact(const dvec3& p) { return {p.x, p.y, p.z}; }
 
-// The sign of direction . (p - origin) as far as rounding allows: -1, +1, or 0 for "cannot tell". The direction
-// is taken as it is, so that any direction found in doubles is as good as an exact one.
-// Three differences, three products and two sums lose less than 6 units in the last place of the sum of sizes.
+// The sign of direction . (p - origin) as far as rounding allows: -1, +1, or 0 for "cannot tell". The
+// direction is taken as it is, so that any direction found in doubles is as good as an exact one. Three
+// differences, three products and two sums lose less than 6 units in the last place of the sum of sizes.
 int side(const dvec3& direction, const dvec3& origin, const dvec3& p) {
   constexpr double bound = 8 * 1.2e-16;
   const dvec3 terms = direction * (p - origin);
@@ -36,7 +36,8 @@ int orientation(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) 
   const dvec3 u = b - a, v = c - a, w = d - a;
   const dvec3 s(std::abs(u.x), std::abs(u.y), std::abs(u.z)), r(std::abs(v.x), std::abs(v.y), std::abs(v.z)),
       q(std::abs(w.x), std::abs(w.y), std::abs(w.z));
-  const double size = q.x * (s.y * r.z + s.z * r.y) + q.y * (s.z * r.x + s.x * r.z) + q.z * (s.x * r.y + s.y * r.x);
+  const double size =
+      q.x * (s.y * r.z + s.z * r.y) + q.y * (s.z * r.x + s.x * r.z) + q.z * (s.x * r.y + s.y * r.x);
   const double volume = glm::dot(glm::cross(u, v), w), doubt = 1.2e-15 * size + 1e-290;
   return volume > doubt ? 1 : volume < -doubt ? -1 : 0;
 }
@@ -51,7 +52,8 @@ bool without_area(const Triangle& t) {
 // All three of t strictly on one side of the plane of s.
 bool on_one_side(const Triangle& s, const Triangle& t) {
   const int first = orientation(s[0], s[1], s[2], t[0]);
-  return first != 0 && orientation(s[0], s[1], s[2], t[1]) == first && orientation(s[0], s[1], s[2], t[2]) == first;
+  return first != 0 && orientation(s[0], s[1], s[2], t[1]) == first &&
+         orientation(s[0], s[1], s[2], t[2]) == first;
 }
 
 // A plane with all of s strictly below and all of t strictly above some level: found by trying, so that "no"
@@ -88,8 +90,8 @@ bool cross_nowhere_shared(const Triangle& s, const Triangle& t) {
                             Kernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2])));
 }
 
-// Two triangles around a common corner v, seen from it as two sectors: do they meet only in v? A plane through v
-// between the sectors proves it; bisectors of one side of each are tried. "No" means "do not know".
+// Two triangles around a common corner v, seen from it as two sectors: do they meet only in v? A plane
+// through v between the sectors proves it; bisectors of one side of each are tried. "No" means "do not know".
 bool sectors_apart(const dvec3& v, const std::array<dvec3, 2>& s, const std::array<dvec3, 2>& t) {
   const auto splits = [&](const dvec3& direction) {
     return side(direction, v, s[0]) > 0 && side(direction, v, s[1]) > 0 && side(direction, v, t[0]) < 0 &&
@@ -101,7 +103,8 @@ bool sectors_apart(const dvec3& v, const std::array<dvec3, 2>& s, const std::arr
 }
 
 bool cross_at_vertex(const Triangle& s, std::size_t i, const Triangle& t, std::size_t j) {
-  const dvec3 &v = s[i], &s1 = s[(i + 1) % 3], &s2 = s[(i + 2) % 3], &t1 = t[(j + 1) % 3], &t2 = t[(j + 2) % 3];
+  const dvec3 &v = s[i], &s1 = s[(i + 1) % 3], &s2 = s[(i + 2) % 3], &t1 = t[(j + 1) % 3],
+              &t2 = t[(j + 2) % 3];
   if (sectors_apart(v, {s1, s2}, {t1, t2})) return false;
   const int a = orientation(s[0], s[1], s[2], t1), b = orientation(s[0], s[1], s[2], t2);
   if (a != 0 && a == b) return false;
@@ -142,10 +145,14 @@ bool intersect(const Triangle& s, const Triangle& t) {
         break;
       }
   switch (shared) {
-    case 0: return cross_nowhere_shared(s, t);
-    case 1: return cross_at_vertex(s, is[0], t, it[0]);
-    case 2: return fold_at_edge(s[is[0]], s[is[1]], s[3 - is[0] - is[1]], t[3 - it[0] - it[1]]);
-    default: return true;
+    case 0:
+      return cross_nowhere_shared(s, t);
+    case 1:
+      return cross_at_vertex(s, is[0], t, it[0]);
+    case 2:
+      return fold_at_edge(s[is[0]], s[is[1]], s[3 - is[0] - is[1]], t[3 - it[0] - it[1]]);
+    default:
+      return true;
   }
 }
 
@@ -166,7 +173,8 @@ std::vector<IntersectingPair> self_intersections(const Mesh& mesh) {
   std::vector<IntersectingPair> pairs;
   tree.touching_pairs([&](std::uint32_t n, std::uint32_t m) {
     const Face f = faces[tree.source(n)], g = faces[tree.source(m)];
-    if (f != g && intersect(tree.triangle(n), tree.triangle(m))) pairs.push_back({std::min(f, g), std::max(f, g)});
+    if (f != g && intersect(tree.triangle(n), tree.triangle(m)))
+      pairs.push_back({std::min(f, g), std::max(f, g)});
   });
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

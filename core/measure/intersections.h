@@ -16,10 +16,10 @@ struct IntersectingPair {
 };
 
 /// Every pair of faces that intersect in more than a shared vertex or edge, in ascending order. Vertices are
-/// shared when their positions are equal, so seams do not count. Two faces with the same three corners are one
-/// pair; two that lie on each other beside a common edge too; faces without area are passed over.
-/// Exact: doubtful cases are decided by CGAL's exact predicates; coordinates must be finite.
-/// About O(n log n): 10 ms for 10 000 faces. Touches nothing of the mesh.
+/// shared when their positions are equal, so seams do not count. Two faces with the same three corners are
+/// one pair; two that lie on each other beside a common edge too; faces without area are passed over. Exact:
+/// doubtful cases are decided by CGAL's exact predicates; coordinates must be finite. About O(n log n): 10 ms
+/// for 10 000 faces. Touches nothing of the mesh.
 [[nodiscard]] std::vector<IntersectingPair> self_intersections(const Mesh& mesh);
 
 }  // namespace aomd::measure

@@ -12,8 +12,8 @@
 namespace aomd::measure {
 namespace {
 
-// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no hash and no
-// sort of the whole.
+// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no hash and
+// no sort of the whole.
 class Sides {
  public:
   explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
@@ -157,8 +157,9 @@ std::size_t count_flips(const TriangleTree& original, const Mesh& result) {
     hint = nearest.triangle;
     bool agrees = glm::dot(own, normal(original.triangle(hint))) >= 0;
     if (!agrees)
-      original.within(nearest.point, equally_near * equally_near * size2,
-                      [&](std::uint32_t n) { agrees = agrees || glm::dot(own, normal(original.triangle(n))) > 0; });
+      original.within(nearest.point, equally_near * equally_near * size2, [&](std::uint32_t n) {
+        agrees = agrees || glm::dot(own, normal(original.triangle(n))) > 0;
+      });
     flips += !agrees;
   }
   return flips;

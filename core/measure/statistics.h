@@ -13,15 +13,16 @@ namespace aomd::measure {
 /// How many there are of what. A face that occurs twice counts twice, also at its edges.
 struct Counts {
   std::size_t vertices = 0;
-  std::size_t unused_vertices = 0;    ///< of those: used by no face and no listed edge
-  std::size_t edges = 0;              ///< pairs of vertices that are a side of a face or a listed edge
+  std::size_t unused_vertices = 0;  ///< of those: used by no face and no listed edge
+  std::size_t edges = 0;            ///< pairs of vertices that are a side of a face or a listed edge
   std::size_t faces = 0, regions = 0;
-  std::size_t boundary_edges = 0;     ///< sides of one face
-  std::size_t nonmanifold_edges = 0;  ///< sides of three or more faces
-  std::size_t components = 0;         ///< sets of faces connected through shared vertices
-  std::int64_t euler = 0;             ///< used vertices - edges + faces
+  std::size_t boundary_edges = 0;         ///< sides of one face
+  std::size_t nonmanifold_edges = 0;      ///< sides of three or more faces
+  std::size_t components = 0;             ///< sets of faces connected through shared vertices
+  std::int64_t euler = 0;                 ///< used vertices - edges + faces
   std::array<std::size_t, 8> by_shape{};  ///< faces and regions, indexed by Shape
-  std::array<std::size_t, 4> by_class{};  ///< entities of all kinds that lie on a model entity of dimension 0..3
+  std::array<std::size_t, 4>
+      by_class{};  ///< entities of all kinds that lie on a model entity of dimension 0..3
 };
 
 /// Whether or not the mesh has edges: they are counted from the faces. O(entities).
@@ -29,16 +30,17 @@ struct Counts {
 
 /// Smallest angles of the faces, each in degrees; a quad counts as its two triangles. Zero without faces.
 struct Quality {
-  double min_angle_mean_deg = 0;      ///< mean over the faces of the smallest angle of each
+  double min_angle_mean_deg = 0;  ///< mean over the faces of the smallest angle of each
   double min_angle_worst_deg = 0;
-  double faces_below_10deg_pct = 0;   ///< faces with an angle below 10 degrees, percent
+  double faces_below_10deg_pct = 0;  ///< faces with an angle below 10 degrees, percent
 };
 
 [[nodiscard]] Quality measure_quality(const Mesh& mesh);
 
 /// How many faces of `result` look away from the original: their normal and that of the nearest face of the
-/// original, seen from the middle of the face, differ by more than 90 degrees. Where several faces of the original
-/// are equally near the best counts. Faces without area are passed over. About O(faces log originals).
+/// original, seen from the middle of the face, differ by more than 90 degrees. Where several faces of the
+/// original are equally near the best counts. Faces without area are passed over. About O(faces log
+/// originals).
 [[nodiscard]] std::size_t count_flips(const TriangleTree& original, const Mesh& result);
 
 }  // namespace aomd::measure

@@ -90,9 +90,15 @@ std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
   for (const Item& item : items) centres.add(item.centre);
   const glm::dvec3 size = centres.high - centres.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = items.size() / 2;
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                   [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
+  const double middle = 0.5 * (centres.low[axis] + centres.high[axis]);
+  const auto split = std::partition(items.begin(), items.end(),
+                                    [axis, middle](const Item& item) { return item.centre[axis] < middle; });
+  auto half = static_cast<std::size_t>(split - items.begin());
+  if (std::min(half, items.size() - half) * lopsided < items.size()) {
+    half = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                     [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
+  }
   build(items.first(half), begin);
   const std::uint32_t right = build(items.subspan(half), begin + static_cast<std::uint32_t>(half));
   nodes_[id].right = right;

@@ -144,8 +144,9 @@ class Verifier {
     if (!mesh_.stored(i, j)) return;
     std::vector<std::vector<std::uint32_t>> expected(mesh_.capacity(i));
     each(j, [&](EntityRef e) {
-      const auto v = vertices(e);
-      for (const std::uint32_t l : i == 0 ? v : sides(v))
+      std::vector<std::uint32_t> lower = vertices(e);
+      if (i == 1) lower = sides(lower);
+      for (const std::uint32_t l : lower)
         if (l != no_index) expected[l].push_back(e.index);
     });
     each(i, [&](EntityRef e) {

@@ -46,10 +46,12 @@ void Collapser::mark_neighbours(Vertex kept, const Star& star) {
 
 // True when the edge's ends have a face with v: then v may be a neighbour of both.
 bool Collapser::is_apex(const Star& star, Vertex v, Vertex other_end) {
-  return std::any_of(star.begin(), star.end(), [&](const StarFace& f) { return f.uses(v) && f.uses(other_end); });
+  return std::any_of(star.begin(), star.end(),
+                     [&](const StarFace& f) { return f.uses(v) && f.uses(other_end); });
 }
 
-// The two other edges of a removed face fall together. If neither has a further face, the one that stays has none.
+// The two other edges of a removed face fall together. If neither has a further face, the one that stays has
+// none.
 bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const {
   for (std::size_t i = 0; i < 2; ++i)
     for (const StarFace& f : stars_[i])
@@ -57,8 +59,8 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
   return true;
 }
 
-// The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of their
-// faces, no two faces fall together, and no edge loses its last face.
+// The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of
+// their faces, no two faces fall together, and no edge loses its last face.
 Verdict Collapser::judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends) {
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
@@ -92,8 +94,8 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex del
   return {};
 }
 
-Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
-                                Vertex& deleted) {
+Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
+                                const CollapseRules& rules, Vertex& deleted) {
   const auto ends = mesh.edge_vertices(edge);
   const ModelRef model = mesh.classification(edge);
   Verdict furthest;
@@ -146,8 +148,10 @@ void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
     if (e == edge) continue;
     const auto [a, b] = mesh.edge_vertices(e);
     const Vertex far = a == deleted ? b : a;
-    if (marked(far)) merges_.push_back({e, edge_to_kept_[far]});
-    else rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
+    if (marked(far))
+      merges_.push_back({e, edge_to_kept_[far]});
+    else
+      rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
   }
   bare_.clear();
   for (auto f = stars_[0].rbegin(); f != stars_[0].rend(); ++f) {
@@ -163,7 +167,8 @@ void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
 void Collapser::merge_edges(Mesh& mesh) {
   for (const Merge& m : merges_) {
     const ModelRef gone = mesh.classification(m.gone);
-    if (gone.dimension() < mesh.classification(m.survivor).dimension()) mesh.set_classification(m.survivor, gone);
+    if (gone.dimension() < mesh.classification(m.survivor).dimension())
+      mesh.set_classification(m.survivor, gone);
     mesh.destroy(m.gone);
   }
 }

@@ -40,14 +40,14 @@ class Collapser {
   /// Checks in this order: classification, topology, flat faces, turned normals.
   [[nodiscard]] Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules);
 
-  /// The same for both ends that `may_go` names (in the edge's order), with the work that they share done once.
-  /// Returns the first acceptance, whose end is put in `deleted`, else the refusal that got furthest.
+  /// The same for both ends that `may_go` names (in the edge's order), with the work that they share done
+  /// once. Returns the first acceptance, whose end is put in `deleted`, else the refusal that got furthest.
   [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                      const CollapseRules& rules, Vertex& deleted);
 
-  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the edge
-  /// go, the others around `deleted` are stretched to the kept end, and edges that fall together become one that
-  /// keeps the lower classification. One journal step.
+  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the faces of the
+  /// edge go, the others around `deleted` are stretched to the kept end, and edges that fall together become
+  /// one that keeps the lower classification. One journal step.
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
   /// A face around an end of the edge, seen from that end.

@@ -36,8 +36,7 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
                    d = mesh.position(e.d);
   const double before = std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
   const double after = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
-  if (after > before - smallest_gain)
-    return {Reason::Quality, e.f, after};
+  if (after > before - smallest_gain) return {Reason::Quality, e.f, after};
   const glm::dvec3 old_f = area_normal(a, b, c), old_g = area_normal(b, a, d);
   const glm::dvec3 new_f = area_normal(d, b, c), new_g = area_normal(c, a, d);
   if (is_flat(d, b, c, new_f)) return {Reason::Flat, e.f};

@@ -27,7 +27,8 @@ inline constexpr int reason_count = 7;
 class Verdict {
  public:
   constexpr Verdict() = default;
-  constexpr Verdict(Reason why, EntityRef who, double measure = 0) : reason(why), entity(who), measure_(measure) {}
+  constexpr Verdict(Reason why, EntityRef who, double measure = 0)
+      : reason(why), entity(who), measure_(measure) {}
 
   Reason reason = Reason::None;
   EntityRef entity;

@@ -1,0 +1,152 @@
+#include "core/model/classify.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/mesh/journal.h"
+#include "core/mesh/verify.h"
+#include "zoo.h"
+
+namespace aomd {
+namespace {
+
+ClassifyResult classified(Mesh& mesh, ClassifyOptions options = {}) {
+  const ClassifyResult result = classify(mesh, options);
+  EXPECT_TRUE(verify(mesh).empty());
+  return result;
+}
+
+TEST(ClassifyTest, ATetrahedronHasFourSixFour) {
+  Mesh mesh(zoo::tetrahedron());
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 4);
+  EXPECT_EQ(r.model_edges, 6);
+  EXPECT_EQ(r.model_faces, 4);
+}
+
+//  flat sheet: one model face, its border four model edges between four corners
+TEST(ClassifyTest, AFlatSheetIsOneFaceWithFourCorners) {
+  Mesh mesh(zoo::grid(6));
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 4);
+  EXPECT_EQ(r.model_edges, 4);
+  EXPECT_EQ(r.model_faces, 1);
+  EXPECT_EQ(mesh.classification(Vertex(0)).dimension(), 0);
+  EXPECT_EQ(mesh.classification(Vertex(3)).dimension(), 1);
+  EXPECT_EQ(mesh.classification(Vertex(8)).dimension(), 2);
+}
+
+TEST(ClassifyTest, ASmoothTorusHasOneFaceAndNothingElse) {
+  Mesh mesh(zoo::torus(48, 36));
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 0);
+  EXPECT_EQ(r.model_edges, 0);
+  EXPECT_EQ(r.model_faces, 1);
+}
+
+TEST(ClassifyTest, TheSpineOfABookIsAModelEdge) {
+  Mesh mesh(zoo::book());
+  classified(mesh);
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))).dimension(), 1);
+  EXPECT_EQ(mesh.classification(Vertex(0)).dimension(), 0);  // seven model edges meet there
+}
+
+TEST(ClassifyTest, UnusedVerticesStayUnclassified) {
+  Mesh mesh(zoo::bow_tie());
+  classified(mesh);
+  EXPECT_FALSE(mesh.classification(Vertex(5)).valid());
+}
+
+// Paper, figure 4: the diagonal of a square whose two halves the file puts on one model face may still be a
+// model edge, which only the file can know.
+TEST(ClassifyTest, WhatTheFileSaysWins) {
+  MeshData data = zoo::square();
+  Mesh silent(data);
+  classified(silent);
+  EXPECT_EQ(silent.classification(silent.find_edge(Vertex(0), Vertex(2))).dimension(), 2);
+  data.edges.add(Shape::Line, {2, 0}, ModelRef(1, 42));
+  Mesh told(data);
+  classified(told);
+  EXPECT_EQ(told.classification(told.find_edge(Vertex(0), Vertex(2))), ModelRef(1, 42));
+  EXPECT_EQ(told.classification(Vertex(0)).dimension(), 0);
+}
+
+TEST(ClassifyTest, FacesGivenByTheFileKeepTheirTagsAndMeetInModelEdges) {
+  MeshData data = zoo::square();
+  data.faces.classes = {ModelRef(2, 10), ModelRef(2, 20)};
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_faces, 2);
+  EXPECT_EQ(mesh.classification(Face(1)), ModelRef(2, 20));
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(2))).dimension(), 1);
+}
+
+TEST(ClassifyTest, IsOneStepToUndo) {
+  Mesh mesh(zoo::grid(4));
+  mesh.set(1, 0);
+  const std::string before = zoo::fingerprint(mesh);
+  Journal journal;
+  mesh.attach(&journal);
+  classified(mesh);
+  EXPECT_EQ(journal.size(), 1u);
+  journal.undo(mesh);
+  EXPECT_EQ(zoo::fingerprint(mesh), before);
+}
+
+// A sheet folded by 90 degrees along its middle row, then roughened: the fold is a feature, single bumps are
+// not.
+MeshData folded_sheet(double bump) {
+  MeshData data = zoo::grid(20);
+  for (std::size_t i = 0; i < data.positions.size(); ++i) {
+    glm::dvec3& p = data.positions[i];
+    if (i % 7 == 3 && p.x > 1 && p.x < 19 && p.y != 10) p.z += bump;
+    if (p.y > 10) p = {p.x, 10 - p.z, p.y - 10};
+  }
+  return data;
+}
+
+TEST(ClassifyTest, AFoldIsAFeature) {
+  Mesh mesh(folded_sheet(0));
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.features.sharp, 20u);
+  EXPECT_EQ(r.features.rough, 0u);
+  EXPECT_EQ(r.model_faces, 2);
+}
+
+TEST(ClassifyTest, RoughnessIsNot) {
+  Mesh rough(zoo::grid(20));
+  for (const Vertex v : rough.vertices())
+    rough.move(v,
+               rough.position(v) + glm::dvec3(0, 0, 0.35 * double(EntityHash::mix(v.index) % 1000) / 1000));
+  const ClassifyResult r = classified(rough);
+  EXPECT_GT(r.features.rough, 100u);
+  EXPECT_EQ(r.features.sharp, 0u);
+  EXPECT_EQ(r.model_faces, 1);
+}
+
+TEST(ClassifyTest, NonManifoldEdgesMayBeLeftAlone) {
+  Mesh mesh(zoo::dirty());
+  classified(mesh, {.nonmanifold_edges = false});
+  for (const Edge e : mesh.edges()) {
+    const Request need = mesh.request(1, 2);
+    if (mesh.row<2>(e).size() > 2) {
+      EXPECT_EQ(mesh.classification(e).dimension(), 2);
+    }
+  }
+}
+
+TEST(ClassifyTest, ABoxSampleIsABox) {
+  MeshData data = make_sample("box");
+  data.vertex_classes.clear();
+  data.edges = {};
+  data.faces.classes.clear();
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 8);
+  EXPECT_EQ(r.model_edges, 12);
+  EXPECT_EQ(r.model_faces, 6);
+}
+
+}  // namespace
+}  // namespace aomd
