@@ -111,6 +111,18 @@ TEST(CollapseTest, TheLinkConditionKeepsATetrahedron) {
   EXPECT_EQ(b.judge_collapse(0, 1, 179).reason, Reason::Topology);
 }
 
+// A face twice over is a pocket: collapsing one of its edges would make it vanish.
+TEST(CollapseTest, TheLinkConditionKeepsAPocket) {
+  MeshData data = zoo::grid(3);
+  data.faces.add(Shape::Triangle, {5, 6, 10});
+  data.faces.classes.assign(data.faces.size(), ModelRef(2, 1));
+  Bench b(data);
+  for (const Vertex v : b.mesh.vertices()) b.mesh.set_classification(v, ModelRef(2, 1));
+  for (const Edge e : b.mesh.edges()) b.mesh.set_classification(e, ModelRef(2, 1));
+  EXPECT_EQ(b.judge_collapse(5, 6, 179).reason, Reason::Topology);
+  EXPECT_EQ(b.judge_collapse(5, 6, 10, TopologyRule::Paper).reason, Reason::None);
+}
+
 // A tube of three: its ring 0-1-2 is no face, so collapsing 0-1 would pinch it.
 TEST(CollapseTest, TheLinkConditionKeepsATube) {
   zoo::Triangles t;

@@ -22,20 +22,39 @@ double Box::distance2(const glm::dvec3& p) const {
   return glm::dot(d, d);
 }
 
-Triangles triangles_of(const Mesh& mesh) {
-  Triangles result;
-  result.corners.reserve(mesh.count(2));
-  result.faces.reserve(mesh.count(2));
-  std::array<std::uint32_t, max_shape_vertices> buffer;
-  for (const Face f : mesh.faces()) {
-    const auto v = mesh.vertices_of(f, buffer);
-    const auto at = [&](std::size_t k) { return mesh.position(Vertex(v[k])); };
-    for (std::size_t k = 2; k < v.size(); ++k) {
-      result.corners.push_back({at(0), at(k - 1), at(k)});
-      result.faces.push_back(f);
-    }
+namespace {
+
+void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices, const auto& position) {
+  for (std::size_t k = 2; k < vertices.size(); ++k) {
+    all.corners.push_back({position(vertices[0]), position(vertices[k - 1]), position(vertices[k])});
+    all.faces.push_back(face);
   }
-  return result;
+}
+
+}  // namespace
+
+Triangles triangles_of(const Mesh& mesh) {
+  Triangles all;
+  all.corners.reserve(mesh.count(2));
+  all.faces.reserve(mesh.count(2));
+  std::array<std::uint32_t, max_shape_vertices> buffer;
+  const auto position = [&](std::uint32_t v) { return mesh.position(Vertex(v)); };
+  for (const Face f : mesh.faces()) append(all, f, mesh.vertices_of(f, buffer), position);
+  return all;
+}
+
+Triangles triangles_of(const MeshData& data) {
+  Triangles all;
+  all.corners.reserve(data.faces.size());
+  all.faces.reserve(data.faces.size());
+  std::size_t begin = 0;
+  const auto position = [&](std::uint32_t v) { return data.positions[v]; };
+  for (std::uint32_t f = 0; f < data.faces.size(); ++f) {
+    const auto n = static_cast<std::size_t>(shape_template(data.faces.shapes[f]).vertex_count);
+    append(all, Face(f), std::span(data.faces.vertices).subspan(begin, n), position);
+    begin += n;
+  }
+  return all;
 }
 
 /// A triangle while the tree is built: what sorting needs lies together.

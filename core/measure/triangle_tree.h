@@ -24,6 +24,8 @@ struct Triangles {
 
 /// O(faces); the faces must hold their vertices or edges.
 [[nodiscard]] Triangles triangles_of(const Mesh& mesh);
+/// The same for plain arrays; the n-th of `faces` is Face(n).
+[[nodiscard]] Triangles triangles_of(const MeshData& data);
 
 /// An axis-parallel box; an empty one holds nothing.
 struct Box {
@@ -41,9 +43,9 @@ struct Box {
   [[nodiscard]] double distance2(const glm::dvec3& p) const;
 };
 
-/// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median where the middle
-/// would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the triangles are copied, about 170
-/// bytes each with the tree.
+/// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median where the
+/// middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the triangles are
+/// copied, about 170 bytes each with the tree.
 class TriangleTree {
  public:
   explicit TriangleTree(std::span<const Triangle> triangles);

@@ -44,6 +44,14 @@ void Collapser::mark_neighbours(Vertex kept, const Star& star) {
   mark_[kept] = stamp_;
 }
 
+// Two faces of the edge with one apex enclose a pocket, which would vanish.
+bool Collapser::is_pocket(const Star& star, const StarFace& face, Vertex other_end) {
+  const Vertex apex = face.next == other_end ? face.previous : face.next;
+  return std::any_of(star.begin(), star.end(), [&](const StarFace& f) {
+    return f.face != face.face && f.uses(apex) && f.uses(other_end);
+  });
+}
+
 // True when the edge's ends have a face with v: then v may be a neighbour of both.
 bool Collapser::is_apex(const Star& star, Vertex v, Vertex other_end) {
   return std::any_of(star.begin(), star.end(),
@@ -67,7 +75,7 @@ Verdict Collapser::judge_topology(const Mesh& mesh, const std::array<Vertex, 2>&
   for (const StarFace& f : stars_[0]) {
     if (f.uses(ends[1])) {
       const Vertex apex = f.next == ends[1] ? f.previous : f.next;
-      if (leaves_bare_edge(ends, apex)) return {Reason::Topology, f.face};
+      if (leaves_bare_edge(ends, apex) || is_pocket(stars_[0], f, ends[1])) return {Reason::Topology, f.face};
       continue;
     }
     const bool next = marked(f.next), previous = marked(f.previous);

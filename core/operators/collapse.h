@@ -68,6 +68,7 @@ class Collapser {
   void mark_edges(const Mesh& mesh, Vertex kept);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
   [[nodiscard]] Verdict judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends);
+  [[nodiscard]] static bool is_pocket(const Star& star, const StarFace& face, Vertex other_end);
   [[nodiscard]] static bool is_apex(const Star& star, Vertex v, Vertex other_end);
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,

@@ -1,0 +1,11 @@
+# The program aomd, measurements, and the direction of #includes: included by tests/CMakeLists.txt.
+find_package(nlohmann_json REQUIRED)
+aomd_test(measure_test)
+aomd_test(journal_file_test)
+aomd_test(cli_test nlohmann_json::nlohmann_json)
+aomd_test(cli_decimate_test nlohmann_json::nlohmann_json)
+foreach(test cli_test cli_decimate_test)
+  target_compile_definitions(${test} PRIVATE AOMD_PROGRAM="$<TARGET_FILE:aomd>")
+  add_dependencies(${test} aomd)
+endforeach()
+add_test(NAME layers COMMAND ${PROJECT_SOURCE_DIR}/tools/check_layers.sh)
