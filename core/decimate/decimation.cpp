@@ -29,15 +29,14 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options)
 
 void Decimation::fill_spacing() {
   average_length_.assign(mesh_.capacity(0), 0.0);
-  for (const Vertex v : mesh_.vertices()) {
-    double sum = 0;
-    const Row<1> edges = mesh_.row<1>(v);
-    for (const Edge e : edges) {
-      const auto [a, b] = mesh_.edge_vertices(e);
-      sum += glm::length(mesh_.position(a) - mesh_.position(b));
-    }
-    if (!edges.empty()) average_length_[v] = sum / static_cast<double>(edges.size());
+  for (const Edge e : mesh_.edges()) {
+    const auto [a, b] = mesh_.edge_vertices(e);
+    const double length = glm::length(mesh_.position(a) - mesh_.position(b));
+    average_length_[a] += length;
+    average_length_[b] += length;
   }
+  for (const Vertex v : mesh_.vertices())
+    if (const std::size_t degree = mesh_.row<1>(v).size()) average_length_[v] /= static_cast<double>(degree);
 }
 
 double Decimation::spacing(Vertex v) const {
@@ -94,7 +93,7 @@ bool Decimation::try_collapse(Edge edge) {
     return false;
   }
   ++now_;
-  collapser_.apply(mesh_, edge, deleted);
+  collapser_.apply_accepted(mesh_, edge, deleted);
   for (const Collapser::StarFace& f : collapser_.star()) touch(f.next), touch(f.previous);
   ++sweep.collapses;
   last_ = {StepKind::Collapse, edge};

@@ -107,7 +107,7 @@ class Shadow {
   }
 
   [[nodiscard]] bool shape_fits(const Record& r) const {
-    if (r.shape >= shape_templates().size()) return false;
+    if (r.shape >= shape_templates.size()) return false;
     const ShapeTemplate& shape = shape_template(static_cast<Shape>(r.shape));
     return shape.dimension == r.dim && r.count <= widest &&
            r.count == static_cast<std::uint32_t>(r.dim == 0 ? 1 : shape.vertex_count);

@@ -35,12 +35,12 @@ class TurnLimit {
 /// The cosine of the angle between two vectors; 0 where one has no length.
 [[nodiscard]] double cosine_between(const glm::dvec3& a, const glm::dvec3& b);
 
-/// True when a triangle has no area worth the name: less than 1e-12 of its longest side squared.
+/// True when a triangle has no area worth the name: an area normal shorter than 1e-12 of its squared sides at `a`.
 [[nodiscard]] inline bool is_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                                  const glm::dvec3& area_normal_of_it) {
-  const glm::dvec3 u = b - a, v = c - a, w = c - b;
-  const double longest = std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(w, w)});
-  return !(glm::dot(area_normal_of_it, area_normal_of_it) > 1e-24 * longest * longest);
+                                  const glm::dvec3& normal) {
+  const glm::dvec3 u = b - a, v = c - a;
+  const double size = glm::dot(u, u) + glm::dot(v, v);
+  return !(glm::dot(normal, normal) > 1e-24 * size * size);
 }
 
 /// Cosine of the smallest angle of a triangle (so larger is worse); 1 for one without area.

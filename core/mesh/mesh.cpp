@@ -33,7 +33,6 @@ Mesh::Mesh(const MeshData& data) : positions_(data.positions) {
   vertices.classes.resize(data.positions.size());
   const auto faces = static_cast<std::uint32_t>(data.faces.size());
   level(2).ids.create_many(faces);
-  level(2).uniform = Shape::Triangle;
   if (!all_triangles(data.faces)) level(2).shapes = data.faces.shapes;
   level(2).classes = data.faces.classes;
   level(2).classes.resize(faces);
@@ -57,12 +56,6 @@ Mesh::Mesh(const MeshData& data) : positions_(data.positions) {
       create_edge(a, b, model);
   }
   edge_hash_.release();
-}
-
-Shape Mesh::shape(EntityRef e) const {
-  if (e.dimension < 2) return e.dimension == 0 ? Shape::Point : Shape::Line;
-  const Level& l = level(e.dimension);
-  return l.shapes.empty() ? l.uniform : l.shapes[e.index];
 }
 
 std::span<const std::uint32_t> Mesh::vertices_of(

@@ -93,7 +93,10 @@ class Mesh {
   [[nodiscard]] EntityRange<0> vertices() const { return EntityRange<0>(ids(0)); }
   [[nodiscard]] EntityRange<1> edges() const { return EntityRange<1>(ids(1)); }
   [[nodiscard]] EntityRange<2> faces() const { return EntityRange<2>(ids(2)); }
-  [[nodiscard]] Shape shape(EntityRef e) const;
+  [[nodiscard]] Shape shape(EntityRef e) const {
+    const Level& l = level(e.dimension);
+    return l.shapes.empty() ? l.uniform : l.shapes[e.index];
+  }
   [[nodiscard]] const glm::dvec3& position(Vertex v) const { return positions_[v.index]; }
   [[nodiscard]] ModelRef classification(EntityRef e) const { return level(e.dimension).classes[e.index]; }
 
@@ -209,7 +212,8 @@ class Mesh {
   [[nodiscard]] bool used(EntityRef e) const;
 
   std::vector<glm::dvec3> positions_;
-  std::array<Level, 4> levels_;
+  std::array<Level, 4> levels_{Level{{}, {}, Shape::Point, {}}, Level{{}, {}, Shape::Line, {}},
+                               Level{{}, {}, Shape::Triangle, {}}, Level{{}, {}, Shape::Tetrahedron, {}}};
   Representation representation_;
   mutable EntityHash edge_hash_;
   std::unique_ptr<ClassLists> class_lists_;

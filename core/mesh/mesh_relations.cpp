@@ -94,7 +94,6 @@ void Mesh::build(int i, int j) {
 void Mesh::ensure_level(int dim) {
   if (representation_.has_level(dim)) return;
   AOMD_CHECK(count(dim) == 0);
-  level(dim).uniform = dim == 1 ? Shape::Line : dim == 2 ? Shape::Triangle : Shape::Tetrahedron;
   representation_.down(dim, 0).allocate(capacity(dim), static_cast<std::uint32_t>(dim + 1), false);
   if (dim == 1) create_implicit_edges();
 }

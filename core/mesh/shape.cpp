@@ -11,6 +11,8 @@ constexpr SubEntity quad(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::ui
   return {Shape::Quad, {a, b, c, d}};
 }
 
+}  // namespace
+
 // Vertex numbering of the regions, as in Gmsh and VTK:
 //
 //   tetrahedron        pyramid            prism              hexahedron
@@ -21,7 +23,7 @@ constexpr SubEntity quad(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::ui
 //      \ | /          0-----1              0--|--2          |/     |/
 //        1                                  \ | /           0------1
 //                                             1
-constexpr ShapeTemplate templates[] = {
+constexpr std::array<ShapeTemplate, shape_count> shape_templates = {{
     {"vertex", 0, 1, 0, 0, {}, {}},
     {"edge", 1, 2, 0, 0, {}, {}},
     {"triangle", 2, 3, 3, 0, {edge(0, 1), edge(1, 2), edge(2, 0)}, {}},
@@ -57,12 +59,6 @@ constexpr ShapeTemplate templates[] = {
       edge(0, 4), edge(1, 5), edge(2, 6), edge(3, 7)},
      {quad(0, 3, 2, 1), quad(4, 5, 6, 7), quad(0, 1, 5, 4), quad(1, 2, 6, 5), quad(2, 3, 7, 6),
       quad(3, 0, 4, 7)}},
-};
-
-}  // namespace
-
-const ShapeTemplate& shape_template(Shape shape) { return templates[static_cast<std::size_t>(shape)]; }
-
-std::span<const ShapeTemplate> shape_templates() { return templates; }
+}};
 
 }  // namespace aomd

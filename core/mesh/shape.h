@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace aomd {
@@ -41,10 +40,13 @@ struct ShapeTemplate {
   }
 };
 
-/// The template of a shape. O(1).
-[[nodiscard]] const ShapeTemplate& shape_template(Shape shape);
-
+inline constexpr std::size_t shape_count = 8;
 /// All templates, indexed by Shape.
-[[nodiscard]] std::span<const ShapeTemplate> shape_templates();
+extern const std::array<ShapeTemplate, shape_count> shape_templates;
+
+/// The template of a shape. O(1).
+[[nodiscard]] inline const ShapeTemplate& shape_template(Shape shape) {
+  return shape_templates[static_cast<std::size_t>(shape)];
+}
 
 }  // namespace aomd

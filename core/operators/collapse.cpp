@@ -114,10 +114,9 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
     if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
   }
   if (!may_go[0] && !may_go[1]) return furthest;
-  const bool both = rules.topology == TopologyRule::Safe;
-  if (both || may_go[0]) gather(mesh, ends[0], stars_[0]);
-  if (both || may_go[1]) gather(mesh, ends[1], stars_[1]);
-  if (both)
+  gather(mesh, ends[0], stars_[0]);
+  gather(mesh, ends[1], stars_[1]);
+  if (rules.topology == TopologyRule::Safe)
     if (const Verdict v = judge_topology(mesh, ends); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
@@ -188,10 +187,20 @@ void Collapser::destroy_bare_edges(Mesh& mesh) {
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
-  const JournalScope step(mesh, StepKind::Collapse, edge);
   const Vertex kept = other_end(mesh, edge, deleted);
   gather(mesh, deleted, stars_[0]);
   gather(mesh, kept, stars_[1]);
+  make(mesh, edge, deleted, kept);
+}
+
+void Collapser::apply_accepted(Mesh& mesh, Edge edge, Vertex deleted) {
+  const auto ends = mesh.edge_vertices(edge);
+  if (deleted == ends[1]) std::swap(stars_[0], stars_[1]);
+  make(mesh, edge, deleted, deleted == ends[1] ? ends[0] : ends[1]);
+}
+
+void Collapser::make(Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
+  const JournalScope step(mesh, StepKind::Collapse, edge);
   mark_edges(mesh, kept);
   plan(mesh, edge, deleted, kept);
   for (const StarFace& f : stars_[0])
