@@ -20,12 +20,13 @@ Vertex other_end(const Mesh& mesh, Edge edge, Vertex v) {
 Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {}
 
 void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
+  constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
   const Row<2> faces = mesh.row<2>(v);
   star.resize(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto t = mesh.triangle(faces[i]);
-    const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    star[i] = {faces[i], slot, t[slot == 2 ? 0 : slot + 1], t[slot == 0 ? 2 : slot - 1]};
+    const std::uint32_t slot = std::uint32_t{t[1] == v} + 2 * std::uint32_t{t[2] == v};
+    star[i] = {faces[i], slot, t[turn[slot + 1]], t[turn[slot + 2]]};
   }
 }
 
@@ -44,18 +45,23 @@ void Collapser::mark_neighbours(Vertex kept, const Star& star) {
   mark_[kept] = stamp_;
 }
 
-// Two faces of the edge with one apex enclose a pocket, which would vanish.
-bool Collapser::is_pocket(const Star& star, const StarFace& face, Vertex other_end) {
-  const Vertex apex = face.next == other_end ? face.previous : face.next;
-  return std::any_of(star.begin(), star.end(), [&](const StarFace& f) {
-    return f.face != face.face && f.uses(apex) && f.uses(other_end);
-  });
+// The third vertices of the faces at the edge. False where two of them are one: those faces enclose a pocket.
+bool Collapser::gather_apexes(const Star& star, Vertex other_end) {
+  apexes_.clear();
+  for (const StarFace& f : star) {
+    if (!f.uses(other_end)) continue;
+    const Vertex apex = f.next == other_end ? f.previous : f.next;
+    if (apex_bit(apex) != 0) return false;
+    apexes_.push_back(apex);
+  }
+  return true;
 }
 
-// True when the edge's ends have a face with v: then v may be a neighbour of both.
-bool Collapser::is_apex(const Star& star, Vertex v, Vertex other_end) {
-  return std::any_of(star.begin(), star.end(),
-                     [&](const StarFace& f) { return f.uses(v) && f.uses(other_end); });
+// One bit for each apex; those past the 63rd share the last, which only makes a later check look closer.
+std::uint64_t Collapser::apex_bit(Vertex v) const {
+  for (std::size_t i = 0; i < apexes_.size(); ++i)
+    if (apexes_[i] == v) return std::uint64_t{1} << std::min<std::size_t>(i, 63);
+  return 0;
 }
 
 // The two other edges of a removed face fall together. If neither has a further face, the one that stays has
@@ -68,23 +74,27 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
 }
 
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of
-// their faces, no two faces fall together, and no edge loses its last face.
-Verdict Collapser::judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends) {
+// their faces, no two faces fall together, no pocket closes, and no edge loses its last face. A collapse then
+// takes one vertex, k faces and k + 1 edges: the Euler number stays.
+Verdict Collapser::judge_topology(const Mesh& mesh, Edge edge, const std::array<Vertex, 2>& ends) {
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
+  if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
+  std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars_[0]) {
-    if (f.uses(ends[1])) {
-      const Vertex apex = f.next == ends[1] ? f.previous : f.next;
-      if (leaves_bare_edge(ends, apex) || is_pocket(stars_[0], f, ends[1])) return {Reason::Topology, f.face};
-      continue;
-    }
     const bool next = marked(f.next), previous = marked(f.previous);
-    if (next && !is_apex(stars_[0], f.next, ends[1])) return {Reason::Topology, f.next};
-    if (previous && !is_apex(stars_[0], f.previous, ends[1])) return {Reason::Topology, f.previous};
+    if (!(next | previous) || f.uses(ends[1])) continue;
+    const std::uint64_t next_bit = next ? apex_bit(f.next) : 0,
+                        previous_bit = previous ? apex_bit(f.previous) : 0;
+    if (next && !next_bit) return {Reason::Topology, f.next};
+    if (previous && !previous_bit) return {Reason::Topology, f.previous};
+    has_further_face |= next_bit | previous_bit;
     if (!next || !previous) continue;
     for (const StarFace& g : stars_[1])
       if (g.uses(f.next) && g.uses(f.previous)) return {Reason::Topology, g.face};
   }
+  for (const Vertex apex : apexes_)
+    if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, apex)) return {Reason::Topology, apex};
   return {};
 }
 
@@ -117,7 +127,7 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
   gather(mesh, ends[0], stars_[0]);
   gather(mesh, ends[1], stars_[1]);
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = judge_topology(mesh, ends); !v.accepted()) return v;
+    if (const Verdict v = judge_topology(mesh, edge, ends); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
     const Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);

@@ -50,7 +50,8 @@ class Collapser {
   /// one that keeps the lower classification. One journal step.
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
-  /// The same right after judge_either() has accepted, on a mesh that has not changed since: saves looking again.
+  /// The same right after judge_either() has accepted, on a mesh that has not changed since: saves looking
+  /// again.
   void apply_accepted(Mesh& mesh, Edge edge, Vertex deleted);
 
   /// A face around an end of the edge, seen from that end.
@@ -58,7 +59,7 @@ class Collapser {
     Face face;
     std::uint32_t slot = 0;  ///< where the end stands in the face
     Vertex next, previous;   ///< the other two, in the face's order
-    [[nodiscard]] bool uses(Vertex v) const { return next == v || previous == v; }
+    [[nodiscard]] bool uses(Vertex v) const { return (next == v) | (previous == v); }
   };
   /// The faces around the vertex that the last apply() deleted, as they were before.
   [[nodiscard]] const std::vector<StarFace>& star() const { return stars_[0]; }
@@ -70,9 +71,9 @@ class Collapser {
   void mark_neighbours(Vertex kept, const Star& star);
   void mark_edges(const Mesh& mesh, Vertex kept);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
-  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, const std::array<Vertex, 2>& ends);
-  [[nodiscard]] static bool is_pocket(const Star& star, const StarFace& face, Vertex other_end);
-  [[nodiscard]] static bool is_apex(const Star& star, Vertex v, Vertex other_end);
+  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, Edge edge, const std::array<Vertex, 2>& ends);
+  [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
+  [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
                                               const TurnLimit& limit);
@@ -82,6 +83,7 @@ class Collapser {
   void destroy_bare_edges(Mesh& mesh);
 
   std::array<Star, 2> stars_;           ///< of the edge's two ends
+  std::vector<Vertex> apexes_;          ///< third vertices of the edge's faces
   Column<Vertex, std::uint32_t> mark_;  ///< == stamp_ for the neighbours of the kept vertex
   Column<Vertex, Edge> edge_to_kept_;   ///< of vertices marked by mark_edges()
   std::uint32_t stamp_ = 0;

@@ -6,7 +6,7 @@
 namespace aomd::ui {
 namespace {
 
-constexpr float menu_ems = 1.95f;
+constexpr float menu_ems = 1.66f;
 constexpr float status_ems = 1.9f;
 constexpr float timeline_ems = 6.6f;
 constexpr float mesh_ems = 17.5f;

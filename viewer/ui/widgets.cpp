@@ -76,6 +76,11 @@ void text_right(std::string_view s) {
   text(s);
 }
 
+void same_line_right(float width) {
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+}
+
 void heading(const Frame& frame, const char* title) {
   ImGui::PushFont(frame.fonts.heading);
   ImGui::TextUnformatted(title);

@@ -18,6 +18,8 @@ void text(std::string_view s);
 void muted(const Frame& frame, std::string_view s);
 /// Right-aligned in the present column.
 void text_right(std::string_view s);
+/// The next item stands on the same line, at its right end, `width` wide.
+void same_line_right(float width);
 /// A panel's or section's title.
 void heading(const Frame& frame, const char* title);
 void gap(float ems = 0.35f);

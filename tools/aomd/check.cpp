@@ -1,0 +1,54 @@
+// aomd check: what is wrong with a mesh, by name.
+
+#include <iostream>
+#include <memory>
+
+#include "core/mesh/verify.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool json = false;
+};
+
+std::string shown(EntityRef e) {
+  return e.valid() ? std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) : "mesh";
+}
+
+void print(const std::string& file, const std::vector<Finding>& findings) {
+  for (const Finding& f : findings) std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
+  std::cout << file << ": " << (findings.empty() ? "nothing found" : counted(findings.size(), "finding"))
+            << '\n';
+}
+
+int run(const Options& options) {
+  const io::ReadResult read = read_mesh(options.file);
+  const Mesh mesh(read.mesh);
+  const std::vector<Finding> findings = verify(mesh);
+  if (options.json) {
+    Json list = Json::array();
+    for (const Finding& f : findings)
+      list.push_back({{"name", f.name}, {"entity", shown(f.entity)}, {"text", f.text}});
+    std::cout << text_of({{"schema", 1}, {"file", options.file}, {"findings", list}});
+  } else {
+    print(options.file, findings);
+  }
+  return findings.empty() ? done : says_no;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("check", "Names what is wrong with a mesh; exit code 1 when anything is");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->file, "The mesh")->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli

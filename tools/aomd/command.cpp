@@ -1,0 +1,42 @@
+#include "tools/aomd/command.h"
+
+#include <charconv>
+#include <iostream>
+
+#include "tools/aomd/interrupt.h"
+
+namespace aomd::cli {
+
+void print_notes(const std::string& file, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) std::cerr << "aomd: note: " << file << ": " << note << '\n';
+}
+
+io::ReadResult read_mesh(const std::string& file, bool quiet) {
+  io::ReadResult result = io::read(file);
+  if (!quiet) print_notes(file, result.notes);
+  stop_if_interrupted();
+  return result;
+}
+
+std::string counted(std::size_t n, const std::string& one) {
+  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+}
+
+std::optional<double> parse_number(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return {};
+  return value;
+}
+
+CLI::Validator angle_range() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto angle = parse_number(text);
+    return angle && *angle > 0 && *angle < 180 ? ""
+                                               : "must be more than 0 and less than 180 degrees, not " + text;
+  };
+  return CLI::Validator(check, "DEG");
+}
+
+}  // namespace aomd::cli

@@ -1,0 +1,236 @@
+// aomd decimate: read, classify, decimate, check, write, report.
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include "core/io/journal_file.h"
+#include "core/measure/intersections.h"
+#include "core/mesh/verify.h"
+#include "core/model/classify.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/given_classes.h"
+#include "tools/aomd/interrupt.h"
+#include "tools/aomd/progress.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string input, output, report, journal;
+  std::string strategy = "paper", topology = "safe", feature_angle = "20";
+  DecimationOptions decimation;
+  bool no_swap = false, no_smooth = false, quiet = false;
+
+  [[nodiscard]] bool paper_topology() const { return topology == "paper"; }
+};
+
+/// One run, stage by stage; each fills its part of the report.
+class Run {
+ public:
+  explicit Run(const Options& options)
+      : options_(options), progress_(options.quiet), steps_(options.decimation) {
+    steps_.swap = !options.no_swap;
+    steps_.smooth = !options.no_smooth;
+    steps_.topology = options.paper_topology() ? TopologyRule::Paper : TopologyRule::Safe;
+    how_.feature_angle_deg = parse_number(options.feature_angle);  // nothing for "off"
+    how_.nonmanifold_edges = !options.paper_topology();
+  }
+
+  int run() {
+    static_cast<void>(io::format_for_writing(options_.output));  // complain before the work, not after it
+    read();
+    classify_mesh();
+    decimate();
+    check();
+    write();
+    report();
+    return done;
+  }
+
+ private:
+  void read() {
+    progress_.show("reading");
+    io::ReadResult read = io::read(options_.input);
+    progress_.wipe();
+    if (!options_.quiet) print_notes(options_.input, read.notes);
+    stop_if_interrupted();
+    original_ = std::move(read.mesh);
+    mesh_ = Mesh(original_);
+    seconds_["read"] = watch_.lap();
+  }
+
+  void classify_mesh() {
+    progress_.show("classifying");
+    classify(mesh_, how_);
+    seconds_["classify"] = watch_.lap();
+    stop_if_interrupted();
+    input_ = measure::count_entities(mesh_);
+    if (!options_.journal.empty()) {
+      record_.classify = how_;
+      record_.start = io::fingerprint(mesh_);
+      mesh_.attach(&record_.journal);
+    }
+    watch_.lap();
+  }
+
+  void decimate() {
+    Decimation decimation(mesh_, steps_);
+    seconds_["adjacency"] = watch_.lap();
+    const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
+    using namespace std::chrono_literals;
+    const auto slice = progress_.shown() ? std::optional<std::chrono::microseconds>(100ms) : std::nullopt;
+    while (decimation.run(slice, interrupted) == Decimation::Stop::Budget)
+      progress_.show(phase_name(decimation.phase()), decimation.progress());
+    stop_if_interrupted();
+    seconds_["decimate"] = watch_.lap();
+    memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
+               {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
+               {"journal", record_.journal.bytes()}};
+    sweeps_ = decimation.sweeps();
+  }
+
+  void check() {
+    progress_.show("checking");
+    mesh_.attach(nullptr);
+    self_intersections_ = measure::self_intersections(mesh_).size();
+    flips_ = measure::count_flips(measure::TriangleTree(measure::triangles_of(original_).corners), mesh_);
+    verify_ = verify(mesh_).size();
+    seconds_["check"] = watch_.lap();
+    stop_if_interrupted();
+    output_ = measure::count_entities(mesh_);
+    quality_ = measure::measure_quality(mesh_);
+    watch_.lap();
+  }
+
+  void write() {
+    progress_.show("writing");
+    MeshData result = to_data(mesh_);
+    GivenClasses(original_).apply(result);
+    stop_if_interrupted();
+    io::write(options_.output, result);
+    if (!options_.journal.empty()) io::write_journal(options_.journal, record_);
+    seconds_["write"] = watch_.lap();
+  }
+
+  void report() {
+    seconds_["total"] = watch_.total();
+    memory_["peak"] = peak_bytes();
+    if (!options_.report.empty()) io::write_file(options_.report, text_of(report_json()));
+    progress_.wipe();
+    if (!options_.quiet) print_summary();
+  }
+
+  [[nodiscard]] Json options_json() const {
+    return {{"strategy", options_.strategy},
+            {"factor", steps_.coarsest ? Json(nullptr) : Json(steps_.factor)},
+            {"coarsest", steps_.coarsest},
+            {"angle_deg", steps_.angle_deg},
+            {"feature_angle_deg", how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr)},
+            {"improve", steps_.improve_passes},
+            {"swap", steps_.swap},
+            {"smooth", steps_.smooth},
+            {"topology", options_.topology}};
+  }
+
+  [[nodiscard]] Json report_json() const {
+    return {
+        {"schema", 1},
+        {"input", counts_json(options_.input, input_)},
+        {"output", counts_json(options_.output, output_)},
+        {"options", options_json()},
+        {"seconds", seconds_},
+        {"memory_bytes", memory_},
+        {"sweeps", sweeps_json(sweeps_)},
+        {"quality", quality_json(quality_)},
+        {"findings", {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", verify_}}},
+        {"stopped", "done"}};
+  }
+
+  void print_summary() const {
+    const bool kept = input_.euler == output_.euler;
+    std::cout << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
+              << ", Euler number " << input_.euler
+              << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
+              << counted(self_intersections_, "self-intersection") << ", " << counted(flips_, "flipped face")
+              << ", " << std::llround(1000 * watch_.total()) << " ms\n";
+    if (verify_ > 0)
+      std::cerr << "aomd: note: " << options_.output << ": " << counted(verify_, "finding")
+                << " (aomd check)\n";
+  }
+
+  const Options& options_;
+  Progress progress_;
+  DecimationOptions steps_;
+  ClassifyOptions how_;
+  Stopwatch watch_;
+  Json seconds_, memory_;
+  MeshData original_;
+  Mesh mesh_;
+  io::JournalFile record_;
+  measure::Counts input_, output_;
+  measure::Quality quality_;
+  std::vector<SweepStatistics> sweeps_;
+  std::size_t flips_ = 0, self_intersections_ = 0, verify_ = 0;
+};
+
+CLI::Validator feature_angle_range() {
+  const CLI::Validator angle = angle_range();
+  const auto check = [angle](std::string& text) { return text == "off" ? std::string() : angle(text); };
+  return CLI::Validator(check, "DEG|off");
+}
+
+CLI::Validator positive_finite() {
+  const auto check = [](const std::string& text) -> std::string {
+    const auto value = parse_number(text);
+    return value && *value > 0 && std::isfinite(*value) ? "" : "must be a number above 0, not " + text;
+  };
+  return CLI::Validator(check, "F");
+}
+
+}  // namespace
+
+void add_decimate(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
+  const auto o = std::make_shared<Options>();
+  command->add_option("IN", o->input, "The mesh")->required();
+  command->add_option("OUT", o->output, "Where to write the result: .obj, .ply, .off or .stl")->required();
+  command->add_option("--strategy", o->strategy, "How to choose what goes")
+      ->check(CLI::IsMember({"paper"}))
+      ->capture_default_str();
+  CLI::Option* factor =
+      command->add_option("--factor", o->decimation.factor, "Edges become this many times longer")
+          ->check(positive_finite())
+          ->capture_default_str();
+  command->add_flag("--coarsest", o->decimation.coarsest, "No limit on the length of edges")
+      ->excludes(factor);
+  command
+      ->add_option("--angle", o->decimation.angle_deg,
+                   "How far the normal of a face may turn in one operation")
+      ->check(angle_range())
+      ->capture_default_str();
+  command
+      ->add_option("--feature-angle", o->feature_angle,
+                   "Edges whose faces meet at more than this stay; or off")
+      ->check(feature_angle_range())
+      ->capture_default_str();
+  command->add_option("--improve", o->decimation.improve_passes, "Sweeps followed by swaps and smoothing")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command->add_flag("--no-swap", o->no_swap, "No edge swaps");
+  command->add_flag("--no-smooth", o->no_smooth, "No smoothing");
+  command
+      ->add_option("--topology", o->topology,
+                   "safe: keep the topology; paper: as printed, without that check")
+      ->check(CLI::IsMember({"safe", "paper"}))
+      ->capture_default_str();
+  command->add_option("--report", o->report, "Writes what was done and measured, as JSON");
+  command->add_option("--journal", o->journal, "Writes every operation, for aomd replay");
+  command->add_flag("--quiet", o->quiet, "Prints nothing but errors");
+  command->callback([&action, o] { action = [o] { return Run(*o).run(); }; });
+}
+
+}  // namespace aomd::cli

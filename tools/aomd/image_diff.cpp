@@ -1,0 +1,47 @@
+// aomd image-diff: how far one picture is from another.
+
+#include <iostream>
+#include <memory>
+
+#include "core/measure/image_diff.h"
+#include "tools/aomd/command.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string a, b, output;
+  double threshold = 0.99;
+};
+
+int run(const Options& options) {
+  const io::Image a = io::read_png(options.a), b = io::read_png(options.b);
+  const measure::ImageDifference difference = measure::compare_images(a, b);
+  if (!options.output.empty()) io::write_png(options.output, measure::difference_picture(a, b));
+  if (!difference.same_size)
+    std::cout << "sizes differ: " << a.width << "x" << a.height << " and " << b.width << "x" << b.height
+              << '\n';
+  std::cout << "ssim " << difference.ssim << ", " << difference.differing_pixels << " of "
+            << difference.pixels << " pixels differ, by " << difference.largest_channel_difference
+            << " of 255 at most\n";
+  return difference.ssim >= options.threshold ? done : says_no;
+}
+
+}  // namespace
+
+void add_image_diff(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("image-diff", "Compares two PNG pictures; exit code 1 when they differ");
+  const auto options = std::make_shared<Options>();
+  command->add_option("A", options->a, "A picture")->required();
+  command->add_option("B", options->b, "The other one")->required();
+  command
+      ->add_option("--threshold", options->threshold,
+                   "Structural similarity that counts as equal; 1 is identical")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--output", options->output, "Writes a picture of the differences, in red");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli

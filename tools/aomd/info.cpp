@@ -1,0 +1,78 @@
+// aomd info: counts, topology, classification, quality and memory of a file.
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "tools/aomd/command.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool json = false;
+};
+
+template <typename Value>
+void row(const char* label, const Value& value) {
+  std::cout << "  " << std::left << std::setw(22) << label << std::right << std::setw(12) << value << '\n';
+}
+
+void print(const std::string& file, const Mesh& mesh, const measure::Counts& counts,
+           const measure::Quality& quality) {
+  std::cout << file << '\n' << std::fixed << std::setprecision(2);
+  row("vertices", counts.vertices);
+  row("  used by nothing", counts.unused_vertices);
+  row("edges", counts.edges);
+  row("  boundary", counts.boundary_edges);
+  row("  non-manifold", counts.nonmanifold_edges);
+  row("faces", counts.faces);
+  row("components", counts.components);
+  row("Euler number", counts.euler);
+  constexpr const char* on_model[] = {"on model vertices", "on model edges", "on model faces",
+                                      "on model regions"};
+  for (std::size_t dim = 0; dim < counts.by_class.size(); ++dim)
+    if (counts.by_class[dim] > 0) row(on_model[dim], counts.by_class[dim]);
+  row("smallest angle, mean", quality.min_angle_mean_deg);
+  row("smallest angle, worst", quality.min_angle_worst_deg);
+  row("% faces below 10 deg", quality.faces_below_10deg_pct);
+  row("memory, MB", static_cast<double>(mesh.entity_bytes() + mesh.adjacency_bytes()) / 1e6);
+}
+
+int run(const Options& options) {
+  Stopwatch watch;
+  const io::ReadResult read = read_mesh(options.file);
+  const Mesh mesh(read.mesh);
+  const double seconds = watch.lap();
+  const measure::Counts counts = measure::count_entities(mesh);
+  const measure::Quality quality = measure::measure_quality(mesh);
+  if (!options.json) {
+    print(options.file, mesh, counts, quality);
+    return done;
+  }
+  const Json json{
+      {"schema", 1},
+      {"input", counts_json(options.file, counts)},
+      {"quality", quality_json(quality)},
+      {"seconds", {{"read", seconds}}},
+      {"memory_bytes",
+       {{"mesh", mesh.entity_bytes()}, {"adjacency", mesh.adjacency_bytes()}, {"peak", peak_bytes()}}},
+      {"notes", read.notes}};
+  std::cout << text_of(json);
+  return done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("info", "Counts, topology, classification, quality and memory of a mesh");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->file, "The mesh")->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli

@@ -1,0 +1,66 @@
+// aomd replay: makes the operations of a journal again.
+
+#include <iostream>
+#include <memory>
+
+#include "core/io/journal_file.h"
+#include "core/mesh/verify.h"
+#include "core/model/classify.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/given_classes.h"
+#include "tools/aomd/interrupt.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string model, journal, output;
+  std::optional<std::size_t> step;
+  bool quiet = false;
+};
+
+std::size_t last_step(const Options& options, const Journal& journal) {
+  const std::size_t step = options.step.value_or(journal.size());
+  if (step > journal.size())
+    throw UsageError("--step " + std::to_string(step) + ": the journal has " +
+                     counted(journal.size(), "step"));
+  return step;
+}
+
+int run(const Options& options) {
+  static_cast<void>(io::format_for_writing(options.output));
+  io::JournalFile file = io::read_journal(options.journal);
+  const std::size_t step = last_step(options, file.journal);
+  const io::ReadResult read = read_mesh(options.model, options.quiet);
+  Mesh mesh(read.mesh);
+  classify(mesh, file.classify);
+  io::check_journal(file, options.journal, mesh);
+  stop_if_interrupted();
+  file.journal.seek(mesh, step);
+  if (const auto findings = verify(mesh); !findings.empty())
+    throw io::ReadError(options.journal, {}, "the journal leads to a broken mesh: " + findings.front().text);
+  MeshData result = to_data(mesh);
+  GivenClasses(read.mesh).apply(result);
+  stop_if_interrupted();
+  io::write(options.output, result);
+  if (!options.quiet)
+    std::cout << options.output << ": " << counted(step, "step") << " of " << file.journal.size()
+              << " replayed, " << counted(mesh.count(2), "face") << '\n';
+  return done;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("replay", "Makes the operations of a journal again");
+  const auto options = std::make_shared<Options>();
+  command->add_option("MODEL", options->model, "The mesh that the journal started from")->required();
+  command->add_option("JOURNAL", options->journal, "What aomd decimate --journal wrote")->required();
+  command->add_option("OUT", options->output, "Where to write the result")->required();
+  command->add_option("--step", options->step, "Stops after so many operations")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# tools/bench/headless.sh [-n RUNS] [MESH...]: from mesh file to picture, 1280x800, whole process: aomd-view against f3d
+# (under Xvfb), in turn. Prints medians, their ratio, and the largest memory. AOMD_VIEW names the program
+# (build/bin/aomd-view). Needs python3, f3d and xvfb.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+program=${AOMD_VIEW:-$root/build/bin/aomd-view}
+runs=5
+if [ "${1:-}" = -n ]; then
+  runs=$2
+  shift 2
+fi
+[ -x "$program" ] || { echo "bench: no $program; build first (tools/view.sh)" >&2; exit 2; }
+for tool in python3 f3d Xvfb; do
+  command -v "$tool" >/dev/null || { echo "bench: $tool is missing" >&2; exit 2; }
+done
+meshes=("$@")
+[ ${#meshes[@]} -gt 0 ] || meshes=("$root/../shared/data/bunny.ply" "$root/../shared/data/dragon.ply")
+
+exec python3 - "$program" "$runs" "${meshes[@]}" <<'PYTHON'
+import os, statistics, subprocess, sys, tempfile, time
+
+program, runs, meshes = sys.argv[1], int(sys.argv[2]), sys.argv[3:]
+display = f":{90 + os.getpid() % 100}"
+work = tempfile.mkdtemp()
+
+
+def measure(command, picture, environment):
+    """Seconds and peak megabytes of one process; its picture must appear."""
+    start = time.perf_counter()
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.perf_counter() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0 or not os.path.exists(picture):
+        sys.exit(f"bench: no picture from {' '.join(command)}")
+    os.remove(picture)
+    return seconds, usage.ru_maxrss / 1024
+
+
+# The X server is started once: f3d is not charged for it.
+server = subprocess.Popen(["Xvfb", display, "-screen", "0", "1280x800x24"], stderr=subprocess.DEVNULL)
+try:
+    time.sleep(1)
+    with_display = dict(os.environ, DISPLAY=display)
+    print(f"mesh file to PNG, 1280x800, whole process, median of {runs}, in turn")
+    print(f"{'mesh':<16}{'aomd-view ms':>14}{'f3d ms':>10}{'ratio':>8}{'aomd-view MB':>14}{'f3d MB':>10}")
+    for mesh in meshes:
+        ours, theirs = [], []
+        picture = os.path.join(work, "picture.png")
+        for _ in range(runs):
+            ours.append(measure([program, mesh, "--headless", "--size", "1280x800", "--screenshot", picture], picture,
+                                os.environ))
+            theirs.append(measure(["f3d", mesh, "--output", picture, "--resolution", "1280,800"], picture,
+                                  with_display))
+        a, b = (statistics.median(s for s, _ in side) for side in (ours, theirs))
+        print(f"{os.path.basename(mesh):<16}{1e3 * a:>14.0f}{1e3 * b:>10.0f}{a / b:>8.2f}"
+              f"{max(m for _, m in ours):>14.0f}{max(m for _, m in theirs):>10.0f}")
+finally:
+    server.terminate()
+    server.wait()
+    os.rmdir(work)
+PYTHON

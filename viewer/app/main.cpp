@@ -1,0 +1,110 @@
+// aomd-view: see docs/COMMANDS.md for its commands and --help for its options.
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "core/io/png.h"
+#include "core/measure/image_diff.h"
+#include "viewer/app/viewer.h"
+#include "viewer/scene/commands.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* fallback_picture = "aomd-view.png";
+
+/// The code for an error, or for what caused it where it stands around another one.
+int exit_code_of(const std::exception& error) {
+  try {
+    std::rethrow_if_nested(error);
+  } catch (const std::exception& cause) {
+    return exit_code_of(cause);
+  }
+  if (dynamic_cast<const scene::ExpectationMissed*>(&error) != nullptr) return exit_no;
+  if (dynamic_cast<const scene::CommandError*>(&error) != nullptr) return exit_usage;
+  if (dynamic_cast<const io::WriteError*>(&error) != nullptr) return exit_unwritten;
+  if (dynamic_cast<const io::LimitError*>(&error) != nullptr) return exit_limit;
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return exit_limit;
+  return exit_unreadable;
+}
+
+/// "out.png" and "diff" give "out.diff.png".
+fs::path beside(const fs::path& picture, const std::string& what) {
+  return picture.parent_path() / (picture.stem().string() + "." + what + ".png");
+}
+
+int compare(const Options& options, const io::Image& result) {
+  const io::Image baseline = io::read_png(options.compare);
+  const measure::ImageDifference difference = measure::compare_images(baseline, result);
+  if (difference.same_size && difference.ssim >= options.threshold) return exit_done;
+  fs::path picture = options.screenshot;
+  if (picture.empty()) {
+    picture = beside(options.compare.filename(), "result");
+    io::write_png(picture, result);
+  }
+  const fs::path shown = beside(picture, "diff");
+  io::write_png(shown, measure::difference_picture(baseline, result));
+  const std::string why = difference.same_size
+                              ? "structural similarity " + scene::short_number(difference.ssim, 5) + " is below " +
+                                    scene::short_number(options.threshold, 5) + ", " +
+                                    std::to_string(difference.differing_pixels) + " pixels differ"
+                              : "the sizes differ";
+  std::cerr << "aomd-view: not as " << options.compare.string() << ": " << why << "; result "
+            << picture.string() << ", difference " << shown.string() << "\n";
+  return exit_no;
+}
+
+int run_headless(Options options, HeadlessKind kind) {
+  const auto window = make_headless_window(kind, options.size);
+  Viewer viewer(*window, options, true);
+  viewer.run_headless();
+  if (options.screenshot.empty() && options.compare.empty()) return exit_done;
+  const io::Image picture = viewer.picture(options.size);
+  if (!options.screenshot.empty()) io::write_png(options.screenshot, picture);
+  return options.compare.empty() ? exit_done : compare(options, picture);
+}
+
+/// The window, or nothing where there is no display.
+std::unique_ptr<Window> window_or_none(const Options& options) {
+  try {
+    return make_window("AOMD Studio", options.size);
+  } catch (const WindowError& error) {
+    std::cerr << "aomd-view: " << error.what() << "; drawing without a window\n";
+    return nullptr;
+  }
+}
+
+int run(Options options) {
+  if (options.headless) return run_headless(options, *options.headless);
+  if (const auto window = window_or_none(options)) {
+    Viewer viewer(*window, options, false);
+    viewer.run_window();
+    return exit_done;
+  }
+  if (options.screenshot.empty()) options.screenshot = fallback_picture;
+  const int code = run_headless(options, HeadlessKind::Auto);
+  std::cout << "The picture is in " << fs::absolute(options.screenshot).string() << std::endl;
+  return code;
+}
+
+}  // namespace
+}  // namespace aomd::app
+
+int main(int argc, char** argv) {
+  const aomd::app::ParsedOptions parsed = aomd::app::parse_options(argc, argv);
+  if (!parsed.options) return parsed.exit_code;
+  try {
+    return aomd::app::run(*parsed.options);
+  } catch (const aomd::app::WindowError& error) {
+    std::cerr << "aomd-view: " << error.what() << "\n";
+    return aomd::app::exit_limit;
+  } catch (const std::exception& error) {
+    std::cerr << "aomd-view: " << error.what() << "\n";
+    return aomd::app::exit_code_of(error);
+  }
+}

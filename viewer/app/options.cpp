@@ -1,0 +1,97 @@
+#include "viewer/app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <vector>
+
+#include "viewer/scene/commands.h"
+
+namespace aomd::app {
+namespace {
+
+/// CLI11 would take the word after a bare --headless for its value.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = argc - 1; i > 0; --i) {
+    const std::string word = argv[i];
+    words.push_back(word == "--headless" ? "--headless=auto" : word);
+  }
+  return words;  // from last to first, as CLI11 wants them
+}
+
+std::string check_size(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
+  const bool good = read == 2 && width >= 1 && height >= 1 && width <= 16384 && height <= 16384;
+  return good ? "" : "'" + text + "' is not a size like 1280x800";
+}
+
+/// What CLI11 fills in before it becomes Options.
+struct Raw {
+  Options options;
+  HeadlessKind headless = HeadlessKind::Auto;
+  std::string size = "1280x800";
+  bool no_ui = false;
+  bool markdown = false;
+};
+
+void add_options(CLI::App& app, Raw& raw) {
+  const std::map<std::string, HeadlessKind> kinds = {
+      {"auto", HeadlessKind::Auto}, {"osmesa", HeadlessKind::OsMesa}, {"egl", HeadlessKind::Egl}};
+  const std::map<std::string, scene::Theme> themes = {{"light", scene::Theme::Light}, {"dark", scene::Theme::Dark}};
+  app.add_option("FILE", raw.options.file, "The mesh to show: OBJ, PLY, OFF or STL; a sample when none is given");
+  app.add_option("--headless", raw.headless, "No window: draw with OSMesa or EGL, whichever works or the one named")
+      ->transform(CLI::CheckedTransformer(kinds))
+      ->type_name("[=osmesa|egl]");
+  app.add_option("--size", raw.size, "Size of the window or picture in pixels (default 1280x800)")
+      ->type_name("WxH")
+      ->check(check_size);
+  app.add_option("--script", raw.options.script, "Commands to carry out, one a line")->type_name("FILE");
+  app.add_option("--screenshot", raw.options.screenshot, "Write a picture and end; implies --headless")->type_name("OUT.png");
+  app.add_option("--camera", raw.options.camera, "As the command camera: \"iso\", \"front orthographic zoom=2\"")
+      ->type_name("SPEC");
+  app.add_option("--compare", raw.options.compare, "Compare the picture with this one; implies --headless")
+      ->type_name("BASELINE.png");
+  app.add_option("--threshold", raw.options.threshold,
+                 "Structural similarity that counts as equal; 1 is identical (default 0.99)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--record", raw.options.record, "Write every command that is carried out: a script for later")
+      ->type_name("FILE");
+  app.add_option("--shaders", raw.options.shaders, "Read the shaders from this folder")->type_name("DIR");
+  app.add_option("--theme", raw.options.theme, "light or dark")->transform(CLI::CheckedTransformer(themes))->type_name("light|dark");
+  app.add_flag("--no-ui", raw.no_ui, "The mesh alone, without panels");
+  app.add_flag("--commands-markdown", raw.markdown, "Print docs/COMMANDS.md and end");
+  app.set_version_flag("--version", "aomd-view " AOMD_VERSION);
+  app.footer("\n" + scene::commands_help());
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argc, char** argv) {
+  CLI::App app("Shows a mesh and what decimation does to it.", "aomd-view");
+  Raw raw;
+  add_options(app, raw);
+  try {
+    app.parse(words_of(argc, argv));
+  } catch (const CLI::ParseError& error) {
+    const bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
+    if (asked) return {{}, app.exit(error)};
+    std::cerr << "aomd-view: " << error.what() << " (--help lists the options)\n";
+    return {{}, exit_usage};
+  }
+  if (raw.markdown) {
+    std::cout << scene::commands_markdown();
+    return {{}, exit_done};
+  }
+  std::sscanf(raw.size.c_str(), "%dx%d", &raw.options.size.x, &raw.options.size.y);
+  raw.options.interface = !raw.no_ui;
+  const bool pictures = !raw.options.screenshot.empty() || !raw.options.compare.empty();
+  if (app.count("--headless") > 0 || pictures) raw.options.headless = raw.headless;
+  return {raw.options, exit_done};
+}
+
+}  // namespace aomd::app

@@ -1,0 +1,47 @@
+#pragma once
+// The command line of aomd-view.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "viewer/app/window.h"
+#include "viewer/scene/view.h"
+
+namespace aomd::app {
+
+/// What the process ends with.
+enum ExitCode : int {
+  exit_done = 0,
+  exit_no = 1,          ///< an expectation or a comparison says no
+  exit_usage = 2,
+  exit_unreadable = 3,
+  exit_unwritten = 4,
+  exit_limit = 5,
+};
+
+struct Options {
+  std::filesystem::path file;  ///< empty: a sample, or what the script opens
+  std::optional<HeadlessKind> headless;
+  glm::ivec2 size{1280, 800};
+  std::filesystem::path script;
+  std::filesystem::path screenshot;
+  std::filesystem::path compare;
+  double threshold = 0.99;  ///< structural similarity that counts as equal
+  std::filesystem::path record;
+  std::filesystem::path shaders;
+  std::string camera;
+  scene::Theme theme = scene::Theme::Light;
+  bool interface = true;
+};
+
+/// The options, or the code to end with at once (--help, --version, wrong usage: the message is printed).
+struct ParsedOptions {
+  std::optional<Options> options;
+  int exit_code = exit_done;
+};
+[[nodiscard]] ParsedOptions parse_options(int argc, char** argv);
+
+}  // namespace aomd::app

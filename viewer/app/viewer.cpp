@@ -1,0 +1,258 @@
+#include "viewer/app/viewer.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <utility>
+
+#include "core/io/png.h"
+#include "core/samples/samples.h"
+#include "viewer/render/picture_target.h"
+#include "viewer/scene/commands.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds run_budget{8};  // of a frame: the rest is for drawing
+constexpr double idle_wait_s = 0.5;
+constexpr int frames_after_event = 3;  // ImGui needs a few to settle
+constexpr int frames_of_picture = 3;
+
+std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
+  if (folder.empty()) return {};
+  return folder;
+}
+
+}  // namespace
+
+Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+}
+
+Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
+
+Viewer::Viewer(Window& window, const Options& options, bool headless)
+    : window_(window),
+      options_(options),
+      headless_(headless),
+      gl_(render::load_gl(window.get_proc_address())),
+      fonts_(ui::load_fonts(1)),
+      layer_(std::make_unique<ui::ImGuiLayer>(gl_, render::load_shader_sources(folder_or_none(options.shaders)))),
+      renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
+      buffers_(gl_) {
+  session_.view.theme = options.theme;
+  interface_.bars = options.interface;
+  interface_.interactive = !headless;
+  if (!headless) interface_.recent = ui::RecentFiles(ui::recent_files_path());
+  if (!interface_.recent.paths().empty()) interface_.remember_folder(interface_.recent.paths().front().parent_path());
+  if (!options.script.empty()) script_ = scene::Script(options.script);
+  if (!options.record.empty()) {
+    record_.open(options.record);
+    if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
+  }
+  window_.poll(ImGui::GetIO());
+  draw_frame(window_.framebuffer_size(), 0);  // the layout, and so the picture's shape, is known from here on
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::update_look(float scale) {
+  if (scale == scale_ && theme_ == session_.view.theme) return;
+  if (scale != scale_) {
+    fonts_ = ui::load_fonts(scale);
+    layer_->update_fonts();
+  }
+  scale_ = scale;
+  theme_ = session_.view.theme;
+  ui::apply_theme(ui::theme_kind(theme_), scale);
+}
+
+void Viewer::update_aspect() {
+  const ui::Layout layout =
+      ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, options_.interface, em_);
+  session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+}
+
+render::RenderSettings Viewer::settings() const {
+  render::RenderSettings settings;
+  settings.show_surface = session_.view.surface;
+  settings.show_edges = session_.view.edges;
+  settings.show_model_edges = session_.view.model_edges;
+  settings.show_model_vertices = session_.view.model_vertices;
+  settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
+  settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
+  return settings;
+}
+
+void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
+  update_look(window_.content_scale());
+  session_.refresh();
+  ImGui::NewFrame();
+  em_ = ui::em();
+  lines_ = interface_.draw(session_, fonts_);
+  ImGui::Render();
+  update_aspect();
+  buffers_.upload(session_.drawing().drawable());
+  if (pixels.x < 1 || pixels.y < 1) return;
+
+  const ImVec4 panel = ui::theme_colors(ui::theme_kind(session_.view.theme)).panel;
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, destination);
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.ClearColor(panel.x, panel.y, panel.z, 1);
+  gl_.Clear(GL_COLOR_BUFFER_BIT);
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ui::Area& area = interface_.layout().viewport;
+  const auto at = [](float v) { return static_cast<int>(std::lround(v)); };
+  const int left = at(area.position.x * scale.x);
+  const int top = at(area.position.y * scale.y);
+  const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
+  const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
+  renderer_.render(buffers_, session_.view.camera, settings(), {left, pixels.y - bottom, right - left, bottom - top},
+                   destination);
+  layer_->draw(*ImGui::GetDrawData(), destination);
+}
+
+io::Image Viewer::picture(glm::ivec2 size) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 display = io.DisplaySize;
+  const ImVec2 framebuffer = io.DisplayFramebufferScale;
+  const ImVec2 mouse = io.MousePos;
+  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x, static_cast<float>(size.y) / framebuffer.y);
+  io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+  const render::PictureTarget target(gl_, size);
+  for (int i = 0; i < frames_of_picture; ++i) draw_frame(size, target.framebuffer());
+  lines_.clear();
+  io::Image image = target.read();
+  io.DisplaySize = display;
+  io.MousePos = mouse;
+  return image;
+}
+
+void Viewer::take_screenshots() {
+  while (!session_.screenshots.empty()) {
+    const scene::ScreenshotRequest request = session_.screenshots.front();
+    session_.screenshots.pop_front();
+    io::write_png(request.file, picture(request.size.value_or(window_.framebuffer_size())));
+    session_.status = "Saved " + request.file.string();
+  }
+}
+
+void Viewer::print_log() {
+  if (session_.log) std::cout << *session_.log << std::endl;
+  session_.log.reset();
+}
+
+void Viewer::execute(const std::string& line) {
+  update_aspect();
+  scene::execute(session_, line);
+  if (record_.is_open()) record_ << line << std::endl;
+}
+
+void Viewer::execute_or_tell(const std::string& line) {
+  try {
+    execute(line);
+  } catch (const std::exception& error) {
+    session_.error = error.what();
+  }
+}
+
+void Viewer::open_first() {
+  if (!options_.file.empty())
+    execute("open \"" + options_.file.string() + "\"");
+  else if (options_.script.empty())
+    execute("sample " + std::string(samples().front().name));
+}
+
+/// A mesh has arrived: remember its file; what the command line says about the camera holds for the first one.
+void Viewer::after_loading() {
+  const std::uint64_t generation = session_.document.place().generation;
+  if (session_.document.empty() || generation == seen_generation_) return;
+  const bool first = seen_generation_ == 0;
+  seen_generation_ = generation;
+  const scene::LoadedMesh& content = session_.document.content();
+  window_.set_title(content.name + " \u2013 AOMD Studio");
+  if (!content.file.empty()) interface_.recent.add(content.file);
+  if (first && !options_.camera.empty()) execute("camera " + options_.camera);
+}
+
+void Viewer::tick(double frame_s) {
+  try {
+    session_.tick(run_budget, frame_s);
+    after_loading();
+  } catch (const std::exception& error) {
+    if (in_script_) script_.fail();
+    session_.error = error.what();
+    session_.status = "Not opened";
+  }
+}
+
+void Viewer::advance_script() {
+  while (!script_.done() && !session_.quit) {
+    update_aspect();
+    if (!script_.advance(session_)) return;
+    in_script_ = true;
+    print_log();
+    if (!session_.screenshots.empty()) return;
+  }
+}
+
+void Viewer::take_events(const Events& events) {
+  for (const std::filesystem::path& file : events.dropped_files) execute_or_tell("open \"" + file.string() + "\"");
+  for (const std::string& chord : events.chords)
+    if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty()) execute_or_tell(line);
+}
+
+void Viewer::run_window() {
+  open_first();
+  int awake = frames_after_event;
+  auto last = Clock::now();
+  while (!session_.quit && !window_.should_close()) {
+    const bool waits = session_.idle() && script_.done() && awake <= 0;
+    const auto before = Clock::now();
+    take_events(window_.poll(ImGui::GetIO(), waits ? idle_wait_s : 0));
+    const auto now = Clock::now();
+    const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
+    if (waits && !timed_out) awake = frames_after_event;
+    if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
+    awake = lines_.empty() && session_.idle() ? awake - 1 : frames_after_event;
+    tick(std::chrono::duration<double>(now - last).count());
+    last = now;
+    advance_script();
+    draw_frame(window_.framebuffer_size(), 0);
+    window_.present();
+    for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);
+    print_log();
+    try {
+      take_screenshots();
+    } catch (const std::exception& error) {
+      session_.error = error.what();
+    }
+  }
+}
+
+void Viewer::run_headless() {
+  open_first();
+  session_.finish();
+  after_loading();
+  while (!script_.done() && !session_.quit) {
+    advance_script();
+    try {
+      session_.finish();
+      after_loading();
+      take_screenshots();
+    } catch (const std::exception&) {
+      script_.fail();
+    }
+  }
+}
+
+}  // namespace aomd::app

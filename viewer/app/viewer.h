@@ -1,0 +1,78 @@
+#pragma once
+// The viewer: a session, an interface and a renderer in a window, or without one.
+
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "viewer/app/options.h"
+#include "viewer/app/window.h"
+#include "viewer/render/renderer.h"
+#include "viewer/scene/script.h"
+#include "viewer/scene/session.h"
+#include "viewer/ui/imgui_layer.h"
+#include "viewer/ui/interface.h"
+
+struct ImGuiContext;
+
+namespace aomd::app {
+
+/// Window and headless share everything but how the loop waits.
+class Viewer {
+ public:
+  /// Throws render::GlError, io::ReadError (a script).
+  Viewer(Window& window, const Options& options, bool headless);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  /// Until the user or the script quits.
+  void run_window();
+  /// Loads, carries out the script, and returns. Throws what went wrong.
+  void run_headless();
+  /// Everything as a picture of `size` pixels.
+  [[nodiscard]] io::Image picture(glm::ivec2 size);
+
+ private:
+  struct ImGuiScope {
+    ImGuiScope();
+    ~ImGuiScope();
+    ImGuiContext* context;
+  };
+
+  void open_first();
+  void execute(const std::string& line);
+  void execute_or_tell(const std::string& line);
+  void tick(double frame_s);
+  void after_loading();
+  void advance_script();
+  void take_events(const Events& events);
+  void take_screenshots();
+  void print_log();
+  void update_look(float scale);
+  void update_aspect();
+  void draw_frame(glm::ivec2 pixels, GLuint destination);
+  [[nodiscard]] render::RenderSettings settings() const;
+
+  Window& window_;
+  Options options_;
+  bool headless_;
+  ImGuiScope imgui_;
+  render::Gl gl_;
+  ui::Fonts fonts_;
+  std::unique_ptr<ui::ImGuiLayer> layer_;
+  render::Renderer renderer_;
+  render::DrawableBuffers buffers_;
+  scene::Session session_;
+  ui::Interface interface_;
+  scene::Script script_;
+  std::ofstream record_;
+  std::vector<std::string> lines_;  ///< what the interface emitted in the last frame
+  float scale_ = 0;                 ///< what fonts and theme were made for
+  scene::Theme theme_ = scene::Theme::Light;
+  float em_ = 16;
+  std::uint64_t seen_generation_ = 0;
+  bool in_script_ = false;
+};
+
+}  // namespace aomd::app

@@ -1,0 +1,49 @@
+#pragma once
+// The words that follow a command's name.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <glm/vec2.hpp>
+
+#include "core/mesh/model_ref.h"
+
+namespace aomd::scene {
+
+/// Read from left to right. Every member throws CommandError that names the command and what it wants.
+class Arguments {
+ public:
+  Arguments(std::string_view command, std::string_view usage, std::string_view text);
+
+  [[nodiscard]] bool done();
+  /// The next word; quotes hold blanks together.
+  [[nodiscard]] std::string word(std::string_view what);
+  /// All that is left, without quotes around it: a file name may hold blanks.
+  [[nodiscard]] std::string rest(std::string_view what);
+  [[nodiscard]] double number(std::string_view what);
+  /// A number in [low, high].
+  [[nodiscard]] double number(std::string_view what, double low, double high);
+  [[nodiscard]] long long integer(std::string_view what);
+  /// on, off or toggle; a missing word is toggle.
+  [[nodiscard]] bool flag(bool present);
+  /// "960x600"
+  [[nodiscard]] glm::ivec2 size();
+  /// "face:3", "edge:-1", "vertex:2"
+  [[nodiscard]] ModelRef model_entity();
+  /// Throws when words are left.
+  void end();
+  [[noreturn]] void fail(const std::string& why) const;
+
+ private:
+  void skip_blanks();
+
+  std::string command_;
+  std::string usage_;
+  std::string_view text_;
+};
+
+/// "face:3": what model_entity() reads. Empty for what is not classified.
+[[nodiscard]] std::string model_entity_text(ModelRef ref);
+
+}  // namespace aomd::scene

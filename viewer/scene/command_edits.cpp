@@ -1,0 +1,140 @@
+#include <string>
+
+#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+constexpr double largest_count = 1e9;
+
+std::size_t count_or_one(Arguments& arguments, std::string_view what) {
+  if (arguments.done()) return 1;
+  const auto count = static_cast<std::size_t>(arguments.number(what, 1, largest_count));
+  arguments.end();
+  return count;
+}
+
+void say(Session& session, const std::string& name, std::size_t made) {
+  const std::string faces = grouped(session.document.mesh().count(2)) + " faces";
+  if (made == 0)
+    session.status = name + ": nothing left to do with these settings, " + faces;
+  else
+    session.status = name + ": " + grouped(static_cast<std::int64_t>(made)) + (made == 1 ? " operation, " : " operations, ") + faces;
+}
+
+void start(Session& session, Arguments& arguments) {
+  arguments.end();
+  need_mesh(session);
+  session.play(false);
+}
+
+}  // namespace
+
+void factor(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document.options();
+  options.factor = arguments.number("a factor", 1, 1e6);
+  arguments.end();
+  options.coarsest = false;
+  session.document.set_options(options);
+}
+
+void angle(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document.options();
+  options.angle_deg = arguments.number("an angle in degrees", 0, 180);
+  arguments.end();
+  session.document.set_options(options);
+}
+
+void coarsest(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document.options();
+  options.coarsest = arguments.flag(options.coarsest);
+  arguments.end();
+  session.document.set_options(options);
+}
+
+void feature_angle(Session& session, Arguments& arguments) {
+  ClassifyOptions options = session.document.classify_options();
+  const std::string text = arguments.word("an angle in degrees, or off");
+  if (text == "off")
+    options.feature_angle_deg.reset();
+  else
+    options.feature_angle_deg = Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
+  arguments.end();
+  session.play(false);
+  session.document.reclassify(options);
+}
+
+void topology(Session& session, Arguments& arguments) {
+  const std::string text = arguments.word("safe or paper");
+  arguments.end();
+  if (text != "safe" && text != "paper") arguments.fail("'" + text + "' is neither safe nor paper");
+  DecimationOptions options = session.document.options();
+  options.topology = text == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
+  session.document.set_options(options);
+  // The paper's loop knows no rule for edges with more than two faces.
+  ClassifyOptions classify = session.document.classify_options();
+  classify.nonmanifold_edges = options.topology == TopologyRule::Safe;
+  const bool differs = classify.nonmanifold_edges != session.document.classify_options().nonmanifold_edges;
+  if (differs && !session.document.empty() && session.facts().nonmanifold > 0)
+    session.document.reclassify(classify);
+  else
+    session.document.set_classify_options(classify);
+}
+
+void improve_passes(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document.options();
+  options.improve_passes = static_cast<int>(arguments.number("a number of passes", 0, 1000));
+  arguments.end();
+  session.document.set_options(options);
+}
+
+void step(Session& session, Arguments& arguments) {
+  const auto count = arguments.done() ? 1 : static_cast<long long>(arguments.number("a number of steps", -largest_count, largest_count));
+  start(session, arguments);
+  Document& document = session.document;
+  if (count >= 0) {
+    say(session, "Step", document.step(static_cast<std::size_t>(count)));
+    return;
+  }
+  const auto back = static_cast<std::size_t>(-count);
+  const std::size_t cursor = document.journal().cursor();
+  document.seek(back < cursor ? cursor - back : 0);
+}
+
+void sweep(Session& session, Arguments& arguments) {
+  const std::size_t count = count_or_one(arguments, "a number of sweeps");
+  start(session, arguments);
+  say(session, "Sweep", session.document.sweep(count));
+}
+
+void swap(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  say(session, "Swap", session.document.swap());
+}
+
+void smooth(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  say(session, "Smooth", session.document.smooth());
+}
+
+void improve(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  say(session, "Improve", session.document.improve());
+}
+
+void run(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  session.document.start_run();
+  session.status = session.document.running() ? "Running ..." : "Run: nothing left to do with these settings";
+}
+
+void cancel(Session& session, Arguments& arguments) {
+  arguments.end();
+  if (session.document.running()) session.status = "Run cancelled: undo takes back what it did";
+  session.document.cancel_run();
+  session.cancel_loading();
+  session.play(false);
+}
+
+}  // namespace aomd::scene::handle

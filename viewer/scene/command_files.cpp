@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/io/io.h"
+#include "core/samples/samples.h"
+#include "viewer/scene/command_handlers.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+std::filesystem::path expanded(const std::string& text) {
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && text.rfind("~/", 0) == 0) return std::filesystem::path(home) / text.substr(2);
+  return text;
+}
+
+}  // namespace
+
+void need_mesh(const Session& session) {
+  if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");
+}
+
+void open(Session& session, Arguments& arguments) {
+  LoadRequest request;
+  request.file = expanded(arguments.rest("a file"));
+  request.classify = session.document.classify_options();
+  session.view.dialog = Dialog::None;
+  session.start_loading(std::move(request));
+}
+
+void sample(Session& session, Arguments& arguments) {
+  LoadRequest request;
+  request.sample = arguments.word("a sample's name");
+  if (!arguments.done()) request.sample_size = static_cast<int>(arguments.number("a size", 0, 1e9));
+  arguments.end();
+  const auto known = samples();
+  if (std::none_of(known.begin(), known.end(), [&](const SampleInfo& s) { return s.name == request.sample; })) {
+    std::string names;
+    for (const SampleInfo& each : known) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    arguments.fail("there is no sample '" + request.sample + "', but " + names);
+  }
+  request.classify = session.document.classify_options();
+  session.start_loading(std::move(request));
+}
+
+void save(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  const std::filesystem::path file = expanded(arguments.rest("a file"));
+  io::write(file, to_data(session.document.mesh()));
+  session.view.dialog = Dialog::None;
+  session.status = "Saved " + file.string();
+}
+
+void screenshot(Session& session, Arguments& arguments) {
+  ScreenshotRequest request;
+  request.file = expanded(arguments.word("a file"));
+  if (!arguments.done()) request.size = arguments.size();
+  arguments.end();
+  session.view.dialog = Dialog::None;
+  session.screenshots.push_back(std::move(request));
+}
+
+void quit(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.quit = true;
+}
+
+}  // namespace aomd::scene::handle

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+void start(Session& session, Arguments& arguments) {
+  arguments.end();
+  need_mesh(session);
+  session.play(false);
+}
+
+void say_where(Session& session, const char* what) {
+  const Journal& journal = session.document.journal();
+  session.status = std::string(what) + ": operation " + grouped(static_cast<std::int64_t>(journal.cursor())) +
+                   " of " + grouped(static_cast<std::int64_t>(journal.size()));
+}
+
+}  // namespace
+
+void reset(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  session.document.seek(0);
+  session.status = "As loaded: redo brings the operations back";
+}
+
+void undo(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  if (session.document.undo())
+    say_where(session, "Undo");
+  else
+    session.status = "Nothing to undo";
+}
+
+void redo(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  if (session.document.redo())
+    say_where(session, "Redo");
+  else
+    session.status = "Nothing to redo";
+}
+
+void seek(Session& session, Arguments& arguments) {
+  long long target = 0;
+  if (!arguments.done()) {
+    const std::string text = arguments.word("a number of operations, or end");
+    target = text == "end" ? std::numeric_limits<long long>::max()
+                           : Arguments("seek", "N|end", text).integer("a number of operations");
+  }
+  start(session, arguments);
+  session.document.seek(static_cast<std::size_t>(std::max(0LL, target)));
+  say_where(session, "Timeline");
+}
+
+void play(Session& session, Arguments& arguments) {
+  const bool on = arguments.done() || arguments.flag(session.playing());
+  arguments.end();
+  need_mesh(session);
+  session.play(on);
+  if (on && !session.playing()) session.status = "Nothing to play: step, sweep or run first";
+}
+
+void pause(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.play(false);
+}
+
+}  // namespace aomd::scene::handle

@@ -1,0 +1,89 @@
+#include <array>
+#include <string>
+
+#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+using Quantity = std::int64_t (*)(const Session&);
+
+std::int64_t models(const Session& s, int dim) {
+  std::int64_t count = 0;
+  for (const ModelRef ref : s.document.mesh().class_lists()->models(dim)) count += ref.dimension() == dim;
+  return count;
+}
+
+std::int64_t refused(const Session& s, Reason reason) {
+  const SweepStatistics* sweep = s.document.last_sweep();
+  return sweep == nullptr ? 0 : sweep->refused[static_cast<std::size_t>(reason)];
+}
+
+struct Named {
+  std::string_view name;
+  Quantity value;
+};
+
+constexpr std::array<Named, 16> quantities = {{
+    {"vertices", [](const Session& s) { return s.facts().vertices; }},
+    {"edges", [](const Session& s) { return s.facts().edges; }},
+    {"faces", [](const Session& s) { return s.facts().faces; }},
+    {"euler", [](const Session& s) { return s.facts().euler(); }},
+    {"boundary", [](const Session& s) { return s.facts().boundary; }},
+    {"nonmanifold", [](const Session& s) { return s.facts().nonmanifold; }},
+    {"unused", [](const Session& s) { return s.facts().unused; }},
+    {"model-vertices", [](const Session& s) { return models(s, 0); }},
+    {"model-edges", [](const Session& s) { return models(s, 1); }},
+    {"model-faces", [](const Session& s) { return models(s, 2); }},
+    {"steps", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
+    {"cursor", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
+    {"commands", [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
+    {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
+    {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
+    {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
+}};
+
+Quantity quantity(Arguments& arguments) {
+  const std::string name = arguments.word("a quantity");
+  std::string names;
+  for (const Named& each : quantities) {
+    if (each.name == name) return each.value;
+    names += (names.empty() ? "" : ", ") + std::string(each.name);
+  }
+  arguments.fail("'" + name + "' is none of " + names);
+}
+
+bool holds(std::int64_t value, const std::string& relation, std::int64_t bound, const Arguments& arguments) {
+  if (relation == "=") return value == bound;
+  if (relation == "<") return value < bound;
+  if (relation == ">") return value > bound;
+  if (relation == "<=") return value <= bound;
+  if (relation == ">=") return value >= bound;
+  arguments.fail("'" + relation + "' is none of =, <, >, <=, >=");
+}
+
+}  // namespace
+
+void expect(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  Arguments again = arguments;
+  const std::string what = again.rest("a quantity");
+  const Quantity of = quantity(arguments);
+  const std::string relation = arguments.word("=, <, >, <= or >=");
+  const long long bound = arguments.integer("a whole number");
+  arguments.end();
+  session.refresh();
+  const std::int64_t value = of(session);
+  if (!holds(value, relation, bound, arguments))
+    throw ExpectationMissed("expected " + what + ", but it is " + std::to_string(value));
+}
+
+void wait_idle(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.finish();
+}
+
+void log(Session& session, Arguments& arguments) { session.log = arguments.rest("a text"); }
+
+}  // namespace aomd::scene::handle

@@ -1,0 +1,144 @@
+#include <array>
+#include <string>
+
+#include "viewer/scene/command_handlers.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+template <typename T, std::size_t N>
+T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, N>& choices) {
+  std::string names;
+  for (const auto& choice : choices) names += (names.empty() ? "" : ", ") + std::string(choice.first);
+  const std::string text = arguments.word("one of " + names);
+  for (const auto& [name, value] : choices)
+    if (text == name) return value;
+  arguments.fail("'" + text + "' is none of " + names);
+}
+
+}  // namespace
+
+void color(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 2> choices = {
+      {{"classification", Coloring::Classification}, {"none", Coloring::None}}};
+  session.view.coloring = choose(arguments, choices);
+  arguments.end();
+}
+
+void camera(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  const std::string text = arguments.rest("a view or its parameters");
+  const CameraSpec spec =
+      parse_camera(text, session.view.camera, session.document.content().bounds, session.view.aspect);
+  if (!spec.camera) arguments.fail(spec.error);
+  session.view.camera = *spec.camera;
+}
+
+void fit(Session& session, Arguments& arguments) {
+  arguments.end();
+  need_mesh(session);
+  session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+}
+
+void orbit(Session& session, Arguments& arguments) {
+  const double azimuth = arguments.number("degrees to the right");
+  const double elevation = arguments.number("degrees upward");
+  arguments.end();
+  session.view.camera.orbit(azimuth, elevation);
+}
+
+void pan(Session& session, Arguments& arguments) {
+  const double x = arguments.number("a shift to the right");
+  const double y = arguments.number("a shift upward");
+  arguments.end();
+  session.view.camera.pan({0, 0}, {2 * x, 2 * y}, session.view.aspect);
+}
+
+void zoom(Session& session, Arguments& arguments) {
+  const double factor = arguments.number("a factor", 1e-6, 1e6);
+  glm::dvec2 at{0, 0};
+  if (!arguments.done()) {
+    at.x = arguments.number("a place from left (-1) to right (1)", -1, 1);
+    at.y = arguments.number("a place from bottom (-1) to top (1)", -1, 1);
+  }
+  arguments.end();
+  session.view.camera.zoom(1 / factor, at, session.view.aspect);
+}
+
+void show(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 5> choices = {
+      {{"surface", &View::surface},
+       {"edges", &View::edges},
+       {"model-edges", &View::model_edges},
+       {"model-vertices", &View::model_vertices},
+       {"operation", &View::operation}}};
+  bool& shown = session.view.*choose(arguments, choices);
+  shown = arguments.flag(shown);
+  arguments.end();
+}
+
+void highlight(Session& session, Arguments& arguments) {
+  if (arguments.done()) {
+    session.view.highlighted.reset();
+    return;
+  }
+  const ModelRef ref = arguments.model_entity();
+  arguments.end();
+  session.view.highlighted = ref;
+}
+
+void hide(Session& session, Arguments& arguments) {
+  if (arguments.done()) {
+    session.view.hidden.clear();
+    return;
+  }
+  const ModelRef ref = arguments.model_entity();
+  const bool off = arguments.done() || arguments.flag(session.view.hidden.contains(ref));
+  arguments.end();
+  if (off)
+    session.view.hidden.insert(ref);
+  else
+    session.view.hidden.erase(ref);
+}
+
+void theme(Session& session, Arguments& arguments) {
+  const Theme other = session.view.theme == Theme::Light ? Theme::Dark : Theme::Light;
+  const std::array<std::pair<std::string_view, Theme>, 3> choices = {
+      {{"light", Theme::Light}, {"dark", Theme::Dark}, {"toggle", other}}};
+  session.view.theme = choose(arguments, choices);
+  arguments.end();
+}
+
+void panel(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, bool Panels::*>, 4> choices = {{{"mesh", &Panels::mesh},
+                                                                              {"decimation", &Panels::decimation},
+                                                                              {"timeline", &Panels::timeline},
+                                                                              {"all", nullptr}}};
+  Panels& panels = session.view.panels;
+  bool Panels::*one = choose(arguments, choices);
+  const bool any = panels.mesh || panels.decimation || panels.timeline;
+  const bool on = arguments.flag(one == nullptr ? any : panels.*one);
+  arguments.end();
+  if (one != nullptr)
+    panels.*one = on;
+  else
+    panels = {on, on, on};
+}
+
+void dialog(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Dialog>, 6> choices = {{{"open", Dialog::Open},
+                                                                      {"save", Dialog::Save},
+                                                                      {"screenshot", Dialog::Screenshot},
+                                                                      {"shortcuts", Dialog::Shortcuts},
+                                                                      {"about", Dialog::About},
+                                                                      {"none", Dialog::None}}};
+  session.view.dialog = choose(arguments, choices);
+  arguments.end();
+}
+
+void dismiss(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.error.clear();
+}
+
+}  // namespace aomd::scene::handle

@@ -1,0 +1,46 @@
+#pragma once
+// Normals of triangle corners: smooth within a model face, split where an edge is to look sharp.
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "core/mesh/mesh.h"
+
+namespace aomd::scene {
+
+/// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store T(0,1), T(0,2)
+/// and T(2,0).
+class CornerNormals {
+ public:
+  struct Corner {
+    Face face;
+    std::uint32_t slot = 0;  ///< 0..2, where the vertex stands in the face
+    glm::vec3 normal{0, 0, 1};
+  };
+
+  /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by their angles
+  /// at v) where they can be reached from each other through edges that are not on model edges and turn by less
+  /// than 40 degrees. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
+  [[nodiscard]] std::span<const Corner> at(const Mesh& mesh, Vertex v);
+
+ private:
+  struct Side {
+    Vertex far;  ///< the other end of the edge from v
+    std::uint32_t corner = 0;
+  };
+  void gather(const Mesh& mesh, Vertex v);
+  void join_smooth_ones(const Mesh& mesh, Vertex v);
+  [[nodiscard]] std::uint32_t root(std::uint32_t i) const;
+
+  std::vector<Corner> corners_;
+  std::vector<glm::dvec3> normals_;  ///< of the faces, unit length or zero
+  std::vector<double> weights_;
+  std::vector<Side> sides_;
+  std::vector<Vertex> sharp_;  ///< far ends of model edges at v, sorted
+  std::vector<std::uint32_t> parent_;
+  std::vector<glm::dvec3> sums_;
+};
+
+}  // namespace aomd::scene

@@ -1,0 +1,199 @@
+#include "viewer/scene/document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/mesh/journal_scope.h"
+
+namespace aomd::scene {
+
+HistoryPlace Document::place() const {
+  if (!loaded_) return {generation_, 0, 0, 0};
+  return {generation_, journal().epoch(), journal().cursor(), last_cut_};
+}
+
+const HistoryMark& Document::mark_of(std::size_t step) const {
+  auto after = std::upper_bound(marks_.begin(), marks_.end(), step,
+                                [](std::size_t s, const HistoryMark& m) { return s < m.begin; });
+  return *(after - 1);
+}
+
+std::optional<std::size_t> Document::focus() const {
+  if (!loaded_ || !focused_ || journal().cursor() == 0) return {};
+  return journal().cursor() - 1;
+}
+
+const SweepStatistics* Document::last_sweep() const {
+  if (!decimation()) return nullptr;
+  const auto& sweeps = decimation()->sweeps();
+  const auto counted = [](const SweepStatistics& s) {
+    return s.collapses > 0 ||
+           std::any_of(s.refused.begin(), s.refused.end(), [](std::uint32_t n) { return n > 0; });
+  };
+  const auto found = std::find_if(sweeps.rbegin(), sweeps.rend(), counted);
+  return found == sweeps.rend() ? nullptr : &*found;
+}
+
+void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
+  loaded_ = std::move(loaded);
+  marks_.clear();
+  ++generation_;
+  last_cut_ = 0;
+  running_ = stale_ = focused_ = false;
+}
+
+/// The decimation, made at the first need and told what it has missed.
+Decimation& Document::prepared() {
+  if (!loaded_->decimation) {
+    loaded_->decimation.emplace(loaded_->mesh, options_);
+    stale_ = false;
+  }
+  if (stale_) loaded_->decimation->invalidate();
+  stale_ = false;
+  loaded_->decimation->set_options(options_);
+  return *loaded_->decimation;
+}
+
+void Document::open_mark(std::string label) {
+  const std::size_t cursor = journal().cursor();
+  last_cut_ = cursor;
+  const auto undone = std::find_if(marks_.begin(), marks_.end(),
+                                   [&](const HistoryMark& m) { return m.begin >= cursor; });
+  undone_marks_.assign(std::make_move_iterator(undone), std::make_move_iterator(marks_.end()));
+  marks_.erase(undone, marks_.end());
+  epoch_at_mark_ = journal().epoch();
+  marks_.push_back({cursor, std::move(label)});
+}
+
+// A command that changed nothing leaves no mark, and what had been undone can still be redone.
+std::size_t Document::close_mark() {
+  const std::size_t made = journal().cursor() - marks_.back().begin;
+  if (made == 0) marks_.pop_back();
+  if (journal().epoch() == epoch_at_mark_ && made == 0)
+    marks_.insert(marks_.end(), undone_marks_.begin(), undone_marks_.end());
+  undone_marks_.clear();
+  return made;
+}
+
+std::size_t Document::record(std::string label, const std::function<void()>& edit) {
+  cancel_run();
+  focused_ = false;
+  open_mark(std::move(label));
+  edit();
+  return close_mark();
+}
+
+void Document::restore_file_classes() {
+  Mesh& mesh = loaded_->mesh;
+  const JournalScope scope(mesh, StepKind::Classify, {});
+  for (int dim = 0; dim < 3; ++dim) {
+    const auto& classes = loaded_->file_classes[static_cast<std::size_t>(dim)];
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
+      const ModelRef wanted = id < classes.size() ? classes[id] : ModelRef();
+      if (mesh.alive({dim, id}) && mesh.classification({dim, id}) != wanted)
+        mesh.set_classification({dim, id}, wanted);
+    }
+  }
+}
+
+void Document::reclassify(const ClassifyOptions& options) {
+  classify_ = options;
+  if (!loaded_) return;
+  record("classify", [&] {
+    ClassifyOptions each = options;
+    each.keep_present = loaded_->classified_by_file();
+    if (each.keep_present) restore_file_classes();
+    loaded_->classified = classify(loaded_->mesh, each);
+    loaded_->classify_options = options;
+    stale_ = loaded_->decimation.has_value();
+  });
+}
+
+std::size_t Document::step(std::size_t count) {
+  const std::size_t made = record("step", [&] {
+    Decimation& decimation = prepared();
+    for (std::size_t i = 0; i < count && decimation.step(); ++i) {
+    }
+  });
+  focused_ = made > 0;
+  return made;
+}
+
+std::size_t Document::sweep(std::size_t count) {
+  return record("sweep", [&] {
+    Decimation& decimation = prepared();
+    for (std::size_t i = 0; i < count; ++i) decimation.sweep();
+  });
+}
+
+std::size_t Document::swap() {
+  return record("swap", [&] { prepared().swap_pass(); });
+}
+
+std::size_t Document::smooth() {
+  return record("smooth", [&] { prepared().smooth_pass(); });
+}
+
+std::size_t Document::improve() {
+  return record("improve", [&] { prepared().improve(); });
+}
+
+void Document::start_run() {
+  cancel_run();
+  Decimation& decimation = prepared();
+  if (decimation.done()) return;
+  open_mark("run");
+  first_sweep_of_run_ = decimation.sweeps().size();
+  running_ = true;
+  focused_ = false;
+}
+
+void Document::cancel_run() {
+  if (!running_) return;
+  running_ = false;
+  close_mark();
+}
+
+double Document::run_progress() const {
+  if (!decimation()) return 0;
+  if (decimation()->done()) return 1;
+  // The driver counts the sweeps of its whole life.
+  const double left = 1 - decimation()->progress();
+  return 1 - left * std::pow(2.0, static_cast<double>(first_sweep_of_run_) - 1);
+}
+
+void Document::tick(std::optional<std::chrono::microseconds> budget) {
+  if (!running_) return;
+  if (prepared().run(budget) == Decimation::Stop::Done) cancel_run();
+}
+
+void Document::move_to(std::size_t step, bool single) {
+  cancel_run();
+  const std::size_t before = journal().cursor();
+  loaded_->journal.seek(loaded_->mesh, step);
+  stale_ = stale_ || (journal().cursor() != before && loaded_->decimation);
+  focused_ = single;
+}
+
+bool Document::undo() {
+  if (!can_undo()) return false;
+  cancel_run();
+  move_to(mark_of(journal().cursor() - 1).begin, false);
+  return true;
+}
+
+bool Document::redo() {
+  if (!can_redo()) return false;
+  cancel_run();
+  const auto next = std::find_if(marks_.begin(), marks_.end(),
+                                 [&](const HistoryMark& m) { return m.begin > journal().cursor(); });
+  move_to(next == marks_.end() ? journal().size() : next->begin, false);
+  return true;
+}
+
+void Document::seek(std::size_t step) {
+  if (loaded_) move_to(std::min(step, journal().size()), true);
+}
+
+}  // namespace aomd::scene

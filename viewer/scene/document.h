@@ -1,0 +1,97 @@
+#pragma once
+// The present mesh, its history and its decimation. Only commands change it; panels read it.
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "viewer/scene/loaded_mesh.h"
+#include "viewer/scene/surface_changes.h"
+
+namespace aomd::scene {
+
+/// The steps that one user-visible command made: from `begin` to the next mark, or to the end.
+struct HistoryMark {
+  std::size_t begin = 0;
+  std::string label;  ///< "sweep"
+};
+
+/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the history
+/// or replaces the mesh ends it first.
+class Document {
+ public:
+  [[nodiscard]] bool empty() const { return !loaded_; }
+  [[nodiscard]] const LoadedMesh& content() const { return *loaded_; }
+  [[nodiscard]] const Mesh& mesh() const { return loaded_->mesh; }
+  [[nodiscard]] const Journal& journal() const { return loaded_->journal; }
+  /// Null until the first operation asked for it.
+  [[nodiscard]] const Decimation* decimation() const {
+    return loaded_ && loaded_->decimation ? &*loaded_->decimation : nullptr;
+  }
+  [[nodiscard]] const DecimationOptions& options() const { return options_; }
+  [[nodiscard]] const ClassifyOptions& classify_options() const { return classify_; }
+  [[nodiscard]] HistoryPlace place() const;
+  [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
+  [[nodiscard]] bool can_undo() const { return loaded_ && journal().cursor() > 0; }
+  [[nodiscard]] bool can_redo() const { return loaded_ && journal().cursor() < journal().size(); }
+  /// The command that the step belongs to. step < journal().size().
+  [[nodiscard]] const HistoryMark& mark_of(std::size_t step) const;
+  /// The step to point at: the last one applied, when the history was last moved step by step.
+  [[nodiscard]] std::optional<std::size_t> focus() const;
+  /// The refusals of the last sweep that counted some; null before.
+  [[nodiscard]] const SweepStatistics* last_sweep() const;
+
+  void replace(std::unique_ptr<LoadedMesh> loaded);
+  /// Keeps what has been done; cheap while nothing runs.
+  void set_options(const DecimationOptions& options) { options_ = options; }
+  /// For the next mesh that is loaded; reclassify() for the present one.
+  void set_classify_options(const ClassifyOptions& options) { classify_ = options; }
+  /// Derives the classification anew; what the file says still wins. One command in the history.
+  void reclassify(const ClassifyOptions& options);
+
+  // Each is one command in the history and returns how many operations it made.
+  std::size_t step(std::size_t count);
+  std::size_t sweep(std::size_t count);
+  std::size_t swap();
+  std::size_t smooth();
+  std::size_t improve();
+
+  void start_run();
+  void cancel_run();
+  [[nodiscard]] bool running() const { return running_; }
+  /// Of the present or the last run, 0..1.
+  [[nodiscard]] double run_progress() const;
+  /// Goes on with a run for about `budget`; without one until it is done.
+  void tick(std::optional<std::chrono::microseconds> budget);
+
+  // By whole commands; false at the end of the history.
+  bool undo();
+  bool redo();
+  /// Until `step` steps are applied (clamped).
+  void seek(std::size_t step);
+
+ private:
+  Decimation& prepared();
+  std::size_t record(std::string label, const std::function<void()>& edit);
+  void open_mark(std::string label);
+  std::size_t close_mark();
+  void restore_file_classes();
+  void move_to(std::size_t step, bool single);
+
+  std::unique_ptr<LoadedMesh> loaded_;
+  DecimationOptions options_;
+  ClassifyOptions classify_;
+  std::vector<HistoryMark> marks_;
+  std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
+  std::uint64_t epoch_at_mark_ = 0;
+  std::uint64_t generation_ = 0;
+  std::size_t last_cut_ = 0;
+  bool running_ = false;
+  bool stale_ = false;  ///< the decimation does not know yet that the history was moved
+  bool focused_ = false;
+  std::size_t first_sweep_of_run_ = 0;
+};
+
+}  // namespace aomd::scene

@@ -1,0 +1,57 @@
+#pragma once
+// A mesh with all that a session keeps about it, made from a file or a generator on any thread.
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/decimate/decimation.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_data.h"
+#include "core/model/classify.h"
+#include "viewer/scene/box.h"
+#include "viewer/scene/camera.h"
+
+namespace aomd::scene {
+
+/// Not movable: the mesh, its journal and its decimation hold on to each other.
+struct LoadedMesh {
+  std::string name;                ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;      ///< empty for a sample
+  UpAxis up = UpAxis::Z;           ///< what the source usually means by up
+  std::vector<std::string> notes;  ///< what the reader had to do
+  Box bounds;                      ///< of the vertices that faces use
+  Mesh mesh;
+  Journal journal;
+  ClassifyOptions classify_options;
+  ClassifyResult classified;
+  /// The file's own classification by level and id; empty where it has none. It wins over derived ones.
+  std::array<std::vector<ModelRef>, 3> file_classes;
+  /// T(2,0), T(0,1), T(0,2): what drawing and counting need; decimation needs the same.
+  std::array<Request, 3> needs;
+  std::optional<Decimation> decimation;
+
+  [[nodiscard]] bool classified_by_file() const { return !file_classes[2].empty(); }
+};
+
+/// What to load: a file, or a sample where `file` is empty.
+struct LoadRequest {
+  std::filesystem::path file;
+  std::string sample;
+  int sample_size = 0;  ///< 0 is the sample's own
+  ClassifyOptions classify;
+};
+
+/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a million
+/// faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces.
+[[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
+
+/// Builds from plain data: the rest of load(), and a way in for tests.
+[[nodiscard]] std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
+                                                      const ClassifyOptions& options = {});
+
+}  // namespace aomd::scene

@@ -1,0 +1,66 @@
+#include "viewer/scene/mesh_facts.h"
+
+#include <algorithm>
+
+namespace aomd::scene {
+namespace {
+
+/// How many faces an edge has, 3 standing for more.
+int faces_at(const Mesh& mesh, Edge edge) {
+  const auto [a, b] = mesh.edge_vertices(edge);
+  const auto p = mesh.row<2>(a).indices();
+  const auto q = mesh.row<2>(b).indices();
+  int common = 0;
+  for (std::size_t i = 0, j = 0; i < p.size() && j < q.size() && common < 3;) {
+    common += p[i] == q[j];
+    const bool step_i = p[i] <= q[j];
+    const bool step_j = q[j] <= p[i];
+    i += step_i;
+    j += step_j;
+  }
+  return common;
+}
+
+}  // namespace
+
+void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
+  if (changes.everything) {
+    facts_ = {};
+    edges_.assign(mesh.capacity(1), EdgeKind::Dead);
+    unused_.assign(mesh.capacity(0), 0);
+    for (const Edge e : mesh.edges()) look_at(mesh, e);
+    for (const Vertex v : mesh.vertices()) look_at(mesh, v);
+  } else {
+    if (edges_.size() < mesh.capacity(1)) edges_.resize(mesh.capacity(1), EdgeKind::Dead);
+    if (unused_.size() < mesh.capacity(0)) unused_.resize(mesh.capacity(0), 0);
+    for (const Edge e : changes.edges) look_at(mesh, e);
+    for (const Vertex v : changes.vertices) look_at(mesh, v);
+  }
+  facts_.vertices = mesh.count(0);
+  facts_.edges = mesh.count(1);
+  facts_.faces = mesh.count(2);
+}
+
+void FactsKeeper::count(EdgeKind kind, std::int64_t by) {
+  if (kind == EdgeKind::Boundary) facts_.boundary += by;
+  if (kind == EdgeKind::NonManifold) facts_.nonmanifold += by;
+}
+
+void FactsKeeper::look_at(const Mesh& mesh, Edge edge) {
+  constexpr EdgeKind by_faces[] = {EdgeKind::Bare, EdgeKind::Boundary, EdgeKind::Inner,
+                                   EdgeKind::NonManifold};
+  if (edge.index >= edges_.size()) return;
+  const EdgeKind now = mesh.alive(edge) ? by_faces[faces_at(mesh, edge)] : EdgeKind::Dead;
+  count(edges_[edge], -1);
+  count(now, +1);
+  edges_[edge] = now;
+}
+
+void FactsKeeper::look_at(const Mesh& mesh, Vertex vertex) {
+  if (vertex.index >= unused_.size()) return;
+  const std::uint8_t now = mesh.alive(vertex) && mesh.row<2>(vertex).empty() ? 1 : 0;
+  facts_.unused += now - unused_[vertex];
+  unused_[vertex] = now;
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,44 @@
+#pragma once
+// Counts that describe a surface, kept up to date from its changes.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/column.h"
+#include "core/mesh/mesh.h"
+#include "viewer/scene/surface_changes.h"
+
+namespace aomd::scene {
+
+struct MeshFacts {
+  std::int64_t vertices = 0;
+  std::int64_t unused = 0;  ///< vertices without a face
+  std::int64_t edges = 0;
+  std::int64_t faces = 0;
+  std::int64_t boundary = 0;     ///< edges with one face
+  std::int64_t nonmanifold = 0;  ///< edges with more than two
+
+  /// Over the vertices that are used.
+  [[nodiscard]] std::int64_t euler() const { return vertices - unused - edges + faces; }
+  friend bool operator==(const MeshFacts&, const MeshFacts&) = default;
+};
+
+/// The mesh must store T(0,1) and T(0,2).
+class FactsKeeper {
+ public:
+  /// O(changes), or O(size) when everything changed.
+  void update(const Mesh& mesh, const SurfaceChanges& changes);
+  [[nodiscard]] const MeshFacts& facts() const { return facts_; }
+
+ private:
+  enum class EdgeKind : std::uint8_t { Dead, Boundary, Inner, NonManifold, Bare };
+  void look_at(const Mesh& mesh, Edge edge);
+  void look_at(const Mesh& mesh, Vertex vertex);
+  void count(EdgeKind kind, std::int64_t by);
+
+  MeshFacts facts_;
+  Column<Edge, EdgeKind> edges_;
+  Column<Vertex, std::uint8_t> unused_;
+};
+
+}  // namespace aomd::scene

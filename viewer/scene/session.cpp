@@ -1,0 +1,94 @@
+#include "viewer/scene/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viewer/scene/text.h"
+
+namespace aomd::scene {
+namespace {
+
+constexpr double longest_play_s = 12;      // however long the history
+constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
+
+}  // namespace
+
+void Session::start_loading(LoadRequest request) {
+  loader_.start(std::move(request));
+  status = "Loading " + loader_.name() + " ...";
+}
+
+void Session::cancel_loading() {
+  if (!loading()) return;
+  loader_.cancel();
+  status = "Loading of " + loader_.name() + " cancelled";
+}
+
+void Session::take_loaded(Loader::Result result) {
+  if (result.error) std::rethrow_exception(result.error);
+  playing_ = false;
+  error.clear();
+  document.replace(std::move(result.mesh));
+  view.hidden.clear();
+  view.highlighted.reset();
+  drawing_.set_bounds(document.content().bounds);
+  refresh();
+  loaded_facts_ = facts();
+  view.camera.up_axis = document.content().up;
+  view.camera.turn_to(StandardView::Iso);
+  view.camera.fit(document.content().bounds, view.aspect);
+  status = document.content().name + ": " + grouped(facts().faces) + " faces";
+  for (const std::string& note : document.content().notes) status += ", " + note;
+}
+
+void Session::play(bool on) {
+  if (on && document.empty()) return;
+  if (on && !document.can_redo()) document.seek(0);
+  playing_ = on && document.can_redo();
+  steps_due_ = 0;
+}
+
+void Session::advance_playing(double frame_s) {
+  const auto size = static_cast<double>(document.journal().size());
+  steps_due_ += frame_s * std::max(slowest_steps_per_s, size / longest_play_s);
+  const double whole = std::floor(steps_due_);
+  steps_due_ -= whole;
+  if (whole > 0) document.seek(document.journal().cursor() + static_cast<std::size_t>(whole));
+  playing_ = document.can_redo();
+}
+
+void Session::run_on(std::optional<std::chrono::microseconds> budget) {
+  const bool was_running = document.running();
+  document.tick(budget);
+  if (was_running && !document.running())
+    status = "Run finished: " + grouped(document.mesh().count(2)) + " faces";
+}
+
+void Session::tick(std::chrono::microseconds budget, double frame_s) {
+  if (auto result = loader_.take(false)) take_loaded(std::move(*result));
+  run_on(budget);
+  if (playing_) advance_playing(frame_s);
+}
+
+void Session::finish() {
+  if (auto result = loader_.take(true)) take_loaded(std::move(*result));
+  run_on({});
+  if (playing_) document.seek(document.journal().size());
+  playing_ = false;
+}
+
+void Session::refresh() {
+  if (document.empty()) return;
+  const HistoryPlace place = document.place();
+  const SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
+  facts_.update(document.mesh(), found);
+  drawing_.update(document.mesh(), view, found);
+  const auto focus = view.operation ? document.focus() : std::nullopt;
+  if (focus != drawn_focus_ || !found.nothing()) {
+    drawing_.highlight_step(document.mesh(), document.journal(), focus);
+    drawn_focus_ = focus;
+  }
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,72 @@
+#pragma once
+// All of the viewer's state that is not on the GPU: document, view, what is under way, and what is to be said.
+
+#include <deque>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <glm/vec2.hpp>
+
+#include "viewer/scene/document.h"
+#include "viewer/scene/loader.h"
+#include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/surface_drawing.h"
+#include "viewer/scene/view.h"
+
+namespace aomd::scene {
+
+struct ScreenshotRequest {
+  std::filesystem::path file;
+  std::optional<glm::ivec2> size;  ///< in pixels; none: as large as the window
+};
+
+/// Changed by commands (see commands.h) and by tick() alone.
+class Session {
+ public:
+  Document document;
+  View view;
+  std::deque<ScreenshotRequest> screenshots;  ///< whoever draws fulfils them
+  std::string status;                         ///< one line: what the last command did
+  std::string error;                          ///< stays until it is dismissed
+  std::optional<std::string> log;             ///< for standard output, once
+  bool quit = false;
+
+  void start_loading(LoadRequest request);
+  void cancel_loading();
+  [[nodiscard]] bool loading() const { return loader_.busy(); }
+  [[nodiscard]] const std::string& loading_name() const { return loader_.name(); }
+
+  void play(bool on);
+  [[nodiscard]] bool playing() const { return playing_; }
+  /// Nothing is loaded, running or played.
+  [[nodiscard]] bool idle() const { return !loading() && !document.running() && !playing_; }
+
+  /// What goes on by itself, for a frame of `frame_s` seconds: loading, a run (about `budget`), playing.
+  void tick(std::chrono::microseconds budget, double frame_s);
+  /// The same until idle() is true. Throws what loading threw.
+  void finish();
+
+  /// Brings facts and drawing up to date. O(what changed).
+  void refresh();
+  [[nodiscard]] const MeshFacts& facts() const { return facts_.facts(); }
+  /// The facts right after loading.
+  [[nodiscard]] const MeshFacts& loaded_facts() const { return loaded_facts_; }
+  [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
+
+ private:
+  void take_loaded(Loader::Result result);
+  void advance_playing(double frame_s);
+  void run_on(std::optional<std::chrono::microseconds> budget);
+
+  Loader loader_;
+  bool playing_ = false;
+  double steps_due_ = 0;
+  ChangeReader changes_;
+  FactsKeeper facts_;
+  MeshFacts loaded_facts_;
+  SurfaceDrawing drawing_;
+  std::optional<std::size_t> drawn_focus_;
+};
+
+}  // namespace aomd::scene

@@ -1,0 +1,192 @@
+#include "viewer/scene/surface_drawing.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace aomd::scene {
+namespace {
+
+constexpr float model_edge_px = 2.4f;
+constexpr float highlighted_edge_px = 4.6f;
+constexpr float model_vertex_px = 4.0f;
+constexpr float highlighted_vertex_px = 6.5f;
+constexpr float step_line_px = 2.6f;
+constexpr float step_disc_px = 5.0f;
+constexpr Color highlight_color = rgb(0xff8a1f);
+constexpr Color plain_color = rgb(0xc4cbd4);
+constexpr Color plain_line_color = rgb(0x3a4656);
+
+bool same(const Corner& a, const Corner& b) {
+  return a.position == b.position && a.normal == b.normal && a.color == b.color && a.flags == b.flags;
+}
+
+template <typename T>
+void set_at(Patched<T>& array, std::size_t i, const T& value) {
+  if (i >= array.size()) array.resize(i + 1);
+  array.set(i, value);
+}
+
+using Side = std::pair<Vertex, Vertex>;
+
+/// The live faces, vertices and sides of faces that a step touched.
+struct Touched {
+  std::vector<Face> faces;
+  std::vector<Vertex> vertices;
+  std::map<Side, int> sides;       ///< how many of the faces use each
+  std::map<Vertex, int> corners;   ///< likewise
+};
+
+Touched touched_by(const Mesh& mesh, const Journal& journal, std::size_t step) {
+  Touched result;
+  journal.touched(step, step + 1, [&](EntityRef e) {
+    if (!mesh.alive(e)) return;
+    if (e.dimension == 2) result.faces.emplace_back(e.index);
+    if (e.dimension == 0) result.vertices.emplace_back(e.index);
+  });
+  // A moved vertex takes its faces with it.
+  for (const Vertex v : result.vertices)
+    for (const Face f : mesh.row<2>(v)) result.faces.push_back(f);
+  std::sort(result.faces.begin(), result.faces.end());
+  result.faces.erase(std::unique(result.faces.begin(), result.faces.end()), result.faces.end());
+  for (const Face f : result.faces) {
+    const auto t = mesh.triangle(f);
+    for (std::size_t i = 0; i < 3; ++i) {
+      ++result.sides[std::minmax(t[i], t[(i + 1) % 3])];
+      ++result.corners[t[i]];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void SurfaceDrawing::set_bounds(const Box& bounds) {
+  drawable_.bounds = bounds;
+  drawable_.origin = bounds.center();
+}
+
+void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
+  Style style{view.coloring, view.hidden, view.highlighted};
+  const bool restyled = style != style_;
+  style_ = std::move(style);
+  if (changes.everything) {
+    rebuild(mesh);
+    return;
+  }
+  patch(mesh, changes);
+  if (restyled) recolor(mesh);
+}
+
+Color SurfaceDrawing::color(ModelRef ref) const {
+  if (style_.coloring == Coloring::Classification) return color_of(ref);
+  return ref.dimension() < 2 ? plain_line_color : plain_color;
+}
+
+void SurfaceDrawing::rebuild(const Mesh& mesh) {
+  drawable_.corners.assign(std::vector<Corner>(3 * std::size_t{mesh.capacity(2)}));
+  drawable_.model_edges.assign({});
+  drawable_.model_vertices.assign({});
+  edge_slots_.clear(mesh.capacity(1));
+  vertex_slots_.clear(mesh.capacity(0));
+  recolor(mesh);
+  for (const Vertex v : mesh.vertices()) draw_normals(mesh, v);
+}
+
+void SurfaceDrawing::recolor(const Mesh& mesh) {
+  for (const Face f : mesh.faces()) draw_face(mesh, f);
+  for (const Edge e : mesh.edges()) draw_edge(mesh, e);
+  for (const Vertex v : mesh.vertices()) draw_vertex(mesh, v);
+}
+
+void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
+  if (drawable_.corners.size() < 3 * std::size_t{mesh.capacity(2)})
+    drawable_.corners.resize(3 * std::size_t{mesh.capacity(2)});
+  for (const Face f : changes.faces) draw_face(mesh, f);
+  for (const Edge e : changes.edges) draw_edge(mesh, e);
+  for (const Vertex v : changes.vertices) {
+    draw_vertex(mesh, v);
+    if (mesh.alive(v)) draw_normals(mesh, v);
+  }
+}
+
+void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
+  const std::size_t first = 3 * std::size_t{face.index};
+  if (first >= drawable_.corners.size()) return;  // came and went between two looks
+  const bool alive = mesh.alive(face);
+  const ModelRef model = alive ? mesh.classification(face) : ModelRef();
+  const bool drawn = alive && !hidden(model);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Corner corner;
+    if (alive) corner.normal = drawable_.corners[first + i].normal;
+    if (drawn) {
+      corner.position = place(mesh, mesh.triangle(face)[i]);
+      corner.color = color(model);
+      corner.flags = highlighted(model) ? static_cast<std::uint32_t>(CornerFlag::highlighted) : 0;
+    }
+    if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);
+  }
+}
+
+void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
+  const ModelRef model = mesh.alive(edge) ? mesh.classification(edge) : ModelRef();
+  if (model.dimension() != 1 || hidden(model)) {
+    const std::uint32_t slot = edge_slots_.find(edge);
+    if (slot == Slots<Edge>::none) return;
+    drawable_.model_edges.set(slot, {});
+    edge_slots_.release(edge);
+    return;
+  }
+  const auto [a, b] = mesh.edge_vertices(edge);
+  const bool bright = highlighted(model);
+  set_at(drawable_.model_edges, edge_slots_.take(edge),
+         Segment{place(mesh, a), place(mesh, b), bright ? highlight_color : color(model),
+                 bright ? highlighted_edge_px : model_edge_px});
+}
+
+void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
+  const ModelRef model = mesh.alive(vertex) ? mesh.classification(vertex) : ModelRef();
+  if (model.dimension() != 0 || hidden(model)) {
+    const std::uint32_t slot = vertex_slots_.find(vertex);
+    if (slot == Slots<Vertex>::none) return;
+    drawable_.model_vertices.set(slot, {});
+    vertex_slots_.release(vertex);
+    return;
+  }
+  const bool bright = highlighted(model);
+  set_at(drawable_.model_vertices, vertex_slots_.take(vertex),
+         Disc{place(mesh, vertex), bright ? highlight_color : color(model),
+              bright ? highlighted_vertex_px : model_vertex_px});
+}
+
+void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {
+  for (const CornerNormals::Corner& c : normals_.at(mesh, vertex)) {
+    const std::size_t i = 3 * std::size_t{c.face.index} + c.slot;
+    const std::uint32_t packed = pack_normal(c.normal);
+    if (drawable_.corners[i].normal == packed) continue;
+    Corner corner = drawable_.corners[i];
+    corner.normal = packed;
+    drawable_.corners.set(i, corner);
+  }
+}
+
+void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
+                                    std::optional<std::size_t> step) {
+  std::vector<Segment> lines;
+  std::vector<Disc> discs;
+  if (step && journal.step(*step).kind != StepKind::Classify) {
+    const Touched touched = touched_by(mesh, journal, *step);
+    for (const auto& [side, uses] : touched.sides)
+      lines.push_back({place(mesh, side.first), place(mesh, side.second), highlight_color,
+                       uses > 1 ? 0.6f * step_line_px : step_line_px});
+    // The vertex that all the faces share: a collapse's kept end, a smoothing's moved vertex.
+    for (const auto& [vertex, uses] : touched.corners)
+      if (journal.step(*step).kind != StepKind::Swap && uses == static_cast<int>(touched.faces.size()) &&
+          uses > 1)
+        discs.push_back({place(mesh, vertex), highlight_color, step_disc_px});
+  }
+  if (!lines.empty() || !drawable_.highlight_lines.empty()) drawable_.highlight_lines.assign(std::move(lines));
+  if (!discs.empty() || !drawable_.highlight_discs.empty()) drawable_.highlight_discs.assign(std::move(discs));
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,94 @@
+#pragma once
+// Fills a Drawable from a mesh and keeps it in step, touching no more than what changed.
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/mesh/column.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/mesh.h"
+#include "viewer/scene/corner_normals.h"
+#include "viewer/scene/drawable.h"
+#include "viewer/scene/surface_changes.h"
+#include "viewer/scene/view.h"
+
+namespace aomd::scene {
+
+/// Places of an array for entities that come and go: the place of a dead one is given to the next.
+template <typename H>
+class Slots {
+ public:
+  static constexpr std::uint32_t none = no_index;
+  void clear(std::size_t capacity) {
+    slot_.assign(capacity, none);
+    free_.clear();
+    used_ = 0;
+  }
+  [[nodiscard]] std::uint32_t find(H h) const { return h.index < slot_.size() ? slot_[h] : none; }
+  std::uint32_t take(H h) {
+    if (h.index >= slot_.size()) slot_.resize(h.index + 1, none);
+    if (slot_[h] == none) slot_[h] = free_.empty() ? used_++ : pop();
+    return slot_[h];
+  }
+  void release(H h) {
+    free_.push_back(slot_[h]);
+    slot_[h] = none;
+  }
+
+ private:
+  std::uint32_t pop() {
+    const std::uint32_t last = free_.back();
+    free_.pop_back();
+    return last;
+  }
+  Column<H, std::uint32_t> slot_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t used_ = 0;
+};
+
+/// Face f is drawn in slot f. The mesh must store T(0,1), T(0,2) and T(2,0).
+class SurfaceDrawing {
+ public:
+  /// The box of the mesh as it was loaded: it gives the origin, and a camera that does not move.
+  void set_bounds(const Box& bounds);
+  /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
+  void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
+  /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
+  /// records).
+  void highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step);
+
+  [[nodiscard]] const Drawable& drawable() const { return drawable_; }
+  /// For the one who uploads, to make it clean.
+  [[nodiscard]] Drawable& drawable() { return drawable_; }
+
+ private:
+  /// What colours depend on besides the mesh.
+  struct Style {
+    Coloring coloring = Coloring::Classification;
+    std::set<ModelRef> hidden;
+    std::optional<ModelRef> highlighted;
+    friend bool operator==(const Style&, const Style&) = default;
+  };
+  void rebuild(const Mesh& mesh);
+  void recolor(const Mesh& mesh);
+  void patch(const Mesh& mesh, const SurfaceChanges& changes);
+  void draw_face(const Mesh& mesh, Face face);
+  void draw_edge(const Mesh& mesh, Edge edge);
+  void draw_vertex(const Mesh& mesh, Vertex vertex);
+  void draw_normals(const Mesh& mesh, Vertex vertex);
+  [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
+  [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
+  [[nodiscard]] Color color(ModelRef ref) const;
+  [[nodiscard]] glm::vec3 place(const Mesh& mesh, Vertex v) const {
+    return glm::vec3(mesh.position(v) - drawable_.origin);
+  }
+
+  Drawable drawable_;
+  Style style_;
+  CornerNormals normals_;
+  Slots<Edge> edge_slots_;
+  Slots<Vertex> vertex_slots_;
+};
+
+}  // namespace aomd::scene

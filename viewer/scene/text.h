@@ -1,0 +1,21 @@
+#pragma once
+// Numbers as people read them.
+
+#include <cstdint>
+#include <string>
+
+namespace aomd::scene {
+
+/// "69,451".
+[[nodiscard]] std::string grouped(std::int64_t n);
+
+/// "+12", "−1,234", "±0".
+[[nodiscard]] std::string signed_grouped(std::int64_t n);
+
+/// "934 B", "1.4 KB", "21.7 MB": powers of 1000.
+[[nodiscard]] std::string bytes_text(std::size_t bytes);
+
+/// The shortest text with at most `digits` after the point: "10", "2.5".
+[[nodiscard]] std::string short_number(double value, int digits = 3);
+
+}  // namespace aomd::scene

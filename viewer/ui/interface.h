@@ -1,0 +1,45 @@
+#pragma once
+// All of the interface: one call a frame.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/scene/session.h"
+#include "viewer/ui/dialogs.h"
+#include "viewer/ui/layout.h"
+#include "viewer/ui/panels.h"
+#include "viewer/ui/recent_files.h"
+#include "viewer/ui/theme.h"
+
+namespace aomd::ui {
+
+/// Between ImGui::NewFrame and ImGui::Render. Reads the session, emits lines, and never changes anything else.
+class Interface {
+ public:
+  RecentFiles recent;
+  bool bars = true;         ///< false for --no-ui: nothing is drawn
+  bool interactive = true;  ///< false without a window
+
+  /// Draws everything; what is left for the scene is layout().viewport.
+  [[nodiscard]] std::vector<std::string> draw(const scene::Session& session, const Fonts& fonts);
+  /// The line that a chord means now; empty where it means nothing or goes into a field.
+  [[nodiscard]] static std::string line_for_chord(const scene::Session& session, std::string_view chord);
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  void remember_folder(const std::filesystem::path& folder) { dialogs_.meshes.set_folder(folder); }
+
+ private:
+  void draw_panels(Frame& frame);
+  void handle_mouse(Frame& frame);
+
+  Layout layout_;
+  DialogState dialogs_;
+  DecimationDrafts drafts_;
+  bool dragging_ = false;  ///< a drag that began on the scene
+};
+
+[[nodiscard]] inline ThemeKind theme_kind(scene::Theme theme) {
+  return theme == scene::Theme::Dark ? ThemeKind::Dark : ThemeKind::Light;
+}
+
+}  // namespace aomd::ui

@@ -1,0 +1,118 @@
+#include "viewer/ui/menu_bar.h"
+
+#include <string>
+
+#include "core/samples/samples.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+namespace {
+
+void recent_menu(Frame& frame, const RecentFiles& recent) {
+  if (!ImGui::BeginMenu("Recent files", !recent.paths().empty())) return;
+  for (const std::filesystem::path& path : recent.paths()) {
+    if (ImGui::MenuItem((path.filename().string() + "##" + path.string()).c_str()))
+      frame.emit("open \"" + path.string() + "\"");
+    tooltip(path.string());
+  }
+  ImGui::EndMenu();
+}
+
+void samples_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Samples")) return;
+  for (const SampleInfo& sample : samples()) {
+    command_item(frame, std::string(sample.name).c_str(), "sample " + std::string(sample.name));
+    tooltip(sample.description);
+  }
+  ImGui::EndMenu();
+}
+
+void file_menu(Frame& frame, const RecentFiles& recent) {
+  if (!ImGui::BeginMenu("File")) return;
+  command_item(frame, "Open\u2026", "dialog open");
+  recent_menu(frame, recent);
+  samples_menu(frame);
+  ImGui::Separator();
+  command_item(frame, "Save as\u2026", "dialog save", false, frame.has_mesh());
+  command_item(frame, "Screenshot\u2026", "dialog screenshot");
+  ImGui::Separator();
+  command_item(frame, "Quit", "quit");
+  ImGui::EndMenu();
+}
+
+void edit_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Edit")) return;
+  command_item(frame, "Undo", "undo", false, frame.document().can_undo());
+  command_item(frame, "Redo", "redo", false, frame.document().can_redo());
+  command_item(frame, "Reset", "reset", false, frame.document().can_undo());
+  ImGui::Separator();
+  command_item(frame, "Step", "step", false, frame.has_mesh());
+  command_item(frame, "Step back", "step -1", false, frame.document().can_undo());
+  command_item(frame, "Sweep", "sweep", false, frame.has_mesh());
+  command_item(frame, "Swap", "swap", false, frame.has_mesh());
+  command_item(frame, "Smooth", "smooth", false, frame.has_mesh());
+  command_item(frame, "Improve", "improve", false, frame.has_mesh());
+  ImGui::Separator();
+  command_item(frame, "Run", "run", false, frame.has_mesh());
+  command_item(frame, "Cancel", "cancel", false, !frame.session.idle());
+  ImGui::EndMenu();
+}
+
+void camera_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Camera", frame.has_mesh())) return;
+  for (const char* name : {"Iso", "Front", "Back", "Left", "Right", "Top", "Bottom"}) {
+    std::string line = std::string("camera ") + name;
+    line[7] = static_cast<char>(line[7] - 'A' + 'a');
+    command_item(frame, name, line);
+  }
+  ImGui::Separator();
+  const scene::Camera& camera = frame.session.view.camera;
+  command_item(frame, "Orthographic", camera.orthographic ? "camera perspective" : "camera orthographic",
+               camera.orthographic);
+  const bool z_up = camera.up_axis == scene::UpAxis::Z;
+  command_item(frame, "Z is up", z_up ? "camera up=y" : "camera up=z", z_up);
+  ImGui::EndMenu();
+}
+
+void view_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("View")) return;
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
+  camera_menu(frame);
+  ImGui::Separator();
+  command_item(frame, "Surface", "show surface toggle", view.surface);
+  command_item(frame, "Edges", "show edges toggle", view.edges);
+  command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
+  command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
+  command_item(frame, "Last operation", "show operation toggle", view.operation);
+  ImGui::Separator();
+  command_item(frame, "Colour by classification", "color classification",
+               view.coloring == scene::Coloring::Classification);
+  command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
+  ImGui::Separator();
+  command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
+  command_item(frame, "Decimation panel", "panel decimation toggle", view.panels.decimation);
+  command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
+  command_item(frame, "All panels", "panel all toggle");
+  ImGui::Separator();
+  command_item(frame, "Dark theme", "theme toggle", view.theme == scene::Theme::Dark);
+  ImGui::EndMenu();
+}
+
+void help_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Help")) return;
+  command_item(frame, "Keyboard and mouse", "dialog shortcuts");
+  command_item(frame, "About", "dialog about");
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+void menu_bar(Frame& frame, const RecentFiles& recent) {
+  file_menu(frame, recent);
+  edit_menu(frame);
+  view_menu(frame);
+  help_menu(frame);
+}
+
+}  // namespace aomd::ui

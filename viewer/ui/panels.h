@@ -1,0 +1,27 @@
+#pragma once
+// The panels. Each draws the content of a window that the caller has begun.
+
+#include "viewer/ui/frame.h"
+
+namespace aomd::ui {
+
+/// File, counts and their change since loading, memory.
+void mesh_panel(Frame& frame);
+/// Model entities by dimension: rows toggle and highlight. Scrolls in what is left of the window.
+void legend_panel(Frame& frame);
+
+/// What a panel remembers while a value is being typed or dragged and not to be emitted yet.
+struct DecimationDrafts {
+  double feature_angle_deg = 20;
+  bool editing_feature_angle = false;
+};
+/// Options, operations, progress and refusals.
+void decimation_panel(Frame& frame, DecimationDrafts& drafts);
+
+/// The whole history as a strip to scrub through, with buttons.
+void timeline_panel(Frame& frame);
+
+/// One line about what happened last and what there is.
+void status_bar(Frame& frame);
+
+}  // namespace aomd::ui

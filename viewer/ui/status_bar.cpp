@@ -1,0 +1,23 @@
+#include "viewer/scene/text.h"
+#include "viewer/ui/panels.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+
+void status_bar(Frame& frame) {
+  std::string right;
+  if (frame.has_mesh()) {
+    const scene::MeshFacts& facts = frame.session.facts();
+    right = scene::grouped(facts.faces) + " faces";
+    const auto loaded = static_cast<double>(frame.session.loaded_facts().faces);
+    if (facts.faces != frame.session.loaded_facts().faces && loaded > 0)
+      right += " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
+  }
+  const float right_width = ImGui::CalcTextSize(right.c_str()).x;
+  const float left_width = ImGui::GetContentRegionAvail().x - right_width - em();
+  muted(frame, fitted(frame.session.status, left_width));
+  ImGui::SameLine();
+  text_right(right);
+}
+
+}  // namespace aomd::ui
