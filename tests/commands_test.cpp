@@ -53,7 +53,8 @@ TEST(Commands, WhatTakesNoArgumentsRefusesThem) {
   Session session;
   test::drive(session, {"sample sphere 8"});
   for (const Command& command : commands())
-    if (command.arguments.empty()) EXPECT_THROW(execute(session, std::string(command.name) + " surplus"), CommandError) << command.name;
+    if (command.arguments.empty())
+      EXPECT_THROW(execute(session, std::string(command.name) + " surplus"), CommandError) << command.name;
 }
 
 TEST(Commands, EmptyLinesAndCommentsDoNothing) {

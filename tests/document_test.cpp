@@ -59,7 +59,7 @@ TEST(Document, NewWorkAfterUndoCutsWhatWasUndone) {
 
 TEST(Document, CommandsThatDoNothingKeepWhatCanBeRedone) {
   Session s;
-  drive(s, {"sample sphere 12", "factor 1", "run"});
+  drive(s, {"sample sphere 12", "improve-passes 0", "factor 1", "run"});
   drive(s, {"factor 8", "step 4", "undo"});
   const std::size_t before = size(s);
   drive(s, {"factor 1", "step"});
@@ -161,13 +161,31 @@ TEST(Errors, CancelledLoadingIsDropped) {
 
 TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
   Session s;
-  for (const char* line : {"nonsense", "open", "sample", "sample cow", "step", "factor", "color verdict", "camera iso"})
+  for (const char* line :
+       {"nonsense", "open", "sample", "sample cow", "step", "factor", "color verdict", "camera iso"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   drive(s, {"sample sphere 8"});
-  for (const char* line : {"factor x", "factor 0.5", "factor 4 5", "angle 181", "step x", "topology unsafe", "undo 2",
-                           "color verdict", "show ghosts on", "show edges maybe", "highlight face", "hide blob:3",
-                           "panel side on", "theme blue", "zoom 0", "screenshot", "screenshot a.png 10y10",
-                           "expect faces", "expect faces ~ 3", "expect beauty = 3", "expect faces = many"})
+  for (const char* line : {"factor x",
+                           "factor 0.5",
+                           "factor 4 5",
+                           "angle 181",
+                           "step x",
+                           "topology unsafe",
+                           "undo 2",
+                           "color verdict",
+                           "show ghosts on",
+                           "show edges maybe",
+                           "highlight face",
+                           "hide blob:3",
+                           "panel side on",
+                           "theme blue",
+                           "zoom 0",
+                           "screenshot",
+                           "screenshot a.png 10y10",
+                           "expect faces",
+                           "expect faces ~ 3",
+                           "expect beauty = 3",
+                           "expect faces = many"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   try {
     execute(s, "color verdict");
@@ -201,7 +219,8 @@ TEST(Script, NamesTheLineThatMissed) {
     }
     FAIL();
   } catch (const ScriptError& error) {
-    EXPECT_NE(std::string(error.what()).find(file.string() + ":5: expected faces = 3, but it is"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find(file.string() + ":5: expected faces = 3, but it is"),
+              std::string::npos)
         << error.what();
   }
   std::filesystem::remove(file);

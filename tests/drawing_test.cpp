@@ -77,10 +77,24 @@ void follow_randomly(const std::string& sample, unsigned seed) {
   Session s;
   drive(s, {sample, "angle 40", "factor 8"});
   std::mt19937 random(seed);
-  const std::vector<std::string> moves = {"step",    "step 7", "step -1",       "step -5",       "undo",
-                                          "redo",    "swap",   "smooth",        "hide face:1 toggle",
-                                          "highlight face:1", "highlight", "feature-angle 30", "feature-angle off",
-                                          "seek 11", "sweep",  "topology paper", "topology safe", "step 30"};
+  const std::vector<std::string> moves = {"step",
+                                          "step 7",
+                                          "step -1",
+                                          "step -5",
+                                          "undo",
+                                          "redo",
+                                          "swap",
+                                          "smooth",
+                                          "hide face:1 toggle",
+                                          "highlight face:1",
+                                          "highlight",
+                                          "feature-angle 30",
+                                          "feature-angle off",
+                                          "seek 11",
+                                          "sweep",
+                                          "topology paper",
+                                          "topology safe",
+                                          "step 30"};
   for (int i = 0; i < 60; ++i) {
     const std::string& move = moves[random() % moves.size()];
     SCOPED_TRACE(sample + ", move " + std::to_string(i) + ": " + move);
@@ -93,8 +107,8 @@ void follow_randomly(const std::string& sample, unsigned seed) {
 }
 
 TEST(Drawing, PatchedIsAsFromScratch) {
-  for (const char* sample : {"sample sphere 12", "sample bracket 4", "sample torus 16", "sample nonmanifold 4",
-                             "sample plane-hole 4", "sample cylinder 8"})
+  for (const char* sample : {"sample sphere 12", "sample bracket 4", "sample torus 16",
+                             "sample nonmanifold 4", "sample plane-hole 4", "sample cylinder 8"})
     for (const unsigned seed : {1u, 2u, 3u}) {
       follow_randomly(sample, seed);
       if (HasFailure()) return;
@@ -164,7 +178,8 @@ TEST(Drawing, HiddenFacesAreDeadSlotsAndHighlightedOnesBrightWithoutAFreshStart)
   drive(s, {"highlight face:1"});
   const auto flagged = [&] {
     const auto corners = s.drawing().drawable().corners.values();
-    return std::count_if(corners.begin(), corners.end(), [](const Corner& c) { return c.flags == highlighted; });
+    return std::count_if(corners.begin(), corners.end(),
+                         [](const Corner& c) { return c.flags == highlighted; });
   };
   EXPECT_EQ(flagged(), 3 * 18);
   drive(s, {"hide face:1"});

@@ -35,7 +35,8 @@ class TurnLimit {
 /// The cosine of the angle between two vectors; 0 where one has no length.
 [[nodiscard]] double cosine_between(const glm::dvec3& a, const glm::dvec3& b);
 
-/// True when a triangle has no area worth the name: an area normal shorter than 1e-12 of its squared sides at `a`.
+/// True when a triangle has no area worth the name: an area normal shorter than 1e-12 of its squared sides at
+/// `a`.
 [[nodiscard]] inline bool is_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                   const glm::dvec3& normal) {
   const glm::dvec3 u = b - a, v = c - a;

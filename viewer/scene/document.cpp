@@ -10,7 +10,8 @@ namespace aomd::scene {
 
 HistoryPlace Document::place() const {
   if (!loaded_) return {generation_, 0, 0, 0};
-  return {generation_, journal().epoch(), journal().cursor(), last_cut_};
+  const std::size_t last_cut = journal().epoch() == epoch_at_mark_ ? last_cut_ : mark_begin_;
+  return {generation_, journal().epoch(), journal().cursor(), last_cut};
 }
 
 const HistoryMark& Document::mark_of(std::size_t step) const {
@@ -39,7 +40,8 @@ void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   loaded_ = std::move(loaded);
   marks_.clear();
   ++generation_;
-  last_cut_ = 0;
+  last_cut_ = mark_begin_ = 0;
+  epoch_at_mark_ = 0;
   running_ = stale_ = focused_ = false;
 }
 
@@ -57,7 +59,8 @@ Decimation& Document::prepared() {
 
 void Document::open_mark(std::string label) {
   const std::size_t cursor = journal().cursor();
-  last_cut_ = cursor;
+  if (journal().epoch() != epoch_at_mark_) last_cut_ = mark_begin_;
+  mark_begin_ = cursor;
   const auto undone = std::find_if(marks_.begin(), marks_.end(),
                                    [&](const HistoryMark& m) { return m.begin >= cursor; });
   undone_marks_.assign(std::make_move_iterator(undone), std::make_move_iterator(marks_.end()));

@@ -85,9 +85,10 @@ class Document {
   ClassifyOptions classify_;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
+  std::size_t mark_begin_ = 0;         ///< where the last command began, which cut there if the epoch has changed since
   std::uint64_t epoch_at_mark_ = 0;
   std::uint64_t generation_ = 0;
-  std::size_t last_cut_ = 0;
+  std::size_t last_cut_ = 0;  ///< by the commands before the last
   bool running_ = false;
   bool stale_ = false;  ///< the decimation does not know yet that the history was moved
   bool focused_ = false;

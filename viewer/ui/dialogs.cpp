@@ -76,7 +76,7 @@ void draw_keys(const Frame& frame) {
 }
 
 void draw_shortcuts(const Frame& frame) {
-  const float below = ImGui::GetFrameHeightWithSpacing() + 0.5f * em();
+  const float below = ImGui::GetFrameHeightWithSpacing() + 1.2f * em();
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("keys", 2, flags, {0, ImGui::GetContentRegionAvail().y - below})) return;
   ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 11 * em());
@@ -107,8 +107,6 @@ void draw_content(Frame& frame, DialogState& state, bool appearing) {
     default: return draw_browser(frame, state, appearing);
   }
   gap(0.2f);
-  same_line_right(0);
-  ImGui::NewLine();
   const float width = 6 * em();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
   if (ImGui::Button("Close", {width, 0})) frame.emit("dialog none");
@@ -166,7 +164,7 @@ void draw_dialogs(Frame& frame, DialogState& state) {
   ImGui::SetNextWindowSize(size_of(wanted));
   bool open = true;
   const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoCollapse;
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoScrollbar;
   if (!ImGui::BeginPopupModal(title, &open, flags)) return;
   draw_content(frame, state, appearing);
   ImGui::EndPopup();

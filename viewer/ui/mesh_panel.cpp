@@ -50,7 +50,7 @@ void file_line(const Frame& frame) {
   const scene::LoadedMesh& content = frame.document().content();
   heading(frame, fitted(content.name, ImGui::GetContentRegionAvail().x).c_str());
   tooltip(content.file.empty() ? "A built-in sample" : content.file.string());
-  muted(frame, content.classified_by_file() ? "Classified by its file" : "Classified by feature angle");
+  muted(frame, content.classified_by_file() ? "Classified by its source" : "Classified by feature angle");
   tooltip("Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says wins; "
           "the rest follows from feature angles.");
 }
