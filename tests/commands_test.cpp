@@ -52,9 +52,10 @@ TEST(Commands, EveryOneIsListedInTheHelp) {
 TEST(Commands, WhatTakesNoArgumentsRefusesThem) {
   Session session;
   test::drive(session, {"sample sphere 8"});
-  for (const Command& command : commands())
-    if (command.arguments.empty())
-      EXPECT_THROW(execute(session, std::string(command.name) + " surplus"), CommandError) << command.name;
+  for (const Command& command : commands()) {
+    if (!command.arguments.empty()) continue;
+    EXPECT_THROW(execute(session, std::string(command.name) + " surplus"), CommandError) << command.name;
+  }
 }
 
 TEST(Commands, EmptyLinesAndCommentsDoNothing) {

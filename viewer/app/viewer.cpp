@@ -20,7 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds run_budget{8};  // of a frame: the rest is for drawing
+// A run gets as long as drawing takes, within these bounds: slow drawing must not starve it, nor it the window.
+constexpr std::chrono::microseconds least_budget{8000};
+constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
 constexpr int frames_of_picture = 3;
@@ -79,7 +81,12 @@ void Viewer::update_look(float scale) {
 void Viewer::update_aspect() {
   const ui::Layout layout =
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, options_.interface, em_);
+  const double before = session_.view.aspect;
   session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+  // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
+  const double widest = 1.4;
+  if (!session_.document.empty())
+    session_.view.camera.distance *= std::min(before, widest) / std::min(session_.view.aspect, widest);
 }
 
 render::RenderSettings Viewer::settings() const {
@@ -186,7 +193,7 @@ void Viewer::after_loading() {
 
 void Viewer::tick(double frame_s) {
   try {
-    session_.tick(run_budget, frame_s);
+    session_.tick(std::clamp(drawing_time_, least_budget, most_budget), frame_s);
     after_loading();
   } catch (const std::exception& error) {
     if (in_script_) script_.fail();
@@ -227,8 +234,10 @@ void Viewer::run_window() {
     tick(std::chrono::duration<double>(now - last).count());
     last = now;
     advance_script();
+    const auto drawing = Clock::now();
     draw_frame(window_.framebuffer_size(), 0);
     window_.present();
+    drawing_time_ = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - drawing);
     for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);
     print_log();
     try {

@@ -1,9 +1,12 @@
 #pragma once
 // The viewer: a session, an interface and a renderer in a window, or without one.
 
+#include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
@@ -73,6 +76,7 @@ class Viewer {
   float em_ = 16;
   std::uint64_t seen_generation_ = 0;
   bool in_script_ = false;
+  std::chrono::microseconds drawing_time_{0};  ///< of the last frame in the window
 };
 
 }  // namespace aomd::app

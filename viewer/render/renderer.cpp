@@ -118,6 +118,8 @@ void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
   gl_.DepthFunc(GL_LEQUAL);
   if (settings.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
   if (settings.show_surface) draw_surface(buffers.corners, frame);
+  // The soft rims of lines must not keep out the lines that go on behind them.
+  gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -126,6 +128,7 @@ void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
   draw_strokes(buffers.highlight_lines);
   if (settings.show_model_vertices) draw_strokes(buffers.model_vertices);
   draw_strokes(buffers.highlight_discs);
+  gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_DEPTH_TEST);

@@ -100,6 +100,8 @@ void step(Session& session, Arguments& arguments) {
   const auto back = static_cast<std::size_t>(-count);
   const std::size_t cursor = document.journal().cursor();
   document.seek(back < cursor ? cursor - back : 0);
+  session.status = "Step back: operation " + grouped(static_cast<std::int64_t>(document.journal().cursor())) + " of " +
+                   grouped(static_cast<std::int64_t>(document.journal().size()));
 }
 
 void sweep(Session& session, Arguments& arguments) {

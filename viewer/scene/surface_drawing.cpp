@@ -9,13 +9,19 @@ namespace {
 
 constexpr float model_edge_px = 2.4f;
 constexpr float highlighted_edge_px = 4.6f;
-constexpr float model_vertex_px = 4.0f;
 constexpr float highlighted_vertex_px = 6.5f;
 constexpr float step_line_px = 2.6f;
 constexpr float step_disc_px = 5.0f;
-constexpr Color highlight_color = rgb(0xff8a1f);
+constexpr Color highlight_color = rgb(0xff2f92);
 constexpr Color plain_color = rgb(0xc4cbd4);
 constexpr Color plain_line_color = rgb(0x3a4656);
+
+/// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
+float vertex_radius_px(const Mesh& mesh) {
+  const ClassLists* lists = mesh.class_lists();
+  const std::size_t count = lists == nullptr ? 0 : lists->models(0).size();
+  return count <= 100 ? 4.0f : count <= 600 ? 2.8f : 1.8f;
+}
 
 bool same(const Corner& a, const Corner& b) {
   return a.position == b.position && a.normal == b.normal && a.color == b.color && a.flags == b.flags;
@@ -67,7 +73,8 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
 }
 
 void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
-  Style style{view.coloring, view.hidden, view.highlighted};
+  const bool changed = !changes.nothing();
+  Style style{view.coloring, view.hidden, view.highlighted, changed ? vertex_radius_px(mesh) : style_.vertex_px};
   const bool restyled = style != style_;
   style_ = std::move(style);
   if (changes.everything) {
@@ -156,7 +163,7 @@ void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
   const bool bright = highlighted(model);
   set_at(drawable_.model_vertices, vertex_slots_.take(vertex),
          Disc{place(mesh, vertex), bright ? highlight_color : color(model),
-              bright ? highlighted_vertex_px : model_vertex_px});
+              bright ? highlighted_vertex_px : style_.vertex_px});
 }
 
 void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {

@@ -68,6 +68,7 @@ class SurfaceDrawing {
     Coloring coloring = Coloring::Classification;
     std::set<ModelRef> hidden;
     std::optional<ModelRef> highlighted;
+    float vertex_px = 0;  ///< radius of model vertices: smaller where there are very many
     friend bool operator==(const Style&, const Style&) = default;
   };
   void rebuild(const Mesh& mesh);

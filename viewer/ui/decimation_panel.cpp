@@ -63,7 +63,10 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
 
 void topology_control(Frame& frame, const DecimationOptions& options) {
   label(frame, "Topology", "");
-  ImGui::SameLine(6.2f * em());
+  if (ImGui::GetContentRegionAvail().x > 14.5f * em())
+    ImGui::SameLine(6.2f * em());
+  else
+    ImGui::SameLine(0, 0.4f * em());
   const bool safe = options.topology == TopologyRule::Safe;
   if (ImGui::RadioButton("Safe", safe)) frame.emit("topology safe");
   tooltip("A collapse must keep the topology: link condition, so the Euler number stays.");
