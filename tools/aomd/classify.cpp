@@ -31,7 +31,9 @@ int run(const Options& options) {
     std::cerr << "aomd: note: " << options.input
               << ": its own classification was kept; --replace derives all anew\n";
   std::cout << options.output << ": " << result.model_vertices << " model vertices, " << result.model_edges
-            << " model edges, " << result.model_faces << " model faces\n";
+            << " model edges, " << result.model_faces
+            << " model faces; sharp edges: " << result.features.sharp << " features, "
+            << result.features.rough << " roughness\n";
   return done;
 }
 

@@ -50,8 +50,8 @@ int compare(const Options& options, const io::Image& result) {
   const fs::path shown = beside(picture, "diff");
   io::write_png(shown, measure::difference_picture(baseline, result));
   const std::string why = difference.same_size
-                              ? "structural similarity " + scene::short_number(difference.ssim, 5) + " is below " +
-                                    scene::short_number(options.threshold, 5) + ", " +
+                              ? "structural similarity " + scene::short_number(difference.ssim, 5) +
+                                    " is below " + scene::short_number(options.threshold, 5) + ", " +
                                     std::to_string(difference.differing_pixels) + " pixels differ"
                               : "the sizes differ";
   std::cerr << "aomd-view: not as " << options.compare.string() << ": " << why << "; result "

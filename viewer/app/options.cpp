@@ -42,28 +42,36 @@ struct Raw {
 void add_options(CLI::App& app, Raw& raw) {
   const std::map<std::string, HeadlessKind> kinds = {
       {"auto", HeadlessKind::Auto}, {"osmesa", HeadlessKind::OsMesa}, {"egl", HeadlessKind::Egl}};
-  const std::map<std::string, scene::Theme> themes = {{"light", scene::Theme::Light}, {"dark", scene::Theme::Dark}};
+  const std::map<std::string, scene::Theme> themes = {{"light", scene::Theme::Light},
+                                                      {"dark", scene::Theme::Dark}};
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.add_option("FILE", raw.options.file, "The mesh to show: OBJ, PLY, OFF or STL; a sample when none is given");
-  app.add_option("--headless", raw.headless, "No window: draw with OSMesa or EGL, whichever works or the one named")
+  app.add_option("FILE", raw.options.file,
+                 "The mesh to show: OBJ, PLY, OFF or STL; a sample when none is given");
+  app.add_option("--headless", raw.headless,
+                 "No window: draw with OSMesa or EGL, whichever works or the one named")
       ->transform(CLI::CheckedTransformer(kinds))
       ->type_name("[=osmesa|egl]");
   app.add_option("--size", raw.size, "Size of the window or picture in pixels (default 1280x800)")
       ->type_name("WxH")
       ->check(check_size);
   app.add_option("--script", raw.options.script, "Commands to carry out, one a line")->type_name("FILE");
-  app.add_option("--screenshot", raw.options.screenshot, "Write a picture and end; implies --headless")->type_name("OUT.png");
-  app.add_option("--camera", raw.options.camera, "As the command camera: \"iso\", \"front orthographic zoom=2\"")
+  app.add_option("--screenshot", raw.options.screenshot, "Write a picture and end; implies --headless")
+      ->type_name("OUT.png");
+  app.add_option("--camera", raw.options.camera,
+                 "As the command camera: \"iso\", \"front orthographic zoom=2\"")
       ->type_name("SPEC");
   app.add_option("--compare", raw.options.compare, "Compare the picture with this one; implies --headless")
       ->type_name("BASELINE.png");
   app.add_option("--threshold", raw.options.threshold,
                  "Structural similarity that counts as equal; 1 is identical (default 0.99)")
       ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--record", raw.options.record, "Write every command that is carried out: a script for later")
+  app.add_option("--record", raw.options.record,
+                 "Write every command that is carried out: a script for later")
       ->type_name("FILE");
   app.add_option("--shaders", raw.options.shaders, "Read the shaders from this folder")->type_name("DIR");
-  app.add_option("--theme", raw.options.theme, "light or dark")->transform(CLI::CheckedTransformer(themes))->type_name("light|dark");
+  app.add_option("--theme", raw.options.theme, "light or dark")
+      ->transform(CLI::CheckedTransformer(themes))
+      ->type_name("light|dark");
   app.add_flag("--no-ui", raw.no_ui, "The mesh alone, without panels");
   app.add_flag("--commands-markdown", raw.markdown, "Print docs/COMMANDS.md and end");
   app.set_version_flag("--version", "aomd-view " AOMD_VERSION);

@@ -15,7 +15,7 @@ namespace aomd::app {
 /// What the process ends with.
 enum ExitCode : int {
   exit_done = 0,
-  exit_no = 1,          ///< an expectation or a comparison says no
+  exit_no = 1,  ///< an expectation or a comparison says no
   exit_usage = 2,
   exit_unreadable = 3,
   exit_unwritten = 4,

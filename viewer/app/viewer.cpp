@@ -20,7 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A run gets as long as drawing takes, within these bounds: slow drawing must not starve it, nor it the window.
+// A run gets as long as drawing takes, within these bounds: slow drawing must not starve it, nor it the
+// window.
 constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
@@ -48,14 +49,16 @@ Viewer::Viewer(Window& window, const Options& options, bool headless)
       headless_(headless),
       gl_(render::load_gl(window.get_proc_address())),
       fonts_(ui::load_fonts(1)),
-      layer_(std::make_unique<ui::ImGuiLayer>(gl_, render::load_shader_sources(folder_or_none(options.shaders)))),
+      layer_(std::make_unique<ui::ImGuiLayer>(gl_,
+                                              render::load_shader_sources(folder_or_none(options.shaders)))),
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
       buffers_(gl_) {
   session_.view.theme = options.theme;
   interface_.bars = options.interface;
   interface_.interactive = !headless;
   if (!headless) interface_.recent = ui::RecentFiles(ui::recent_files_path());
-  if (!interface_.recent.paths().empty()) interface_.remember_folder(interface_.recent.paths().front().parent_path());
+  if (!interface_.recent.paths().empty())
+    interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
   if (!options.record.empty()) {
     record_.open(options.record);
@@ -123,8 +126,8 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
   const int top = at(area.position.y * scale.y);
   const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
   const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  renderer_.render(buffers_, session_.view.camera, settings(), {left, pixels.y - bottom, right - left, bottom - top},
-                   destination);
+  renderer_.render(buffers_, session_.view.camera, settings(),
+                   {left, pixels.y - bottom, right - left, bottom - top}, destination);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
@@ -133,7 +136,8 @@ io::Image Viewer::picture(glm::ivec2 size) {
   const ImVec2 display = io.DisplaySize;
   const ImVec2 framebuffer = io.DisplayFramebufferScale;
   const ImVec2 mouse = io.MousePos;
-  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x, static_cast<float>(size.y) / framebuffer.y);
+  io.DisplaySize =
+      ImVec2(static_cast<float>(size.x) / framebuffer.x, static_cast<float>(size.y) / framebuffer.y);
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
   for (int i = 0; i < frames_of_picture; ++i) draw_frame(size, target.framebuffer());
@@ -179,7 +183,8 @@ void Viewer::open_first() {
     execute("sample " + std::string(samples().front().name));
 }
 
-/// A mesh has arrived: remember its file; what the command line says about the camera holds for the first one.
+/// A mesh has arrived: remember its file; what the command line says about the camera holds for the first
+/// one.
 void Viewer::after_loading() {
   const std::uint64_t generation = session_.document.place().generation;
   if (session_.document.empty() || generation == seen_generation_) return;
@@ -213,9 +218,11 @@ void Viewer::advance_script() {
 }
 
 void Viewer::take_events(const Events& events) {
-  for (const std::filesystem::path& file : events.dropped_files) execute_or_tell("open \"" + file.string() + "\"");
+  for (const std::filesystem::path& file : events.dropped_files)
+    execute_or_tell("open \"" + file.string() + "\"");
   for (const std::string& chord : events.chords)
-    if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty()) execute_or_tell(line);
+    if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty())
+      execute_or_tell(line);
 }
 
 void Viewer::run_window() {

@@ -20,7 +20,8 @@ void say(Session& session, const std::string& name, std::size_t made) {
   if (made == 0)
     session.status = name + ": nothing left to do with these settings, " + faces;
   else
-    session.status = name + ": " + grouped(static_cast<std::int64_t>(made)) + (made == 1 ? " operation, " : " operations, ") + faces;
+    session.status = name + ": " + grouped(static_cast<std::int64_t>(made)) +
+                     (made == 1 ? " operation, " : " operations, ") + faces;
 }
 
 void start(Session& session, Arguments& arguments) {
@@ -59,7 +60,8 @@ void feature_angle(Session& session, Arguments& arguments) {
   if (text == "off")
     options.feature_angle_deg.reset();
   else
-    options.feature_angle_deg = Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
+    options.feature_angle_deg =
+        Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
   arguments.end();
   session.play(false);
   session.document.reclassify(options);
@@ -90,7 +92,10 @@ void improve_passes(Session& session, Arguments& arguments) {
 }
 
 void step(Session& session, Arguments& arguments) {
-  const auto count = arguments.done() ? 1 : static_cast<long long>(arguments.number("a number of steps", -largest_count, largest_count));
+  const auto count =
+      arguments.done()
+          ? 1
+          : static_cast<long long>(arguments.number("a number of steps", -largest_count, largest_count));
   start(session, arguments);
   Document& document = session.document;
   if (count >= 0) {
@@ -100,8 +105,8 @@ void step(Session& session, Arguments& arguments) {
   const auto back = static_cast<std::size_t>(-count);
   const std::size_t cursor = document.journal().cursor();
   document.seek(back < cursor ? cursor - back : 0);
-  session.status = "Step back: operation " + grouped(static_cast<std::int64_t>(document.journal().cursor())) + " of " +
-                   grouped(static_cast<std::int64_t>(document.journal().size()));
+  session.status = "Step back: operation " + grouped(static_cast<std::int64_t>(document.journal().cursor())) +
+                   " of " + grouped(static_cast<std::int64_t>(document.journal().size()));
 }
 
 void sweep(Session& session, Arguments& arguments) {

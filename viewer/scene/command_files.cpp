@@ -34,7 +34,8 @@ void sample(Session& session, Arguments& arguments) {
   if (!arguments.done()) request.sample_size = static_cast<int>(arguments.number("a size", 0, 1e9));
   arguments.end();
   const auto known = samples();
-  if (std::none_of(known.begin(), known.end(), [&](const SampleInfo& s) { return s.name == request.sample; })) {
+  if (std::none_of(known.begin(), known.end(),
+                   [&](const SampleInfo& s) { return s.name == request.sample; })) {
     std::string names;
     for (const SampleInfo& each : known) names += (names.empty() ? "" : ", ") + std::string(each.name);
     arguments.fail("there is no sample '" + request.sample + "', but " + names);

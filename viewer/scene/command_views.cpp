@@ -110,10 +110,11 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool Panels::*>, 4> choices = {{{"mesh", &Panels::mesh},
-                                                                              {"decimation", &Panels::decimation},
-                                                                              {"timeline", &Panels::timeline},
-                                                                              {"all", nullptr}}};
+  constexpr std::array<std::pair<std::string_view, bool Panels::*>, 4> choices = {
+      {{"mesh", &Panels::mesh},
+       {"decimation", &Panels::decimation},
+       {"timeline", &Panels::timeline},
+       {"all", nullptr}}};
   Panels& panels = session.view.panels;
   bool Panels::*one = choose(arguments, choices);
   const bool any = panels.mesh || panels.decimation || panels.timeline;
@@ -127,11 +128,11 @@ void panel(Session& session, Arguments& arguments) {
 
 void dialog(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, Dialog>, 6> choices = {{{"open", Dialog::Open},
-                                                                      {"save", Dialog::Save},
-                                                                      {"screenshot", Dialog::Screenshot},
-                                                                      {"shortcuts", Dialog::Shortcuts},
-                                                                      {"about", Dialog::About},
-                                                                      {"none", Dialog::None}}};
+                                                                           {"save", Dialog::Save},
+                                                                           {"screenshot", Dialog::Screenshot},
+                                                                           {"shortcuts", Dialog::Shortcuts},
+                                                                           {"about", Dialog::About},
+                                                                           {"none", Dialog::None}}};
   session.view.dialog = choose(arguments, choices);
   arguments.end();
 }

@@ -10,8 +10,8 @@
 
 namespace aomd::scene {
 
-/// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store T(0,1), T(0,2)
-/// and T(2,0).
+/// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store T(0,1),
+/// T(0,2) and T(2,0).
 class CornerNormals {
  public:
   struct Corner {
@@ -21,8 +21,8 @@ class CornerNormals {
   };
 
   /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by their angles
-  /// at v) where they can be reached from each other through edges that are not on model edges and turn by less
-  /// than 40 degrees. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
+  /// at v) where they can be reached from each other through edges that are not on model edges and turn by
+  /// less than 40 degrees. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
   [[nodiscard]] std::span<const Corner> at(const Mesh& mesh, Vertex v);
 
  private:

@@ -61,8 +61,8 @@ void Document::open_mark(std::string label) {
   const std::size_t cursor = journal().cursor();
   if (journal().epoch() != epoch_at_mark_) last_cut_ = mark_begin_;
   mark_begin_ = cursor;
-  const auto undone = std::find_if(marks_.begin(), marks_.end(),
-                                   [&](const HistoryMark& m) { return m.begin >= cursor; });
+  const auto undone =
+      std::find_if(marks_.begin(), marks_.end(), [&](const HistoryMark& m) { return m.begin >= cursor; });
   undone_marks_.assign(std::make_move_iterator(undone), std::make_move_iterator(marks_.end()));
   marks_.erase(undone, marks_.end());
   epoch_at_mark_ = journal().epoch();

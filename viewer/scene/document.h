@@ -18,8 +18,8 @@ struct HistoryMark {
   std::string label;  ///< "sweep"
 };
 
-/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the history
-/// or replaces the mesh ends it first.
+/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the
+/// history or replaces the mesh ends it first.
 class Document {
  public:
   [[nodiscard]] bool empty() const { return !loaded_; }
@@ -85,7 +85,8 @@ class Document {
   ClassifyOptions classify_;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
-  std::size_t mark_begin_ = 0;         ///< where the last command began, which cut there if the epoch has changed since
+  std::size_t mark_begin_ =
+      0;  ///< where the last command began, which cut there if the epoch has changed since
   std::uint64_t epoch_at_mark_ = 0;
   std::uint64_t generation_ = 0;
   std::size_t last_cut_ = 0;  ///< by the commands before the last

@@ -46,8 +46,8 @@ struct LoadRequest {
   ClassifyOptions classify;
 };
 
-/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a million
-/// faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces.
+/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a
+/// million faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces.
 [[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.

@@ -1,7 +1,7 @@
 #include "viewer/scene/script.h"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "core/io/error.h"

@@ -1,5 +1,6 @@
 #pragma once
-// All of the viewer's state that is not on the GPU: document, view, what is under way, and what is to be said.
+// All of the viewer's state that is not on the GPU: document, view, what is under way, and what is to be
+// said.
 
 #include <deque>
 #include <filesystem>

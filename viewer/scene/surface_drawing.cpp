@@ -39,8 +39,8 @@ using Side = std::pair<Vertex, Vertex>;
 struct Touched {
   std::vector<Face> faces;
   std::vector<Vertex> vertices;
-  std::map<Side, int> sides;       ///< how many of the faces use each
-  std::map<Vertex, int> corners;   ///< likewise
+  std::map<Side, int> sides;      ///< how many of the faces use each
+  std::map<Vertex, int> corners;  ///< likewise
 };
 
 Touched touched_by(const Mesh& mesh, const Journal& journal, std::size_t step) {
@@ -74,7 +74,8 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
 
 void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
   const bool changed = !changes.nothing();
-  Style style{view.coloring, view.hidden, view.highlighted, changed ? vertex_radius_px(mesh) : style_.vertex_px};
+  Style style{view.coloring, view.hidden, view.highlighted,
+              changed ? vertex_radius_px(mesh) : style_.vertex_px};
   const bool restyled = style != style_;
   style_ = std::move(style);
   if (changes.everything) {
@@ -192,8 +193,10 @@ void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
           uses > 1)
         discs.push_back({place(mesh, vertex), highlight_color, step_disc_px});
   }
-  if (!lines.empty() || !drawable_.highlight_lines.empty()) drawable_.highlight_lines.assign(std::move(lines));
-  if (!discs.empty() || !drawable_.highlight_discs.empty()) drawable_.highlight_discs.assign(std::move(discs));
+  if (!lines.empty() || !drawable_.highlight_lines.empty())
+    drawable_.highlight_lines.assign(std::move(lines));
+  if (!discs.empty() || !drawable_.highlight_discs.empty())
+    drawable_.highlight_discs.assign(std::move(discs));
 }
 
 }  // namespace aomd::scene

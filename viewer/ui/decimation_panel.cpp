@@ -21,14 +21,16 @@ void label(const Frame& frame, const char* name, const char* help) {
 
 void factor_control(Frame& frame, const DecimationOptions& options) {
   label(frame, "Length factor",
-        "How many times longer edges become (\u00d7 their average length at the start) where the angle does not bind.");
+        "How many times longer edges become (\u00d7 their average length at the start) where the angle does "
+        "not bind.");
   same_line_right(6.1f * em());
   bool coarsest = options.coarsest;
   if (ImGui::Checkbox("Coarsest", &coarsest)) frame.emit(coarsest ? "coarsest on" : "coarsest off");
   tooltip("No limit on length: only the angle and the model stop a collapse.");
   ImGui::BeginDisabled(options.coarsest);
   double factor = options.factor;
-  if (number_control("factor", factor, {1, 32, "%.2f \u00d7", true})) frame.emit("factor " + short_number(factor));
+  if (number_control("factor", factor, {1, 32, "%.2f \u00d7", true}))
+    frame.emit("factor " + short_number(factor));
   ImGui::EndDisabled();
 }
 
@@ -43,7 +45,8 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   const auto present = frame.document().classify_options().feature_angle_deg;
   if (!drafts.editing_feature_angle) drafts.feature_angle_deg = present.value_or(20);
   label(frame, "Feature angle",
-        "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses respect.");
+        "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses "
+        "respect.");
   same_line_right(6.1f * em());
   bool on = present.has_value();
   if (ImGui::Checkbox("Features", &on))
@@ -80,7 +83,8 @@ void passes_control(Frame& frame, const DecimationOptions& options) {
   same_line_right(6.1f * em());
   ImGui::SetNextItemWidth(-1);
   int passes = options.improve_passes;
-  if (ImGui::InputInt("##passes", &passes, 1, 1)) frame.emit("improve-passes " + std::to_string(std::max(0, passes)));
+  if (ImGui::InputInt("##passes", &passes, 1, 1))
+    frame.emit("improve-passes " + std::to_string(std::max(0, passes)));
 }
 
 float half_width() { return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x); }
@@ -109,8 +113,8 @@ void run_controls(Frame& frame) {
   const Decimation& decimation = *document.decimation();
   gap(0.15f);
   bar(document.run_progress(), ImGui::GetColorU32(frame.colors.accent), 0.5f);
-  muted(frame, "Sweep " + std::to_string(decimation.sweeps().size()) + ": " + phase_name(decimation.phase()) + ", " +
-                   std::to_string(static_cast<int>(100 * document.run_progress())) + " %");
+  muted(frame, "Sweep " + std::to_string(decimation.sweeps().size()) + ": " + phase_name(decimation.phase()) +
+                   ", " + std::to_string(static_cast<int>(100 * document.run_progress())) + " %");
 }
 
 struct Refusal {
@@ -120,9 +124,11 @@ struct Refusal {
 };
 
 constexpr std::array<Refusal, 6> refusals = {{
-    {Reason::Spacing, "Long enough", "The edge has reached the wanted length: a larger factor would let it go."},
+    {Reason::Spacing, "Long enough",
+     "The edge has reached the wanted length: a larger factor would let it go."},
     {Reason::Classification, "Shape of the model",
-     "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it would cut a corner off."},
+     "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it would cut a "
+     "corner off."},
     {Reason::Topology, "Topology", "The surface would be pinched, doubled or torn (link condition)."},
     {Reason::Flat, "Flat face", "A face would lose its area."},
     {Reason::Angle, "Angle", "A face would turn by more than the angle limit."},
@@ -154,7 +160,8 @@ void refusal_table(const Frame& frame, const SweepStatistics& sweep) {
   ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, 3.8f * em());
   for (const Refusal& r : refusals)
-    if (const std::uint32_t n = sweep.refused[static_cast<std::size_t>(r.reason)]; n > 0) refusal_row(frame, r, n, most);
+    if (const std::uint32_t n = sweep.refused[static_cast<std::size_t>(r.reason)]; n > 0)
+      refusal_row(frame, r, n, most);
   ImGui::EndTable();
 }
 

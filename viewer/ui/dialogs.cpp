@@ -30,11 +30,16 @@ BrowserPurpose purpose_of(Dialog dialog, const scene::Session& session) {
 
 const char* title_of(Dialog dialog) {
   switch (dialog) {
-    case Dialog::Open: return "Open a mesh";
-    case Dialog::Save: return "Save the mesh as";
-    case Dialog::Screenshot: return "Save a picture";
-    case Dialog::Shortcuts: return "Keyboard and mouse";
-    default: return "About AOMD Studio";
+    case Dialog::Open:
+      return "Open a mesh";
+    case Dialog::Save:
+      return "Save the mesh as";
+    case Dialog::Screenshot:
+      return "Save a picture";
+    case Dialog::Shortcuts:
+      return "Keyboard and mouse";
+    default:
+      return "About AOMD Studio";
   }
 }
 
@@ -72,7 +77,8 @@ void draw_mouse(const Frame& frame) {
 void draw_keys(const Frame& frame) {
   for (const scene::Command& command : scene::commands())
     for (const scene::Shortcut& s : command.shortcuts)
-      shortcut_row(frame, s.chord, s.line == command.name || command.shortcuts.size() == 1 ? command.help : s.line);
+      shortcut_row(frame, s.chord,
+                   s.line == command.name || command.shortcuts.size() == 1 ? command.help : s.line);
 }
 
 void draw_shortcuts(const Frame& frame) {
@@ -90,21 +96,30 @@ void draw_shortcuts(const Frame& frame) {
 
 void draw_about(const Frame& frame) {
   ImGui::PushTextWrapPos(0);
-  text("A mesh database whose stored adjacencies follow the algorithm, decimation on top of it, and a viewer in which "
-       "every operation can be watched, reversed and replayed.");
+  text(
+      "A mesh database whose stored adjacencies follow the algorithm, decimation on top of it, and a viewer "
+      "in which "
+      "every operation can be watched, reversed and replayed.");
   gap();
-  muted(frame, "After B. K. Karamete, \"An Algorithm Oriented Mesh Database (AOMD) Application: Decimation\".");
+  muted(frame,
+        "After B. K. Karamete, \"An Algorithm Oriented Mesh Database (AOMD) Application: Decimation\".");
   gap();
-  muted(frame, "Version " AOMD_VERSION ". Everything in the menus is also a command: aomd-view --help lists them, and a "
+  muted(frame, "Version " AOMD_VERSION
+               ". Everything in the menus is also a command: aomd-view --help lists them, and a "
                "script of them is a test.");
   ImGui::PopTextWrapPos();
 }
 
 void draw_content(Frame& frame, DialogState& state, bool appearing) {
   switch (frame.session.view.dialog) {
-    case Dialog::Shortcuts: draw_shortcuts(frame); break;
-    case Dialog::About: draw_about(frame); break;
-    default: return draw_browser(frame, state, appearing);
+    case Dialog::Shortcuts:
+      draw_shortcuts(frame);
+      break;
+    case Dialog::About:
+      draw_about(frame);
+      break;
+    default:
+      return draw_browser(frame, state, appearing);
   }
   gap(0.2f);
   const float width = 6 * em();
@@ -138,8 +153,8 @@ void draw_error(Frame& frame) {
   const ImVec2 from = ImGui::GetWindowPos();
   const float height = ImGui::GetWindowHeight();
   ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 0.35f * em(), from.y + height},
-                                            ImGui::GetColorU32(frame.colors.bad), ImGui::GetStyle().WindowRounding,
-                                            ImDrawFlags_RoundCornersLeft);
+                                            ImGui::GetColorU32(frame.colors.bad),
+                                            ImGui::GetStyle().WindowRounding, ImDrawFlags_RoundCornersLeft);
   ImGui::Indent(0.4f * em());
   ImGui::PushTextWrapPos(30 * em());
   text(frame.session.error);
@@ -173,10 +188,11 @@ void draw_dialogs(Frame& frame, DialogState& state) {
 
 void draw_messages(Frame& frame, const Area& viewport) {
   if (!frame.session.loading() && frame.session.error.empty()) return;
-  ImGui::SetNextWindowPos({viewport.position.x + 0.5f * viewport.size.x, viewport.position.y + em()}, ImGuiCond_Always,
-                          {0.5f, 0});
-  const auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  ImGui::SetNextWindowPos({viewport.position.x + 0.5f * viewport.size.x, viewport.position.y + em()},
+                          ImGuiCond_Always, {0.5f, 0});
+  const auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##message", nullptr, flags)) {
     if (frame.session.loading()) draw_loading(frame);
     if (!frame.session.error.empty()) draw_error(frame);

@@ -21,14 +21,16 @@ std::string lower(std::string s) {
 
 bool wanted(const fs::path& path, const BrowserPurpose& purpose) {
   const std::string extension = lower(path.extension().string());
-  return std::find(purpose.extensions.begin(), purpose.extensions.end(), extension) != purpose.extensions.end();
+  return std::find(purpose.extensions.begin(), purpose.extensions.end(), extension) !=
+         purpose.extensions.end();
 }
 
 /// An input for a string of any length up to a path's.
 bool input(const char* id, std::string& value) {
   std::array<char, 4096> buffer{};
   std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
-  const bool entered = ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   value = buffer.data();
   return entered;
 }

@@ -12,9 +12,9 @@
 namespace aomd::ui {
 namespace {
 
-constexpr auto fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                              ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                              ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr auto fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// A window that fills an area; draws nothing where the area is empty.
 template <typename Content>
@@ -63,7 +63,8 @@ void Interface::draw_panels(Frame& frame) {
     gap();
     legend_panel(frame);
   });
-  docked("##decimation", layout_.decimation, ImGuiWindowFlags_None, [&] { decimation_panel(frame, drafts_); });
+  docked("##decimation", layout_.decimation, ImGuiWindowFlags_None,
+         [&] { decimation_panel(frame, drafts_); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
@@ -80,7 +81,8 @@ void Interface::handle_mouse(Frame& frame) {
   const Area& area = layout_.viewport;
   if (!frame.has_mesh() || area.size.x < 2 || area.size.y < 2) return;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  const bool other = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+  const bool other =
+      ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
   if (!left && !other) dragging_ = false;
   if (!io.WantCaptureMouse) {
     for (const int button : {0, 1, 2}) dragging_ = dragging_ || ImGui::IsMouseClicked(button);

@@ -14,7 +14,8 @@
 
 namespace aomd::ui {
 
-/// Between ImGui::NewFrame and ImGui::Render. Reads the session, emits lines, and never changes anything else.
+/// Between ImGui::NewFrame and ImGui::Render. Reads the session, emits lines, and never changes anything
+/// else.
 class Interface {
  public:
   RecentFiles recent;

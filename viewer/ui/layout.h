@@ -19,10 +19,11 @@ struct Layout {
   Area decimation;  ///< right
   Area timeline;    ///< bottom, from side to side
   Area status;
-  Area viewport;    ///< what is left
+  Area viewport;  ///< what is left
 };
 
-/// Side panels take between a fifth and a third of the width and give way in small windows. `em` is the font's size.
+/// Side panels take between a fifth and a third of the width and give way in small windows. `em` is the
+/// font's size.
 [[nodiscard]] Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em);
 
 }  // namespace aomd::ui

@@ -61,7 +61,8 @@ void swatch(const Item& item, bool hidden, scene::Color color) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!hidden) list.AddRectFilled(from, to, color, radius);
   if (hidden) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_TextDisabled), radius);
-  if (!hidden && item.dimension == 2) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Text, 0.25f), radius);
+  if (!hidden && item.dimension == 2)
+    list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Text, 0.25f), radius);
 }
 
 void swatch_cell(Frame& frame, const Item& item, const std::string& name) {
@@ -81,8 +82,9 @@ void entity_row(Frame& frame, const Item& item) {
   ImGui::TableNextColumn();
   swatch_cell(frame, item, name);
   ImGui::TableNextColumn();
-  const std::string label = item.ref.valid() ? row_titles[static_cast<std::size_t>(item.dimension)] + std::to_string(item.ref.tag())
-                                             : "Unclassified";
+  const std::string label =
+      item.ref.valid() ? row_titles[static_cast<std::size_t>(item.dimension)] + std::to_string(item.ref.tag())
+                       : "Unclassified";
   if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
   if (ImGui::Selectable(label.c_str(), on, ImGuiSelectableFlags_None) && !name.empty())
     frame.emit(on ? "highlight" : "highlight " + name);

@@ -51,15 +51,19 @@ void file_line(const Frame& frame) {
   heading(frame, fitted(content.name, ImGui::GetContentRegionAvail().x).c_str());
   tooltip(content.file.empty() ? "A built-in sample" : content.file.string());
   muted(frame, content.classified_by_file() ? "Classified by its source" : "Classified by feature angle");
-  tooltip("Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says wins; "
-          "the rest follows from feature angles.");
+  tooltip(
+      "Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says "
+      "wins; "
+      "the rest follows from feature angles.");
 }
 
 void memory_rows(const Frame& frame) {
   const Mesh& mesh = frame.document().mesh();
   memory_row(frame, "Mesh", mesh.entity_bytes(), "Entities, coordinates and classification");
-  memory_row(frame, "Adjacency", mesh.adjacency_bytes(), "Stored relations T(I,J): what the algorithms have asked for");
-  memory_row(frame, "History", frame.document().journal().bytes(), "The journal that undo, stepping and replay read");
+  memory_row(frame, "Adjacency", mesh.adjacency_bytes(),
+             "Stored relations T(I,J): what the algorithms have asked for");
+  memory_row(frame, "History", frame.document().journal().bytes(),
+             "The journal that undo, stepping and replay read");
 }
 
 void count_rows(const Frame& frame) {
@@ -73,7 +77,8 @@ void count_rows(const Frame& frame) {
       {"Boundary edges", now.boundary, then.boundary, "Edges with one face"},
       {"Non-manifold", now.nonmanifold, then.nonmanifold, "Edges with more than two faces"},
       {"Euler number", now.euler(), then.euler(),
-       "Used vertices \u2212 edges + faces: 2 for a sphere, 0 for a torus. It stays while the topology does."},
+       "Used vertices \u2212 edges + faces: 2 for a sphere, 0 for a torus. It stays while the topology "
+       "does."},
   };
   for (const Row& row : rows) count_row(frame, row);
 }

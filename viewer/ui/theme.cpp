@@ -33,9 +33,9 @@ constexpr std::array mono_files = {"/usr/share/fonts/truetype/jetbrains-mono/Jet
                                    "/usr/share/fonts/TTF/DejaVuSansMono.ttf"};
 
 // Latin, punctuation, arrows, and the signs that panels use. ImGui keeps the pointer.
-constexpr std::array<ImWchar, 17> glyph_ranges = {0x0020, 0x00ff, 0x0394, 0x0394, 0x03b1,
-                                                  0x03b8, 0x2010, 0x2026, 0x2070, 0x2089,
-                                                  0x2190, 0x2193, 0x2212, 0x2212, 0x2248, 0x2265, 0};
+constexpr std::array<ImWchar, 17> glyph_ranges = {0x0020, 0x00ff, 0x0394, 0x0394, 0x03b1, 0x03b8,
+                                                  0x2010, 0x2026, 0x2070, 0x2089, 0x2190, 0x2193,
+                                                  0x2212, 0x2212, 0x2248, 0x2265, 0};
 
 template <std::size_t N>
 ImFont* add_font(ImFontAtlas& atlas, const std::array<const char*, N>& files, float size_px) {

@@ -13,11 +13,15 @@ using scene::grouped;
 
 ImU32 kind_color(const Frame& frame, StepKind kind) {
   switch (kind) {
-    case StepKind::Collapse: return ImGui::GetColorU32(frame.colors.accent);
-    case StepKind::Swap: return ImGui::GetColorU32(frame.colors.good);
-    case StepKind::Smooth: return ImGui::GetColorU32(frame.colors.warning);
+    case StepKind::Collapse:
+      return ImGui::GetColorU32(frame.colors.accent);
+    case StepKind::Swap:
+      return ImGui::GetColorU32(frame.colors.good);
+    case StepKind::Smooth:
+      return ImGui::GetColorU32(frame.colors.warning);
     case StepKind::Classify:
-    case StepKind::Edit: break;
+    case StepKind::Edit:
+      break;
   }
   return ImGui::GetColorU32(frame.colors.text_muted);
 }
@@ -36,7 +40,8 @@ void transport(Frame& frame) {
   const bool playing = frame.session.playing();
   transport_button(frame, "first", Icon::First, "seek 0", back && still);
   transport_button(frame, "back", Icon::Back, "step -1", back && still);
-  transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle", (back || forward) && still);
+  transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle",
+                   (back || forward) && still);
   // Forward through what is known; beyond its end a step makes something new.
   const std::string next = forward ? "seek " + std::to_string(document.journal().cursor() + 1) : "step";
   transport_button(frame, "forward", Icon::Forward, next, still);
@@ -73,13 +78,17 @@ void draw_operations(const Frame& frame, ImVec2 from, ImVec2 to) {
   const Journal& journal = frame.document().journal();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const int width = static_cast<int>(to.x - from.x);
-  const auto step_at = [&](int x) { return static_cast<std::size_t>(x) * journal.size() / static_cast<std::size_t>(width); };
+  const auto step_at = [&](int x) {
+    return static_cast<std::size_t>(x) * journal.size() / static_cast<std::size_t>(width);
+  };
   for (int x = 0; x < width;) {
     const std::size_t step = step_at(x);
     const bool applied = step < journal.cursor();
     const StepKind kind = journal.step(step).kind;
     int end = x + 1;
-    while (end < width && journal.step(step_at(end)).kind == kind && (step_at(end) < journal.cursor()) == applied) ++end;
+    while (end < width && journal.step(step_at(end)).kind == kind &&
+           (step_at(end) < journal.cursor()) == applied)
+      ++end;
     const ImU32 color = kind_color(frame, kind);
     const ImU32 alpha = applied ? 0xd0000000u : 0x48000000u;
     list.AddRectFilled({from.x + static_cast<float>(x), from.y}, {from.x + static_cast<float>(end), to.y},
@@ -95,7 +104,8 @@ void draw_marks(const Frame& frame, ImVec2 from, ImVec2 to) {
   for (const scene::HistoryMark& mark : frame.document().marks()) {
     const float x = from.x + (to.x - from.x) * static_cast<float>(mark.begin) / size;
     if (x - last < 4) continue;  // too close to tell apart
-    list.AddLine({x, from.y - 0.18f * em()}, {x, to.y + 0.18f * em()}, ImGui::GetColorU32(ImGuiCol_Text, 0.55f));
+    list.AddLine({x, from.y - 0.18f * em()}, {x, to.y + 0.18f * em()},
+                 ImGui::GetColorU32(ImGuiCol_Text, 0.55f));
     last = x;
   }
 }
@@ -114,7 +124,8 @@ void draw_handle(const Frame& frame, ImVec2 from, ImVec2 to) {
 std::string strip_tooltip(const scene::Document& document, std::size_t step) {
   if (step >= document.journal().size()) return {};
   return "Operation " + grouped(static_cast<std::int64_t>(step + 1)) + ": " +
-         step_name(document.journal().step(step).kind) + ", in " + document.mark_of(step).label + ". Drag to scrub.";
+         step_name(document.journal().step(step).kind) + ", in " + document.mark_of(step).label +
+         ". Drag to scrub.";
 }
 
 void strip(Frame& frame) {
@@ -141,7 +152,8 @@ void key_entry(const Frame& frame, StepKind kind, const char* name) {
   const float side = 0.6f * em();
   const ImVec2 c = ImGui::GetCursorScreenPos();
   const float y = c.y + 0.5f * (em() - side);
-  ImGui::GetWindowDrawList()->AddRectFilled({c.x, y}, {c.x + side, y + side}, kind_color(frame, kind), 0.15f * em());
+  ImGui::GetWindowDrawList()->AddRectFilled({c.x, y}, {c.x + side, y + side}, kind_color(frame, kind),
+                                            0.15f * em());
   ImGui::Dummy({side, em()});
   ImGui::SameLine(0, 0.35f * em());
   muted(frame, name);

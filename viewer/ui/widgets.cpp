@@ -22,11 +22,13 @@ void draw_turn_sign(ImDrawList& list, ImVec2 c, float r, float direction, ImU32 
   constexpr int pieces = 14;
   for (int i = 0; i <= pieces; ++i) {
     const float angle = -2.6f + 3.9f * static_cast<float>(i) / pieces;
-    list.PathLineTo({c.x + direction * 0.75f * r * std::cos(angle), c.y + 0.1f * r + 0.75f * r * std::sin(angle)});
+    list.PathLineTo(
+        {c.x + direction * 0.75f * r * std::cos(angle), c.y + 0.1f * r + 0.75f * r * std::sin(angle)});
   }
   list.PathStroke(color, false, 0.28f * r);
   const ImVec2 tip{c.x - direction * 0.68f * r, c.y - 0.25f * r};
-  list.AddTriangleFilled({tip.x - direction * 0.4f * r, tip.y - 0.55f * r}, {tip.x + direction * 0.65f * r, tip.y - 0.1f * r},
+  list.AddTriangleFilled({tip.x - direction * 0.4f * r, tip.y - 0.55f * r},
+                         {tip.x + direction * 0.65f * r, tip.y - 0.1f * r},
                          {tip.x - direction * 0.25f * r, tip.y + 0.55f * r}, color);
 }
 
@@ -103,7 +105,8 @@ void command_tooltip(std::string_view line) {
   for (const scene::Command& command : scene::commands()) {
     if (command.name != name) continue;
     std::string help(command.help);
-    if (const auto chord = scene::chord_of_line(line); !chord.empty()) help += " (" + std::string(chord) + ")";
+    if (const auto chord = scene::chord_of_line(line); !chord.empty())
+      help += " (" + std::string(chord) + ")";
     tooltip(help);
   }
 }
@@ -140,7 +143,8 @@ bool icon_button(const char* id, Icon icon, bool enabled) {
   ImGui::PushID(id);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::Button("##icon", {1.25f * side, side});
-  draw_icon(icon, {corner.x + 0.625f * side, corner.y + 0.5f * side}, 0.24f * side, ImGui::GetColorU32(ImGuiCol_Text));
+  draw_icon(icon, {corner.x + 0.625f * side, corner.y + 0.5f * side}, 0.24f * side,
+            ImGui::GetColorU32(ImGuiCol_Text));
   ImGui::PopID();
   ImGui::EndDisabled();
   return pressed;
@@ -154,21 +158,25 @@ void bar(double share, ImU32 color, float height_ems) {
   const float radius = 0.5f * height;
   list.AddRectFilled(from, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), radius);
   const float filled = static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
-  if (filled > 0) list.AddRectFilled(from, {from.x + std::max(filled, height), from.y + height}, color, radius);
+  if (filled > 0)
+    list.AddRectFilled(from, {from.x + std::max(filled, height), from.y + height}, color, radius);
   ImGui::Dummy({width, height});
 }
 
 bool number_control(const char* id, double& value, const NumberStyle& style) {
   const float field = 4.6f * em();
   ImGui::PushID(id);
-  ImGui::SetNextItemWidth(std::max(3 * em(), ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemInnerSpacing.x));
+  ImGui::SetNextItemWidth(
+      std::max(3 * em(), ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemInnerSpacing.x));
   const ImGuiSliderFlags flags =
       ImGuiSliderFlags_NoInput | (style.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low, &style.high, "", flags);
+  bool changed =
+      ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low, &style.high, "", flags);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(field);
   double typed = value;
-  if (ImGui::InputDouble("##field", &typed, 0, 0, style.format, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue)) {
+  if (ImGui::InputDouble("##field", &typed, 0, 0, style.format,
+                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue)) {
     value = std::clamp(typed, style.low, style.high);
     changed = true;
   }
