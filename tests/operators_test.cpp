@@ -104,6 +104,32 @@ TEST(CollapseTest, AnAngleRefusalCarriesTheAngleAndTheFace) {
   EXPECT_EQ(b.judge_collapse(4, 0, 46).reason, Reason::None);
 }
 
+// The border of a disc of six: in a plane no normal ever turns, but the curve 3-4-5 would, by 30 degrees.
+TEST(CollapseTest, AModelEdgeMayNotTurnTooFar) {
+  std::vector<glm::dvec3> p{{0, 0, 0}};
+  zoo::Triangles t;
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    p.emplace_back(std::cos(M_PI * i / 3), std::sin(M_PI * i / 3), 0);
+    t.push_back({0, i + 1, (i + 1) % 6 + 1});
+  }
+  Bench b(zoo::make(p, t));
+  for (std::uint32_t i = 1; i <= 6; ++i) {
+    b.mesh.set_classification(Vertex(i), ModelRef(1, 1));
+    b.mesh.set_classification(b.edge(i, i % 6 + 1), ModelRef(1, 1));
+  }
+  Collapser collapser(b.mesh);
+  CollapseRules rules{TurnLimit(10), TopologyRule::Safe, TurnLimit(29)};
+  const Verdict v = collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules);
+  EXPECT_EQ(v.reason, Reason::Angle);
+  EXPECT_EQ(v.entity, EntityRef(b.edge(3, 4)));
+  EXPECT_NEAR(v.number(), 30, 1e-9);
+  rules.max_curve_turn = TurnLimit(31);
+  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules).accepted());
+  rules = {TurnLimit(10), TopologyRule::Paper, TurnLimit(29)};
+  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules).accepted())
+      << "the paper has no such rule";
+}
+
 TEST(CollapseTest, TheLinkConditionKeepsATetrahedron) {
   MeshData data = zoo::tetrahedron();
   data.faces.classes.assign(4, ModelRef(2, 1));

@@ -61,7 +61,8 @@ void Decimation::invalidate() {
 void Decimation::begin_sweep() {
   phase_ = Phase::Collapse;
   cursor_ = 0;
-  sweeps_.emplace_back();
+  const bool unused = !sweeps_.empty() && sweeps_.back() == SweepStatistics{};
+  if (!unused) sweeps_.emplace_back();
 }
 
 // A collapse removes what is shorter than half the wanted length: edges then end up at about that length.

@@ -36,6 +36,8 @@ struct SweepStatistics {
   std::uint32_t collapses = 0, swaps = 0, smooths = 0;
   std::uint32_t faces = 0;  ///< after it
   std::array<std::uint32_t, reason_count> refused{};
+
+  friend bool operator==(const SweepStatistics&, const SweepStatistics&) = default;
 };
 
 enum class Phase : std::uint8_t { Collapse, Swap, Smooth, Done };

@@ -112,6 +112,20 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex del
   return {};
 }
 
+// The curve u - deleted - kept becomes u - kept: neither of its two old directions may turn too far.
+Verdict Collapser::judge_curve(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept,
+                               const TurnLimit& limit) {
+  const ModelRef model = mesh.classification(edge);
+  const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
+  for (const Edge e : mesh.row<1>(deleted)) {
+    if (e == edge || mesh.classification(e) != model) continue;
+    const glm::dvec3 start = mesh.position(other_end(mesh, e, deleted));
+    for (const glm::dvec3& old : {from - start, to - from})
+      if (!limit.allows(old, to - start)) return {Reason::Angle, e, cosine_between(old, to - start)};
+  }
+  return {};
+}
+
 Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                 const CollapseRules& rules, Vertex& deleted) {
   const auto ends = mesh.edge_vertices(edge);
@@ -130,7 +144,9 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
     if (const Verdict v = judge_topology(mesh, edge, ends); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
-    const Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);
+    Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);
+    if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
+      v = judge_curve(mesh, edge, ends[i], ends[1 - i], rules.max_curve_turn);
     if (v.accepted()) {
       deleted = ends[i];
       return v;

@@ -28,6 +28,9 @@ enum class TopologyRule : std::uint8_t { Safe, Paper };
 struct CollapseRules {
   TurnLimit max_turn{10.0};  ///< how far the normal of a stretched face may turn
   TopologyRule topology = TopologyRule::Safe;
+  /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop, so for
+  /// Safe only. On a flat sheet no normal would ever stop a round hole from becoming a triangle.
+  TurnLimit max_curve_turn{45.0};
 };
 
 /// Judges and applies edge collapses on one mesh; holds the scratch space, so that a sweep allocates nothing.
@@ -77,6 +80,8 @@ class Collapser {
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
                                               const TurnLimit& limit);
+  [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept,
+                                           const TurnLimit& limit);
   void make(Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
   void plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
   void merge_edges(Mesh& mesh);
