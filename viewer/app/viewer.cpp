@@ -65,7 +65,7 @@ Viewer::Viewer(Window& window, const Options& options, bool headless)
     if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
   }
   window_.poll(ImGui::GetIO());
-  draw_frame(window_.framebuffer_size(), 0);  // the layout, and so the picture's shape, is known from here on
+  lay_out_frame();  // the layout, and so the picture's shape, is known from here on
 }
 
 Viewer::~Viewer() = default;
@@ -103,7 +103,7 @@ render::RenderSettings Viewer::settings() const {
   return settings;
 }
 
-void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
+void Viewer::lay_out_frame() {
   update_look(window_.content_scale());
   session_.refresh();
   ImGui::NewFrame();
@@ -111,6 +111,10 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
   lines_ = interface_.draw(session_, fonts_);
   ImGui::Render();
   update_aspect();
+}
+
+void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
+  lay_out_frame();
   buffers_.upload(session_.drawing().drawable());
   if (pixels.x < 1 || pixels.y < 1) return;
 
@@ -140,7 +144,8 @@ io::Image Viewer::picture(glm::ivec2 size) {
       ImVec2(static_cast<float>(size.x) / framebuffer.x, static_cast<float>(size.y) / framebuffer.y);
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
-  for (int i = 0; i < frames_of_picture; ++i) draw_frame(size, target.framebuffer());
+  for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
+  draw_frame(size, target.framebuffer());
   lines_.clear();
   io::Image image = target.read();
   io.DisplaySize = display;

@@ -54,6 +54,8 @@ class Viewer {
   void print_log();
   void update_look(float scale);
   void update_aspect();
+  /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no drawing.
+  void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination);
   [[nodiscard]] render::RenderSettings settings() const;
 
