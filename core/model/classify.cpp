@@ -145,7 +145,9 @@ class Classifier {
   int distinct(const Range& range, int dim) const {
     std::vector<std::int32_t> tags;
     for (const auto e : range)
-      if (const ModelRef m = mesh_.classification(e); m.dimension() == dim) tags.push_back(m.tag());
+      if (const ModelRef m = mesh_.classification(e);
+          m.dimension() == dim && (tags.empty() || tags.back() != m.tag()))
+        tags.push_back(m.tag());
     std::sort(tags.begin(), tags.end());
     return static_cast<int>(std::unique(tags.begin(), tags.end()) - tags.begin());
   }

@@ -35,6 +35,11 @@ class FeatureFinder {
 
   void mark_sharp(double angle_deg) {
     const TurnLimit limit(angle_deg);
+    normals_.assign(mesh_.capacity(2), glm::dvec3(0.0));
+    for (const Face f : mesh_.faces()) {
+      const auto t = mesh_.triangle(f);
+      normals_[f] = area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
+    }
     for (const Edge e : mesh_.edges())
       if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit)) mark_[e] = Sharp;
   }
@@ -53,15 +58,10 @@ class FeatureFinder {
     return std::all_of(faces.begin(), faces.end(), [&](Face f) { return mesh_.classification(f) == first; });
   }
 
-  glm::dvec3 normal(Face f) const {
-    const auto t = mesh_.triangle(f);
-    return area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
-  }
-
   bool past(Edge e, const TurnLimit& limit) const {
     const Row<2> faces = mesh_.row<2>(e);
-    const glm::dvec3 n = normal(faces[0]);
-    glm::dvec3 m = normal(faces[1]);
+    const glm::dvec3 n = normals_[faces[0]];
+    glm::dvec3 m = normals_[faces[1]];
     if (mesh_.use_direction(faces[0], e) == mesh_.use_direction(faces[1], e)) m = -m;
     const bool flat = glm::dot(n, n) == 0 || glm::dot(m, m) == 0;
     return !flat && !limit.allows(n, m);
@@ -144,6 +144,7 @@ class FeatureFinder {
   const Mesh& mesh_;
   Column<Edge, std::uint8_t>& mark_;
   Column<Edge, std::uint8_t> seen_;
+  Column<Face, glm::dvec3> normals_;
   std::vector<Edge> chain_, set_;
   double diagonal_ = -1;
 };

@@ -59,9 +59,9 @@ int compare(const Options& options, const io::Image& result) {
   return exit_no;
 }
 
-int run_headless(Options options, HeadlessKind kind) {
+int run_headless(scene::Session& session, const Options& options, HeadlessKind kind) {
   const auto window = make_headless_window(kind, options.size);
-  Viewer viewer(*window, options, true);
+  Viewer viewer(*window, session, options, true);
   viewer.run_headless();
   if (options.screenshot.empty() && options.compare.empty()) return exit_done;
   const io::Image picture = viewer.picture(options.size);
@@ -80,14 +80,18 @@ std::unique_ptr<Window> window_or_none(const Options& options) {
 }
 
 int run(Options options) {
-  if (options.headless) return run_headless(options, *options.headless);
+  // Loading starts before the context and its shaders are made: with two processors neither waits for the
+  // other.
+  scene::Session session;
+  if (const std::string first = first_command(options); !first.empty()) scene::execute(session, first);
+  if (options.headless) return run_headless(session, options, *options.headless);
   if (const auto window = window_or_none(options)) {
-    Viewer viewer(*window, options, false);
+    Viewer viewer(*window, session, options, false);
     viewer.run_window();
     return exit_done;
   }
   if (options.screenshot.empty()) options.screenshot = fallback_picture;
-  const int code = run_headless(options, HeadlessKind::Auto);
+  const int code = run_headless(session, options, HeadlessKind::Auto);
   std::cout << "The picture is in " << fs::absolute(options.screenshot).string() << std::endl;
   return code;
 }

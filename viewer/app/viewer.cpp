@@ -43,8 +43,14 @@ Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
 
 Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
 
-Viewer::Viewer(Window& window, const Options& options, bool headless)
+std::string first_command(const Options& options) {
+  if (!options.file.empty()) return "open \"" + options.file.string() + "\"";
+  return options.script.empty() ? "sample " + std::string(samples().front().name) : "";
+}
+
+Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless)
     : window_(window),
+      session_(session),
       options_(options),
       headless_(headless),
       gl_(render::load_gl(window.get_proc_address())),
@@ -63,6 +69,7 @@ Viewer::Viewer(Window& window, const Options& options, bool headless)
   if (!options.record.empty()) {
     record_.open(options.record);
     if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
+    if (const std::string first = first_command(options); !first.empty()) record_ << first << std::endl;
   }
   window_.poll(ImGui::GetIO());
   lay_out_frame();  // the layout, and so the picture's shape, is known from here on
@@ -181,13 +188,6 @@ void Viewer::execute_or_tell(const std::string& line) {
   }
 }
 
-void Viewer::open_first() {
-  if (!options_.file.empty())
-    execute("open \"" + options_.file.string() + "\"");
-  else if (options_.script.empty())
-    execute("sample " + std::string(samples().front().name));
-}
-
 /// A mesh has arrived: remember its file; what the command line says about the camera holds for the first
 /// one.
 void Viewer::after_loading() {
@@ -231,7 +231,6 @@ void Viewer::take_events(const Events& events) {
 }
 
 void Viewer::run_window() {
-  open_first();
   int awake = frames_after_event;
   auto last = Clock::now();
   while (!session_.quit && !window_.should_close()) {
@@ -261,7 +260,6 @@ void Viewer::run_window() {
 }
 
 void Viewer::run_headless() {
-  open_first();
   session_.finish();
   after_loading();
   while (!script_.done() && !session_.quit) {

@@ -20,11 +20,16 @@ struct ImGuiContext;
 
 namespace aomd::app {
 
+/// The command that the program starts with: what opens FILE or the first sample; empty where a script
+/// decides.
+[[nodiscard]] std::string first_command(const Options& options);
+
 /// Window and headless share everything but how the loop waits.
 class Viewer {
  public:
-  /// Throws render::GlError, io::ReadError (a script).
-  Viewer(Window& window, const Options& options, bool headless);
+  /// Shows `session`, which must outlive it, and may be loading already. Throws render::GlError,
+  /// io::ReadError (a script).
+  Viewer(Window& window, scene::Session& session, const Options& options, bool headless);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
@@ -43,7 +48,6 @@ class Viewer {
     ImGuiContext* context;
   };
 
-  void open_first();
   void execute(const std::string& line);
   void execute_or_tell(const std::string& line);
   void tick(double frame_s);
@@ -60,6 +64,7 @@ class Viewer {
   [[nodiscard]] render::RenderSettings settings() const;
 
   Window& window_;
+  scene::Session& session_;
   Options options_;
   bool headless_;
   ImGuiScope imgui_;
@@ -68,7 +73,6 @@ class Viewer {
   std::unique_ptr<ui::ImGuiLayer> layer_;
   render::Renderer renderer_;
   render::DrawableBuffers buffers_;
-  scene::Session session_;
   ui::Interface interface_;
   scene::Script script_;
   std::ofstream record_;
