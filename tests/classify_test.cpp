@@ -82,6 +82,19 @@ TEST(ClassifyTest, FacesGivenByTheFileKeepTheirTagsAndMeetInModelEdges) {
   EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(2))).dimension(), 1);
 }
 
+// The border of a sheet, of which the file names two edges: where the named curve ends, a model vertex
+// stands.
+TEST(ClassifyTest, AGivenCurveEndsInModelVertices) {
+  MeshData data = zoo::grid(6);
+  data.edges.add(Shape::Line, {2, 3}, ModelRef(1, 7));
+  data.edges.add(Shape::Line, {3, 4}, ModelRef(1, 7));
+  Mesh mesh(data);
+  classified(mesh);
+  EXPECT_EQ(mesh.classification(Vertex(2)).dimension(), 0);
+  EXPECT_EQ(mesh.classification(Vertex(3)), ModelRef(1, 7));
+  EXPECT_EQ(mesh.classification(Vertex(4)).dimension(), 0);
+}
+
 TEST(ClassifyTest, IsOneStepToUndo) {
   Mesh mesh(zoo::grid(4));
   mesh.set(1, 0);

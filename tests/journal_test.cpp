@@ -68,6 +68,37 @@ TEST(JournalTest, StepsWithoutEditsLeaveNoTrace) {
   EXPECT_EQ(journal.size(), 0u);
 }
 
+TEST(JournalTest, AnEmptyStepLeavesWhatCouldBeRedone) {
+  Mesh mesh(zoo::square());
+  Journal journal;
+  mesh.attach(&journal);
+  mesh.move(Vertex(0), {1, 2, 3});
+  journal.undo(mesh);
+  journal.begin_step(StepKind::Classify, {});
+  journal.end_step();
+  EXPECT_TRUE(journal.redo(mesh));
+  EXPECT_EQ(mesh.position(Vertex(0)), glm::dvec3(1, 2, 3));
+}
+
+// One hub with more spokes than 18 bits count: stretching it is one record.
+TEST(JournalTest, ARebindOfAnySizeIsUndone) {
+  MeshData data;
+  data.positions.resize(3);
+  Mesh mesh(data);
+  mesh.set(1, 0);
+  Journal journal;
+  std::vector<Rebinding> items;
+  for (std::uint32_t i = 0; i < (1u << 18) + 5; ++i)
+    items.push_back({mesh.create_edge(Vertex(0), Vertex(1)), 1, Vertex(1), Vertex(2)});
+  mesh.attach(&journal);
+  mesh.rebind(items);
+  std::size_t touched = 0;
+  journal.touched(0, 1, [&](EntityRef) { ++touched; });
+  EXPECT_EQ(touched, items.size());
+  journal.undo(mesh);
+  EXPECT_EQ(mesh.edge_vertices(Edge(items.back().entity.index))[1], Vertex(1));
+}
+
 TEST(JournalTest, TouchedNamesTheEntitiesOfACollapse) {
   Mesh mesh(zoo::torus(12, 9));
   classify(mesh);

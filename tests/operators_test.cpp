@@ -170,6 +170,20 @@ TEST(CollapseTest, TheLinkConditionKeepsATube) {
   EXPECT_NE(b.judge_collapse(3, 4, 179, TopologyRule::Paper).reason, Reason::Topology);
 }
 
+// 3--4--5   the inner edge 1-4 joins two places of the boundary; without a classification only the link
+// condition | /| /|   can know
+// |/ |/ |
+// 0--1--2
+TEST(CollapseTest, TheLinkConditionKeepsAStripWide) {
+  Mesh mesh(zoo::make({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}},
+                      {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}));
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}}) mesh.set(i, j);
+  Collapser collapser(mesh);
+  const Edge rung = mesh.find_edge(Vertex(1), Vertex(4));
+  EXPECT_EQ(collapser.judge(mesh, rung, Vertex(1), {TurnLimit(179), TopologyRule::Safe}).reason,
+            Reason::Topology);
+}
+
 // A triangular hole: collapsing one of its edges would close it.
 TEST(CollapseTest, TheLinkConditionKeepsATriangularHole) {
   MeshData data = zoo::grid(3);

@@ -51,6 +51,7 @@ void Decimation::set_options(const DecimationOptions& options) {
 }
 
 void Decimation::invalidate() {
+  average_length_.resize(mesh_.capacity(0), 0.0);
   judged_.assign(mesh_.capacity(1), 0);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   changed_.assign(mesh_.capacity(0), ++now_);
@@ -62,6 +63,7 @@ void Decimation::begin_sweep() {
   phase_ = Phase::Collapse;
   cursor_ = 0;
   const bool unused = !sweeps_.empty() && sweeps_.back() == SweepStatistics{};
+  if (!unused && !sweeps_.empty()) sweeps_.back().faces = mesh_.count(2);
   if (!unused) sweeps_.emplace_back();
 }
 

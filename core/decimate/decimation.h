@@ -59,6 +59,7 @@ class Decimation {
   /// Takes new options at any time; the next sweep starts at the first edge and judges everything again.
   void set_options(const DecimationOptions& options);
   /// The mesh was changed from outside (undo, say): forget remembered verdicts and start a new sweep.
+  /// Vertices that are new since construction have spacing 0: they stay.
   void invalidate();
 
   /// One operation, whatever its kind; none when done.
@@ -86,7 +87,7 @@ class Decimation {
   [[nodiscard]] double spacing(Vertex v) const;
   /// Why the edge was not collapsed when it was last judged (None: not judged yet).
   [[nodiscard]] Reason last_refusal(Edge e) const { return refusal_[e]; }
-  /// Judges an edge as the sweep would: the first end that may go, or the refusal of the second.
+  /// Judges an edge as the sweep would: the first end that may go, or the refusal that got furthest.
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted);
 
  private:

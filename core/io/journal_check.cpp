@@ -25,6 +25,7 @@ struct Record {
         fresh(((words[0] >> 5) & 1u) != 0),
         shape((words[0] >> 6) & 255u),
         count(words[0] >> 14) {
+    if (kind == RecordKind::Rebind) count |= ((words[0] >> 3) & 0x7ffu) << 18;
     body = words.subspan(1, length());
   }
 

@@ -25,7 +25,7 @@ class TurnLimit {
   [[nodiscard]] bool allows(const glm::dvec3& before, const glm::dvec3& after) const {
     const double dot = glm::dot(before, after);
     const double bound = square_ * glm::dot(before, before) * glm::dot(after, after);
-    return cosine_ >= 0 ? dot > 0 && dot * dot >= bound : dot > 0 || dot * dot <= bound;
+    return cosine_ >= 0 ? dot > 0 && dot * dot >= bound : dot > 0 || (bound > 0 && dot * dot <= bound);
   }
 
  private:

@@ -14,25 +14,32 @@ const char* step_name(StepKind kind) {
 
 void Journal::begin_step(StepKind kind, EntityRef entity) {
   AOMD_CHECK(!in_step_);
-  if (cursor_ < steps_.size()) {
-    words_.resize(steps_[cursor_].begin);
-    steps_.resize(cursor_);
-    ++epoch_;
-  }
-  steps_.push_back({kind, entity, words_.size()});
+  pending_ = JournalStep{kind, entity, 0};
   in_step_ = true;
 }
 
 void Journal::end_step() {
   AOMD_CHECK(in_step_);
   in_step_ = false;
-  if (steps_.back().begin == words_.size()) steps_.pop_back();
-  cursor_ = steps_.size();
+  if (!pending_) cursor_ = steps_.size();
+  pending_.reset();
+}
+
+void Journal::cut_future() {
+  if (cursor_ == steps_.size()) return;
+  words_.resize(steps_[cursor_].begin);
+  steps_.resize(cursor_);
+  ++epoch_;
 }
 
 void Journal::open_record() {
   implicit_step_ = !in_step_;
   if (implicit_step_) begin_step(StepKind::Edit, {});
+  if (!pending_) return;
+  cut_future();
+  pending_->begin = words_.size();
+  steps_.push_back(*pending_);
+  pending_.reset();
 }
 
 void Journal::close_record() {

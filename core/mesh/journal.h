@@ -3,6 +3,7 @@
 // directions.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct JournalStep {
 
 /// A linear history of one mesh. Edits made after an undo discard what had been undone. Undo and redo restore
 /// ids, id stack, connectivity, positions and classification exactly; cost O(records of the step).
+/// Attach it when the levels that T asks for exist: edges that a later change of T creates are not recorded.
 /// Records name entities by vertices only, so a history replays under any representation that has the same
 /// levels.
 class Journal {
@@ -41,7 +43,8 @@ class Journal {
   /// Changes whenever a history is cut or cleared, so that readers of cursors know to start afresh.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 
-  /// Collects the edits that follow into one step, until end_step. A step without edits leaves no trace.
+  /// Collects the edits that follow into one step, until end_step; steps do not nest. A step without edits
+  /// leaves no trace, not even on what could be redone.
   void begin_step(StepKind kind, EntityRef entity);
   void end_step();
 
@@ -74,13 +77,19 @@ class Journal {
     bool fresh;
     std::uint32_t count;
   };
+  // A Rebind may hold more items than 18 bits count: the high part stands where others keep dim, fresh and
+  // shape.
   static constexpr std::uint32_t pack(Head h) {
-    return static_cast<std::uint32_t>(h.kind) | static_cast<std::uint32_t>(h.dim) << 3 |
-           std::uint32_t{h.fresh} << 5 | static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
+    const auto kind = static_cast<std::uint32_t>(h.kind);
+    if (h.kind == Kind::Rebind) return kind | (h.count >> 18) << 3 | h.count << 14;
+    return kind | static_cast<std::uint32_t>(h.dim) << 3 | std::uint32_t{h.fresh} << 5 |
+           static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
   }
   static constexpr Head unpack(std::uint32_t w) {
-    return {static_cast<Kind>(w & 7u), static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u),
-            ((w >> 5) & 1u) != 0, w >> 14};
+    const auto kind = static_cast<Kind>(w & 7u);
+    if (kind == Kind::Rebind) return {kind, 0, Shape::Point, false, w >> 14 | ((w >> 3) & 0x7ffu) << 18};
+    return {kind, static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u), ((w >> 5) & 1u) != 0,
+            w >> 14};
   }
   static constexpr std::size_t length(Head h) {  // words, the head included
     switch (h.kind) {
@@ -104,6 +113,7 @@ class Journal {
   void record_classify(EntityRef e, ModelRef from, ModelRef to);
 
   void open_record();
+  void cut_future();
   void close_record();
   void push_position(const glm::dvec3& p);
   [[nodiscard]] std::uint64_t step_end(std::size_t i) const {
@@ -117,6 +127,7 @@ class Journal {
   std::vector<JournalStep> steps_;
   std::size_t cursor_ = 0;
   std::uint64_t epoch_ = 0;
+  std::optional<JournalStep> pending_;  ///< begun, nothing recorded yet
   bool in_step_ = false;
   bool implicit_step_ = false;
 };

@@ -70,6 +70,7 @@ bool Mesh::defines_level(int i, int j) const {
 
 void Mesh::free_unwanted(int i, int j) {
   if (!stored(i, j) || representation_.demand(i, j).wanted() || defines_level(i, j)) return;
+  if (i == 1 && j == 0) edge_hash_.release();
   if (i > j)
     representation_.down(i, j).release();
   else

@@ -101,7 +101,7 @@ class Classifier {
       if (count == 0) continue;
       const ModelRef first = mesh_.classification(ends[0]),
                      second = count > 1 ? mesh_.classification(ends[1]) : first;
-      const bool split = first.dimension() == 1 && second.dimension() == 1 && first != second;
+      const bool split = (first.dimension() == 1 || second.dimension() == 1) && first != second;
       if (count == 2 && !split && corner_.allows(direction_from(v, ends[0]), -direction_from(v, ends[1])))
         continue;
       mesh_.set_classification(v, ModelRef(0, tags_[0].take()));

@@ -17,7 +17,9 @@ Vertex other_end(const Mesh& mesh, Edge edge, Vertex v) {
 
 }  // namespace
 
-Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {}
+Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
+  AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
+}
 
 void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
   constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
@@ -73,6 +75,13 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
   return true;
 }
 
+// True where the faces around a vertex do not close: in a closed ring every neighbour occurs twice.
+bool Collapser::is_open(const Star& star) {
+  std::uint32_t odd = 0;
+  for (const StarFace& f : star) odd ^= f.next.index ^ f.previous.index;
+  return odd != 0;
+}
+
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of
 // their faces, no two faces fall together, no pocket closes, and no edge loses its last face. A collapse then
 // takes one vertex, k faces and k + 1 edges: the Euler number stays.
@@ -80,6 +89,7 @@ Verdict Collapser::judge_topology(const Mesh& mesh, Edge edge, const std::array<
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
   if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
+  if (apexes_.size() == 2 && is_open(stars_[0]) && is_open(stars_[1])) return {Reason::Topology, edge};
   std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars_[0]) {
     const bool next = marked(f.next), previous = marked(f.previous);

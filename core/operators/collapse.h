@@ -34,7 +34,7 @@ struct CollapseRules {
 };
 
 /// Judges and applies edge collapses on one mesh; holds the scratch space, so that a sweep allocates nothing.
-/// The mesh must store T(0,1), T(0,2) and T(2,0) (the last two rows of the paper's figure 2 for this loop).
+/// The mesh must store T(0,1), T(0,2) and T(2,0), and hold triangles only.
 class Collapser {
  public:
   explicit Collapser(const Mesh& mesh);
@@ -76,6 +76,7 @@ class Collapser {
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
   [[nodiscard]] Verdict judge_topology(const Mesh& mesh, Edge edge, const std::array<Vertex, 2>& ends);
   [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
+  [[nodiscard]] static bool is_open(const Star& star);
   [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
