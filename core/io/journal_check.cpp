@@ -9,41 +9,11 @@
 namespace aomd::io {
 namespace {
 
-/// The kinds of records, as core/mesh/journal packs them into the first word.
-enum class RecordKind : std::uint32_t { Create, Destroy, Rebind, Move, Classify };
-
-struct Record {
-  RecordKind kind;
-  int dim;
-  bool fresh;
-  std::uint32_t shape, count;
+struct Record : RecordHead {
   std::span<const std::uint32_t> body;  ///< without the first word
 
   explicit Record(std::span<const std::uint32_t> words)
-      : kind(static_cast<RecordKind>(words[0] & 7u)),
-        dim(static_cast<int>((words[0] >> 3) & 3u)),
-        fresh(((words[0] >> 5) & 1u) != 0),
-        shape((words[0] >> 6) & 255u),
-        count(words[0] >> 14) {
-    if (kind == RecordKind::Rebind) count |= ((words[0] >> 3) & 0x7ffu) << 18;
-    body = words.subspan(1, length());
-  }
-
- private:
-  [[nodiscard]] std::size_t length() const {
-    switch (kind) {
-      case RecordKind::Create:
-      case RecordKind::Destroy:
-        return 2 + std::size_t{dim == 0 ? 6 : count};
-      case RecordKind::Rebind:
-        return 4 * std::size_t{count};
-      case RecordKind::Move:
-        return 13;
-      case RecordKind::Classify:
-        return 3;
-    }
-    return 0;
-  }
+      : RecordHead(unpack(words[0])), body(words.subspan(1, length() - 1)) {}
 };
 
 bool finite(std::span<const std::uint32_t> words) {
@@ -108,8 +78,8 @@ class Shadow {
   }
 
   [[nodiscard]] bool shape_fits(const Record& r) const {
-    if (r.shape >= shape_templates.size()) return false;
-    const ShapeTemplate& shape = shape_template(static_cast<Shape>(r.shape));
+    if (static_cast<std::size_t>(r.shape) >= shape_templates.size()) return false;
+    const ShapeTemplate& shape = shape_template(r.shape);
     return shape.dimension == r.dim && r.count <= widest &&
            r.count == static_cast<std::uint32_t>(r.dim == 0 ? 1 : shape.vertex_count);
   }

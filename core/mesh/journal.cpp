@@ -66,8 +66,9 @@ void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fre
   open_record();
   std::array<std::uint32_t, max_shape_vertices> buffer;
   const auto vertices = mesh.vertices_of(e, buffer);
-  words_.push_back(pack({create ? Kind::Create : Kind::Destroy, e.dimension, mesh.shape(e), fresh,
-                         static_cast<std::uint32_t>(vertices.size())}));
+  words_.push_back(RecordHead{create ? RecordKind::Create : RecordKind::Destroy, e.dimension, mesh.shape(e),
+                              fresh, static_cast<std::uint32_t>(vertices.size())}
+                       .packed());
   words_.push_back(e.index);
   words_.push_back(mesh.classification(e).bits());
   if (e.dimension == 0)
@@ -79,7 +80,9 @@ void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fre
 
 void Journal::record_rebind(std::span<const Rebinding> items) {
   open_record();
-  words_.push_back(pack({Kind::Rebind, 0, Shape::Point, false, static_cast<std::uint32_t>(items.size())}));
+  words_.push_back(
+      RecordHead{RecordKind::Rebind, 0, Shape::Point, false, static_cast<std::uint32_t>(items.size())}
+          .packed());
   for (const Rebinding& r : items) {
     words_.push_back(std::uint32_t{r.entity.dimension} << 8 | r.slot);
     words_.push_back(r.entity.index);
@@ -91,7 +94,7 @@ void Journal::record_rebind(std::span<const Rebinding> items) {
 
 void Journal::record_move(Vertex v, const glm::dvec3& from, const glm::dvec3& to) {
   open_record();
-  words_.push_back(pack({Kind::Move, 0, Shape::Point, false, 1}));
+  words_.push_back(RecordHead{RecordKind::Move, 0, Shape::Point, false, 1}.packed());
   words_.push_back(v.index);
   push_position(from);
   push_position(to);
@@ -100,7 +103,7 @@ void Journal::record_move(Vertex v, const glm::dvec3& from, const glm::dvec3& to
 
 void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
   open_record();
-  words_.push_back(pack({Kind::Classify, e.dimension, Shape::Point, false, 1}));
+  words_.push_back(RecordHead{RecordKind::Classify, e.dimension, Shape::Point, false, 1}.packed());
   words_.push_back(e.index);
   words_.push_back(from.bits());
   words_.push_back(to.bits());
@@ -108,10 +111,10 @@ void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
 }
 
 void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
-  const Head head = unpack(words_[at]);
+  const RecordHead head = RecordHead::unpack(words_[at]);
   const std::uint32_t id = words_[at + 1];
   IdPool& ids = mesh.level(head.dim).ids;
-  const bool recorded_create = head.kind == Kind::Create;
+  const bool recorded_create = head.kind == RecordKind::Create;
   if (!create) {
     mesh.detach_entity(head.dim, id);
     if (recorded_create)
@@ -136,20 +139,20 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
 }
 
 void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {
-  const Head head = unpack(words_[at]);
+  const RecordHead head = RecordHead::unpack(words_[at]);
   const std::uint32_t id = words_[at + 1];
   switch (head.kind) {
-    case Kind::Create:
+    case RecordKind::Create:
       return apply_entity(mesh, at, forward);
-    case Kind::Destroy:
+    case RecordKind::Destroy:
       return apply_entity(mesh, at, !forward);
-    case Kind::Move:
+    case RecordKind::Move:
       mesh.positions_[id] = read_position(forward ? at + 8 : at + 2);
       return;
-    case Kind::Classify:
+    case RecordKind::Classify:
       mesh.classify(head.dim, id, ModelRef::from_bits(words_[forward ? at + 3 : at + 2]));
       return;
-    case Kind::Rebind:
+    case RecordKind::Rebind:
       break;
   }
   std::vector<Rebinding> items(head.count);
@@ -167,7 +170,8 @@ bool Journal::undo(Mesh& mesh) {
   if (cursor_ == 0) return false;
   --cursor_;
   std::vector<std::uint64_t> records;
-  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_); at += length(unpack(words_[at])))
+  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_);
+       at += RecordHead::unpack(words_[at]).length())
     records.push_back(at);
   for (auto it = records.rbegin(); it != records.rend(); ++it) apply(mesh, *it, false);
   return true;
@@ -176,7 +180,8 @@ bool Journal::undo(Mesh& mesh) {
 bool Journal::redo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == steps_.size()) return false;
-  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_); at += length(unpack(words_[at])))
+  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_);
+       at += RecordHead::unpack(words_[at]).length())
     apply(mesh, at, true);
   ++cursor_;
   return true;
@@ -202,10 +207,10 @@ void Journal::restore(std::vector<std::uint32_t> words, std::vector<JournalStep>
     const std::uint64_t end = i + 1 < steps.size() ? steps[i + 1].begin : words.size();
     if (steps[i].begin != at || end > words.size()) throw std::runtime_error("journal: step out of order");
     while (at < end) {
-      const Head head = unpack(words[at]);
-      if (head.kind > Kind::Classify || at + length(head) > end)
+      const RecordHead head = RecordHead::unpack(words[at]);
+      if (head.kind > RecordKind::Classify || at + head.length() > end)
         throw std::runtime_error("journal: bad record");
-      at += length(head);
+      at += head.length();
     }
   }
   if (at != words.size()) throw std::runtime_error("journal: records without a step");

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/mesh/handle.h"
+#include "core/mesh/journal_record.h"
 #include "core/mesh/mesh.h"
 
 namespace aomd {
@@ -69,43 +70,6 @@ class Journal {
 
  private:
   friend class Mesh;
-  enum class Kind : std::uint32_t { Create, Destroy, Rebind, Move, Classify };
-  struct Head {
-    Kind kind;
-    int dim;
-    Shape shape;
-    bool fresh;
-    std::uint32_t count;
-  };
-  // A Rebind may hold more items than 18 bits count: the high part stands where others keep dim, fresh and
-  // shape.
-  static constexpr std::uint32_t pack(Head h) {
-    const auto kind = static_cast<std::uint32_t>(h.kind);
-    if (h.kind == Kind::Rebind) return kind | (h.count >> 18) << 3 | h.count << 14;
-    return kind | static_cast<std::uint32_t>(h.dim) << 3 | std::uint32_t{h.fresh} << 5 |
-           static_cast<std::uint32_t>(h.shape) << 6 | h.count << 14;
-  }
-  static constexpr Head unpack(std::uint32_t w) {
-    const auto kind = static_cast<Kind>(w & 7u);
-    if (kind == Kind::Rebind) return {kind, 0, Shape::Point, false, w >> 14 | ((w >> 3) & 0x7ffu) << 18};
-    return {kind, static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u), ((w >> 5) & 1u) != 0,
-            w >> 14};
-  }
-  static constexpr std::size_t length(Head h) {  // words, the head included
-    switch (h.kind) {
-      case Kind::Create:
-      case Kind::Destroy:
-        return 3 + std::size_t{h.dim == 0 ? 6 : h.count};
-      case Kind::Rebind:
-        return 1 + 4 * std::size_t{h.count};
-      case Kind::Move:
-        return 14;
-      case Kind::Classify:
-        return 4;
-    }
-    return 1;
-  }
-
   // Called by Mesh, after an edit was made (destroy: before)
   void record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh);
   void record_rebind(std::span<const Rebinding> items);
@@ -137,14 +101,14 @@ void Journal::touched(std::size_t first, std::size_t last, Visit&& visit) const 
   if (first >= last) return;
   const std::uint64_t end = step_end(last - 1);
   for (std::uint64_t at = steps_[first].begin; at < end;) {
-    const Head head = unpack(words_[at]);
-    if (head.kind == Kind::Rebind) {
+    const RecordHead head = RecordHead::unpack(words_[at]);
+    if (head.kind == RecordKind::Rebind) {
       for (std::uint32_t i = 0; i < head.count; ++i)
         visit(EntityRef(static_cast<int>(words_[at + 1 + 4 * i] >> 8), words_[at + 2 + 4 * i]));
     } else {
       visit(EntityRef(head.dim, words_[at + 1]));
     }
-    at += length(head);
+    at += head.length();
   }
 }
 

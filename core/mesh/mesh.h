@@ -126,6 +126,11 @@ class Mesh {
     const std::uint32_t* r = representation_.down(1, 0).row(e.index);
     return {Vertex(r[0]), Vertex(r[1])};
   }
+  /// The end of an edge that is not `v`, one of its ends.
+  [[nodiscard]] Vertex other_end(Edge e, Vertex v) const {
+    const auto [a, b] = edge_vertices(e);
+    return a == v ? b : a;
+  }
   /// The vertices of a triangle whose T(2,0) is stored.
   [[nodiscard]] std::array<Vertex, 3> triangle(Face f) const {
     const std::uint32_t* r = representation_.down(2, 0).row(f.index);

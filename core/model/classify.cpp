@@ -87,8 +87,7 @@ class Classifier {
   }
 
   glm::dvec3 direction_from(Vertex v, Edge e) const {
-    const auto [a, b] = mesh_.edge_vertices(e);
-    return mesh_.position(a == v ? b : a) - mesh_.position(v);
+    return mesh_.position(mesh_.other_end(e, v)) - mesh_.position(v);
   }
 
   void find_model_vertices() {

@@ -67,11 +67,6 @@ class FeatureFinder {
     return !flat && !limit.allows(n, m);
   }
 
-  Vertex other_end(Edge e, Vertex v) const {
-    const auto [a, b] = mesh_.edge_vertices(e);
-    return a == v ? b : a;
-  }
-
   // How many features other than hairs meet here; `next` is one of them that differs from `from`.
   int meeting(Vertex v, Edge from, Edge& next) const {
     int count = 0;
@@ -92,7 +87,7 @@ class FeatureFinder {
     while (mark_[next] == Sharp && chain_.size() < shortest_open_chain) {
       const Edge e = next;
       chain_.push_back(e);
-      at = other_end(e, at);
+      at = mesh_.other_end(e, at);
       if (meeting(at, e, next) != 2) break;
     }
     if (chain_.size() >= shortest_open_chain) return;

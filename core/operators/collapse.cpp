@@ -7,15 +7,6 @@
 #include "core/mesh/journal_scope.h"
 
 namespace aomd {
-namespace {
-
-Vertex other_end(const Mesh& mesh, Edge edge, Vertex v) {
-  const auto [a, b] = mesh.edge_vertices(edge);
-  AOMD_DEBUG_CHECK(a == v || b == v);
-  return a == v ? b : a;
-}
-
-}  // namespace
 
 Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
   AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
@@ -129,7 +120,7 @@ Verdict Collapser::judge_curve(const Mesh& mesh, Edge edge, Vertex deleted, Vert
   const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
   for (const Edge e : mesh.row<1>(deleted)) {
     if (e == edge || mesh.classification(e) != model) continue;
-    const glm::dvec3 start = mesh.position(other_end(mesh, e, deleted));
+    const glm::dvec3 start = mesh.position(mesh.other_end(e, deleted));
     for (const glm::dvec3& old : {from - start, to - from})
       if (!limit.allows(old, to - start)) return {Reason::Angle, e, cosine_between(old, to - start)};
   }
@@ -175,7 +166,7 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
 void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
   next_stamp(mesh);
   for (const Edge e : mesh.row<1>(kept)) {
-    const Vertex far = other_end(mesh, e, kept);
+    const Vertex far = mesh.other_end(e, kept);
     mark_[far] = stamp_;
     edge_to_kept_[far] = e;
   }
@@ -223,7 +214,7 @@ void Collapser::destroy_bare_edges(Mesh& mesh) {
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
-  const Vertex kept = other_end(mesh, edge, deleted);
+  const Vertex kept = mesh.other_end(edge, deleted);
   gather(mesh, deleted, stars_[0]);
   gather(mesh, kept, stars_[1]);
   make(mesh, edge, deleted, kept);

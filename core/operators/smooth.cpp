@@ -12,8 +12,7 @@ bool find_target(const Mesh& mesh, Vertex v, glm::dvec3& target) {
   int count = 0;
   for (const Edge e : mesh.row<1>(v)) {
     if (model.dimension() == 1 && mesh.classification(e) != model) continue;
-    const auto [a, b] = mesh.edge_vertices(e);
-    sum += mesh.position(a == v ? b : a);
+    sum += mesh.position(mesh.other_end(e, v));
     ++count;
   }
   if (count == 0 || (model.dimension() == 1 && count != 2)) return false;
