@@ -2,4 +2,6 @@
 include(CMakeFindDependencyMacro)
 find_dependency(glm)
 find_dependency(PNG)
+find_dependency(pugixml)
+find_dependency(ZLIB)
 include(${CMAKE_CURRENT_LIST_DIR}/aomd-targets.cmake)

@@ -10,6 +10,7 @@
 #include "session_helpers.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/script.h"
+#include "viewer/scene/text.h"
 #include "zoo.h"
 
 namespace aomd::scene {
@@ -139,6 +140,54 @@ TEST(Document, PlayGoesToTheEndAndStartsOverThere) {
   EXPECT_TRUE(s.idle());
 }
 
+TEST(Adjacency, SettingStoresAndUnsettingFreesUnlessARequestHoldsIt) {
+  Session s;
+  drive(s,
+        {"sample sphere 8", "expect adjacency 2 1 = off", "adjacency 2 1 on", "expect adjacency 2 1 = on"});
+  EXPECT_EQ(s.status, "T(2,1) is stored: " + bytes_text(s.document.mesh().representation().bytes(2, 1)));
+  drive(s, {"adjacency 2 1 off", "expect adjacency 2 1 = off"});
+  EXPECT_EQ(s.status, "T(2,1) is freed");
+  drive(s, {"adjacency 0 2 on", "adjacency 0 2 off", "expect adjacency 0 2 = on"});
+  EXPECT_EQ(s.status, "T(0,2) is no longer set, but 1 request holds it");
+  drive(s, {"adjacency 2 1", "expect adjacency 2 1 = on", "adjacency 2 1", "expect adjacency 2 1 = off"});
+}
+
+TEST(Adjacency, ARefusalIsAValueAndChangesNothing) {
+  Session s;
+  drive(s, {"sample sphere 8", "adjacency 1 0 on", "step 2"});
+  const std::size_t bytes = s.document.mesh().adjacency_bytes();
+  drive(s, {"adjacency 1 0 off"});
+  ASSERT_NE(s.document.last_adjacency_change(), nullptr);
+  EXPECT_EQ(s.document.last_adjacency_change()->refusal, s.status);
+  EXPECT_NE(s.status.find("T(1,0) defines the edges"), std::string::npos) << s.status;
+  EXPECT_TRUE(adjacency_cell(s.document.mesh(), 1, 0).set);
+  EXPECT_EQ(s.document.mesh().adjacency_bytes(), bytes);
+  EXPECT_EQ(cursor(s), 2u);
+  drive(s, {"sample sphere 8"});
+  EXPECT_EQ(s.document.last_adjacency_change(), nullptr);
+}
+
+TEST(Adjacency, CellsAndWordsOfASquare) {
+  Mesh mesh(zoo::square());
+  EXPECT_EQ(adjacency_words(mesh, 1, 2, 0),
+            "T(1,2): The faces around each edge, sorted.\nNot stored. Storing it creates the missing edges.");
+  {
+    const Request need = mesh.request(0, 2);
+    const std::string bytes = bytes_text(mesh.representation().bytes(0, 2));
+    EXPECT_EQ(adjacency_words(mesh, 0, 2, 3.14),
+              "T(0,2): The faces around each vertex, sorted.\nStored: " + bytes +
+                  ", 4 rows of 1.5 on average, built in 3.1 ms.\nNot set, but 1 request holds it.");
+  }
+  EXPECT_FALSE(adjacency_cell(mesh, 0, 2).stored);
+  EXPECT_EQ(adjacency_words(mesh, 2, 0, 0),
+            "T(2,0): The vertices of each face, in template order.\nStored: 24 B, 2 rows of 3 on average.\n"
+            "Set. It defines the faces: it stays until T(2,1) is stored.");
+  static_cast<void>(mesh.request(0, 1));
+  const AdjacencyCell ends = adjacency_cell(mesh, 1, 0);
+  EXPECT_TRUE(ends.stored && ends.defines && !ends.set && ends.requests == 0 && ends.bytes > 0);
+  EXPECT_DOUBLE_EQ(mean_row_length(mesh, 0, 1), 2.5);
+}
+
 TEST(Errors, AFileThatCannotBeReadKeepsThePresentMesh) {
   Session s;
   drive(s, {"sample sphere 8", "step 2"});
@@ -185,7 +234,14 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
                            "expect faces",
                            "expect faces ~ 3",
                            "expect beauty = 3",
-                           "expect faces = many"})
+                           "expect faces = many",
+                           "adjacency 0",
+                           "adjacency 2 2 on",
+                           "adjacency 0 4 on",
+                           "adjacency 0 2 perhaps",
+                           "expect adjacency 0 2 < on",
+                           "expect adjacency 0 2 = off",
+                           "panel adjacency perhaps"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   try {
     execute(s, "color verdict");
@@ -193,6 +249,23 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
     EXPECT_EQ(std::string(error.what()),
               "color: 'verdict' is none of classification, none (usage: color classification|none)");
   }
+}
+
+TEST(Panels, DecimationAndAdjacenciesShareThePanelOnTheRight) {
+  Session s;
+  const Panels& panels = s.view.panels;
+  drive(s, {"panel adjacency on"});
+  EXPECT_TRUE(panels.side && panels.page == Page::Adjacency);
+  drive(s, {"panel decimation off"});
+  EXPECT_TRUE(panels.side);
+  drive(s, {"panel decimation toggle"});
+  EXPECT_TRUE(panels.side && panels.page == Page::Decimation);
+  drive(s, {"panel decimation toggle"});
+  EXPECT_FALSE(panels.side);
+  drive(s, {"panel adjacency on", "panel all toggle"});
+  EXPECT_FALSE(panels.side || panels.mesh || panels.timeline);
+  drive(s, {"panel all toggle"});
+  EXPECT_TRUE(panels.side && panels.page == Page::Adjacency && panels.mesh && panels.timeline);
 }
 
 TEST(Arguments, ReadWordsQuotesNumbersAndModelEntities) {

@@ -106,17 +106,17 @@ TEST(TriangleTree, FindsTheNearestPoint) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto point = [&] { return glm::dvec3(uniform(random), uniform(random), uniform(random)); };
-  std::vector<measure::Triangle> triangles(200);
+  std::vector<Triangle> triangles(200);
   for (auto& t : triangles) {
     const glm::dvec3 centre = point();
     t = {centre + 0.2 * point(), centre + 0.2 * point(), centre + 0.2 * point()};
   }
-  const measure::TriangleTree tree(triangles);
+  const TriangleTree tree(triangles);
   for (int i = 0; i < 200; ++i) {
     const glm::dvec3 p = 1.5 * point();
     double best = 1e300;
     for (const auto& t : triangles) {
-      const glm::dvec3 d = measure::nearest_point(t, p) - p;
+      const glm::dvec3 d = nearest_point(t, p) - p;
       best = std::min(best, glm::dot(d, d));
     }
     EXPECT_EQ(tree.nearest(p).distance2, best);
@@ -125,21 +125,21 @@ TEST(TriangleTree, FindsTheNearestPoint) {
     tree.within(p, best, [&](std::uint32_t) { ++near; });
     EXPECT_GE(near, 1);
   }
-  EXPECT_FALSE(Face(measure::TriangleTree({}).nearest({0, 0, 0}).triangle).valid());
+  EXPECT_FALSE(Face(TriangleTree({}).nearest({0, 0, 0}).triangle).valid());
 }
 
 //      c
 //     /|\        p is nearest to a corner, to a side, to the inside
 //    a-+-b
 TEST(TriangleTree, NearestPointOfATriangle) {
-  const measure::Triangle t{glm::dvec3{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
-  EXPECT_EQ(measure::nearest_point(t, {-1, -1, 3}), glm::dvec3(0, 0, 0));
-  EXPECT_EQ(measure::nearest_point(t, {3, -1, 0}), glm::dvec3(2, 0, 0));
-  EXPECT_EQ(measure::nearest_point(t, {-1, 4, 0}), glm::dvec3(0, 2, 0));
-  EXPECT_EQ(measure::nearest_point(t, {1, -5, 0}), glm::dvec3(1, 0, 0));
-  EXPECT_EQ(measure::nearest_point(t, {-2, 1, 0}), glm::dvec3(0, 1, 0));
-  EXPECT_EQ(measure::nearest_point(t, {2, 2, 0}), glm::dvec3(1, 1, 0));
-  EXPECT_EQ(measure::nearest_point(t, {0.5, 0.5, 7}), glm::dvec3(0.5, 0.5, 0));
+  const Triangle t{glm::dvec3{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  EXPECT_EQ(nearest_point(t, {-1, -1, 3}), glm::dvec3(0, 0, 0));
+  EXPECT_EQ(nearest_point(t, {3, -1, 0}), glm::dvec3(2, 0, 0));
+  EXPECT_EQ(nearest_point(t, {-1, 4, 0}), glm::dvec3(0, 2, 0));
+  EXPECT_EQ(nearest_point(t, {1, -5, 0}), glm::dvec3(1, 0, 0));
+  EXPECT_EQ(nearest_point(t, {-2, 1, 0}), glm::dvec3(0, 1, 0));
+  EXPECT_EQ(nearest_point(t, {2, 2, 0}), glm::dvec3(1, 1, 0));
+  EXPECT_EQ(nearest_point(t, {0.5, 0.5, 7}), glm::dvec3(0.5, 0.5, 0));
 }
 
 TEST(Statistics, CountsTheBook) {
@@ -198,7 +198,7 @@ TEST(TriangleTree, QuadsAreSplit) {
   MeshData data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   data.faces.add(Shape::Quad, {0, 1, 2, 3});
-  for (const auto& all : {measure::triangles_of(data), measure::triangles_of(Mesh(data))}) {
+  for (const auto& all : {triangles_of(data), triangles_of(Mesh(data))}) {
     EXPECT_EQ(all.faces, (std::vector<Face>{Face(0), Face(0)}));
     ASSERT_EQ(all.corners.size(), 2u);
     EXPECT_EQ(all.corners[1][1], data.positions[2]);
@@ -207,7 +207,7 @@ TEST(TriangleTree, QuadsAreSplit) {
 
 TEST(Statistics, FlipsAreFacesTurnedOver) {
   const Mesh square(zoo::square());
-  const measure::TriangleTree original(measure::triangles_of(square).corners);
+  const TriangleTree original(triangles_of(square).corners);
   EXPECT_EQ(measure::count_flips(original, square), 0u);
   const Mesh turned(zoo::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 2}}));
   EXPECT_EQ(measure::count_flips(original, turned), 1u);

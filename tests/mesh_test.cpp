@@ -173,7 +173,7 @@ TEST(MeshTest, FindsEdgesByHashSetWithoutAdjacency) {
     EXPECT_EQ(mesh.find_edge(b, a), e);
   }
   EXPECT_FALSE(mesh.find_edge(Vertex(0), Vertex(600)).valid());
-  EXPECT_LT(mesh.edge_hash().statistics().worst, 12u);
+  EXPECT_LT(mesh.hash(1).statistics().worst, 12u);
   EXPECT_TRUE(verify(mesh).empty());
 }
 

@@ -60,11 +60,11 @@ TEST(VerifyTest, DeadReferenceAndRepeatedVertex) {
 TEST(VerifyTest, DuplicateAndMissingEdge) {
   Mesh mesh(zoo::square());
   mesh.set(1, 0);
-  mesh.create_edge(Vertex(0), Vertex(2));
-  EXPECT_TRUE(found(verify(mesh), "duplicate edge", Edge(5)));
+  std::copy_n(rows_of(mesh).down(1, 0).row(0), 2, rows_of(mesh).down(1, 0).row(4));
+  EXPECT_TRUE(found(verify(mesh), "duplicate edge", Edge(4)));
   Mesh bare(zoo::square());
   bare.set(1, 0);
-  bare.destroy(Edge(0));
+  bare.destroy_unused(Edge(0));
   EXPECT_TRUE(found(verify(bare), "missing edge", Face(0)));
 }
 
@@ -72,7 +72,7 @@ TEST(VerifyTest, HashSetThatPointsNowhere) {
   Mesh mesh(zoo::square());
   mesh.set(1, 0);
   ASSERT_TRUE(mesh.find_edge(Vertex(0), Vertex(1)).valid());
-  const_cast<EntityHash&>(mesh.edge_hash()).erase(2);
+  const_cast<EntityHash&>(mesh.hash(1)).erase(2);
   EXPECT_TRUE(found(verify(mesh), "hash set", Edge(2)));
 }
 

@@ -5,6 +5,7 @@ endif()
 
 aomd_test(document_test aomd_scene)
 aomd_test(drawing_test aomd_scene)
+aomd_test(skin_test aomd_scene)
 aomd_test(commands_test aomd_scene)
 target_compile_definitions(commands_test PRIVATE AOMD_SOURCE="${PROJECT_SOURCE_DIR}")
 

@@ -96,6 +96,114 @@ inline MeshData dirty() {
   return data;
 }
 
+using Solids = std::vector<std::pair<Shape, std::vector<std::uint32_t>>>;
+
+inline MeshData make_volume(std::vector<glm::dvec3> positions, const Solids& solids) {
+  MeshData data;
+  data.positions = std::move(positions);
+  for (const auto& [shape, v] : solids) {
+    data.regions.shapes.push_back(shape);
+    data.regions.vertices.insert(data.regions.vertices.end(), v.begin(), v.end());
+  }
+  return data;
+}
+
+//      3
+//     /|\       one tetrahedron, the corner of a cube
+//    / | \      .
+//   0--|--2
+//    \ | /
+//      1
+inline MeshData one_tet() {
+  return make_volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{Shape::Tetrahedron, {0, 1, 2, 3}}});
+}
+
+//      3
+//     /|\        .
+//    / | \      region 0 = 0 1 2 3 and region 1 = 1 2 3 4 share the face 1 2 3; 4 lies behind it
+//   0--|--2--4
+//    \ | /
+//      1
+inline MeshData two_tets() {
+  return make_volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                     {{Shape::Tetrahedron, {0, 1, 2, 3}}, {Shape::Tetrahedron, {1, 2, 3, 4}}});
+}
+
+//   2   4
+//   |\ /|       two tetrahedra that share only the edge 0-1, seen along it
+//   | 0 |
+//   |/ \|
+//   3   5
+inline MeshData tets_on_an_edge() {
+  return make_volume({{0, 0, 0}, {0, 0, 1}, {-1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {1, -1, 0}},
+                     {{Shape::Tetrahedron, {0, 1, 2, 3}}, {Shape::Tetrahedron, {0, 1, 5, 4}}});
+}
+
+// Two tetrahedra that share only vertex 0, point to point.
+inline MeshData tets_on_a_vertex() {
+  return make_volume({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
+                     {{Shape::Tetrahedron, {2, 1, 3, 0}}, {Shape::Tetrahedron, {4, 5, 6, 0}}});
+}
+
+// From the front: a pyramid on a hexahedron, a prism at its right, a tetrahedron 11 on the pyramid's right
+// side, and one, 12, on the prism's front.
+//        8--.
+//       / \  '-11
+//   4(7)---5(6)
+//    |      |  \           .
+//   0(3)---1(2)-9(10)
+//             12
+inline MeshData hybrid() {
+  MeshData data = make_volume({{0, 0, 0},
+                               {1, 0, 0},
+                               {1, 1, 0},
+                               {0, 1, 0},
+                               {0, 0, 1},
+                               {1, 0, 1},
+                               {1, 1, 1},
+                               {0, 1, 1},
+                               {0.5, 0.5, 1.5},
+                               {2, 0, 0},
+                               {2, 1, 0},
+                               {1.7, 0.5, 1.2},
+                               {1.3, -1, 0.3}},
+                              {{Shape::Hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}},
+                               {Shape::Pyramid, {4, 5, 6, 7, 8}},
+                               {Shape::Tetrahedron, {5, 6, 8, 11}},
+                               {Shape::Prism, {1, 5, 9, 2, 6, 10}},
+                               {Shape::Tetrahedron, {1, 9, 5, 12}}});
+  data.regions.classes = {ModelRef(3, 1), ModelRef(3, 1), ModelRef(3, 2), ModelRef(3, 2), ModelRef(3, 2)};
+  data.faces.add(Shape::Quad, {1, 2, 6, 5}, ModelRef(2, 7));  // between the two model regions
+  return data;
+}
+
+//     4
+//    /|\        .
+//   / 0 \      three tetrahedra around the edge 0-1, seen along it; the triangle 2 3 5 hangs on one of them,
+//  / / \ \     the edge 5-6 on that
+//  2-----3
+//   \   /
+//     5---6
+inline MeshData fan() {
+  MeshData data = make_volume(
+      {{0, 0, 0}, {0, 0, 1}, {-1, -1, 0.5}, {1, -1, 0.5}, {0, 1, 0.5}, {0, -2, 0.5}, {1, -2, 0.5}},
+      {{Shape::Tetrahedron, {0, 1, 2, 3}},
+       {Shape::Tetrahedron, {0, 1, 3, 4}},
+       {Shape::Tetrahedron, {0, 1, 4, 2}}});
+  data.faces.add(Shape::Triangle, {2, 5, 3});
+  data.edges.add(Shape::Line, {5, 6});
+  return data;
+}
+
+// A sheet of 2 x 2 squares (see grid) with a tetrahedron standing on one of its triangles, upside down for
+// it.
+inline MeshData glued() {
+  MeshData data = grid(2);
+  data.positions.emplace_back(1.5, 0.5, 1);
+  data.regions.add(Shape::Tetrahedron, {1, 2, 5, 9}, ModelRef(3, 1));
+  return data;
+}
+
 struct Animal {
   std::string name;
   MeshData data;
@@ -111,6 +219,16 @@ inline std::vector<Animal> all() {
           {"grid", grid(6)},
           {"torus", torus(12, 9)},
           {"dirty", dirty()}};
+}
+
+inline std::vector<Animal> volumes() {
+  return {{"one_tet", one_tet()},
+          {"two_tets", two_tets()},
+          {"tets_on_an_edge", tets_on_an_edge()},
+          {"tets_on_a_vertex", tets_on_a_vertex()},
+          {"hybrid", hybrid()},
+          {"fan", fan()},
+          {"glued", glued()}};
 }
 
 /// V - E + F over the vertices that faces use, from the faces alone.
@@ -139,7 +257,7 @@ inline std::string fingerprint(const Mesh& mesh) {
   std::string s;
   const auto add = [&](auto x) { s += std::to_string(x) + ' '; };
   std::array<std::uint32_t, max_shape_vertices> buffer;
-  for (int dim = 0; dim < 3; ++dim) {
+  for (int dim = 0; dim < 4; ++dim) {
     s += "| ";
     for (const std::uint32_t id : mesh.ids(dim).free_ids()) add(id);
     s += ": ";

@@ -116,7 +116,7 @@ bool Decimation::try_swap(Edge edge) {
 
 bool Decimation::try_smooth(Vertex v) {
   glm::dvec3 target;
-  if (!judge_smooth(mesh_, v, limit_, target).accepted()) return false;
+  if (!judge_smooth(mesh_, v, {limit_, options_.model}, target).accepted()) return false;
   ++now_;
   apply_smooth(mesh_, v, target);
   for (const Edge e : mesh_.row<1>(v))

@@ -12,6 +12,7 @@
 #include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
+#include "core/model/model.h"
 #include "core/operators/collapse.h"
 #include "core/operators/swap.h"
 #include "core/operators/verdict.h"
@@ -26,6 +27,9 @@ struct DecimationOptions {
   int improve_passes = 2;  ///< sweeps that are followed by swaps and smoothing
   bool swap = true;
   bool smooth = true;
+  /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the mesh lies
+  /// on (check_against) and outlive the decimation.
+  const Model* model = nullptr;
 
   friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
 };

@@ -43,6 +43,7 @@ class ByteWriter {
   }
 
   void reserve(std::size_t n) { bytes_.reserve(n); }
+  [[nodiscard]] std::size_t size() const { return bytes_.size(); }
   [[nodiscard]] std::string take() { return std::move(bytes_); }
 
  private:

@@ -10,11 +10,17 @@
 
 namespace aomd::io::detail {
 
+/// A face of more vertices is an error.
+inline constexpr std::size_t max_polygon = 10'000;
+
+/// What is wrong with a polygon (too few or many vertices, out of range, one of them twice), or an empty
+/// string.
+[[nodiscard]] std::string polygon_defect(std::span<const std::int64_t> polygon, std::uint64_t vertex_count,
+                                         int first = 0);
+
 /// The readers add every face here, in the order of the file, and call finish() once.
 class FaceSink {
  public:
-  static constexpr std::size_t max_polygon = 10'000;
-
   /// Faces refer to vertices 0 .. vertex_count - 1; `first` is what the format's own count starts with (0 or
   /// 1), for messages.
   explicit FaceSink(std::uint64_t vertex_count, int first = 0) : vertex_count_(vertex_count), first_(first) {}
@@ -34,7 +40,6 @@ class FaceSink {
   };
 
   void push(std::uint32_t a, std::uint32_t b, std::uint32_t c, ModelRef model);
-  [[nodiscard]] std::string defect(std::span<const std::int64_t> polygon) const;
 
   std::uint64_t vertex_count_;
   int first_;

@@ -14,17 +14,35 @@ namespace aomd::io::detail {
 [[nodiscard]] ReadResult read_off(const Source& source);
 /// `binary` as is_binary_stl() says, or as the caller knows better.
 [[nodiscard]] ReadResult read_stl(const Source& source, bool binary);
+/// Gmsh MSH 2.2 and 4.1, text and binary.
+[[nodiscard]] ReadResult read_msh(const Source& source);
+/// Medit .mesh, text.
+[[nodiscard]] ReadResult read_medit(const Source& source);
+/// Legacy VTK, text and binary.
+[[nodiscard]] ReadResult read_vtk(const Source& source);
+/// VTK's XML files of unstructured grids: text, base64 and raw, compressed by zlib or not.
+[[nodiscard]] ReadResult read_vtu(const Source& source);
+/// SU2's native format.
+[[nodiscard]] ReadResult read_su2(const Source& source);
 
 /// True where the size is what the count in a binary header promises: many binary files start with "solid".
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);
+/// True where a binary Medit file (.meshb) starts: with the number 1 in 32 bits, of either byte order.
+[[nodiscard]] bool is_binary_medit(std::string_view bytes);
 /// True where the first word is one of OFF's, such as "OFF" or "STCNOFF".
 [[nodiscard]] bool is_off(std::string_view first_word);
 
-// The writers return the bytes of the file. Indices in the mesh are trusted.
+// The writers return the bytes of the file. Indices, sizes and shapes in the mesh are trusted: write() has
+// checked what a format cannot hold.
 [[nodiscard]] std::string write_obj(const MeshData& mesh);
 [[nodiscard]] std::string write_ply(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_off(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_stl(const MeshData& mesh, bool binary);
+[[nodiscard]] std::string write_msh(const MeshData& mesh, bool binary, bool msh2);
+[[nodiscard]] std::string write_medit(const MeshData& mesh);
+[[nodiscard]] std::string write_vtk(const MeshData& mesh, bool binary);
+[[nodiscard]] std::string write_vtu(const MeshData& mesh, bool binary);
+[[nodiscard]] std::string write_su2(const MeshData& mesh);
 
 /// True where every coordinate is exactly a 32-bit float.
 [[nodiscard]] bool fits_float(const MeshData& mesh);

@@ -17,12 +17,25 @@ namespace {
 
 using detail::Source;
 
-constexpr std::array<std::pair<std::string_view, Format>, 4> extensions{
-    {{".obj", Format::Obj}, {".ply", Format::Ply}, {".off", Format::Off}, {".stl", Format::Stl}}};
+constexpr std::array<std::pair<std::string_view, Format>, 9> extensions{{{".obj", Format::Obj},
+                                                                         {".ply", Format::Ply},
+                                                                         {".off", Format::Off},
+                                                                         {".stl", Format::Stl},
+                                                                         {".msh", Format::Msh},
+                                                                         {".mesh", Format::Medit},
+                                                                         {".vtk", Format::Vtk},
+                                                                         {".vtu", Format::Vtu},
+                                                                         {".su2", Format::Su2}}};
+
+/// A word in small letters.
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
 
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower(path.extension().string());
   for (const auto& [name, format] : extensions) {
     if (extension == name) return format;
   }
@@ -31,13 +44,25 @@ std::optional<Format> format_of_name(const std::filesystem::path& path) {
 
 std::string_view extension_of(Format format) { return extensions[static_cast<std::size_t>(format)].first; }
 
+/// The first word that is no comment; SU2's comments start with a percent sign, other formats' with "#".
+std::string_view first_word(const Source& source) {
+  detail::TextCursor cursor(source, source.bytes, 0, '#');
+  cursor.skip_to_content();
+  detail::TextCursor other(source, source.bytes, cursor.offset(), '%');
+  return other.skip_to_content() ? std::string_view() : other.word();
+}
+
 /// What the content is beyond doubt, if anything.
 std::optional<Format> format_of_content(const Source& source) {
+  if (source.bytes.starts_with("# vtk DataFile")) return Format::Vtk;
   if (detail::is_binary_stl(source.bytes)) return Format::Stl;
-  detail::TextCursor cursor(source, source.bytes, 0, '#');
-  if (cursor.skip_to_content()) return {};
-  const std::string_view word = cursor.word();
+  if (detail::is_binary_medit(source.bytes)) return Format::Medit;
+  const std::string_view word = first_word(source);
   if (word == "ply") return Format::Ply;
+  if (word.starts_with("$MeshFormat")) return Format::Msh;
+  if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
+  if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
+  if (word.starts_with("NDIME") || word.starts_with("NZONE")) return Format::Su2;
   if (detail::is_off(word)) return Format::Off;
   if (word == "solid" || word == "SOLID") return Format::Stl;
   constexpr std::string_view obj_words[] = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
@@ -63,6 +88,16 @@ ReadResult read_as(Format format, const Source& source) {
       return detail::read_ply(source);
     case Format::Off:
       return detail::read_off(source);
+    case Format::Msh:
+      return detail::read_msh(source);
+    case Format::Medit:
+      return detail::read_medit(source);
+    case Format::Vtk:
+      return detail::read_vtk(source);
+    case Format::Vtu:
+      return detail::read_vtu(source);
+    case Format::Su2:
+      return detail::read_su2(source);
     case Format::Stl:
       break;
   }
@@ -85,10 +120,27 @@ bool binary_by_default(Format format, const MeshData& mesh) {
   return format == Format::Ply || (format == Format::Stl && mesh.faces.classes.empty());
 }
 
-void check_writable(const std::filesystem::path& path, const MeshData& mesh, bool single_precision) {
-  if (!mesh.regions.empty()) {
-    throw WriteError(path.string(), {}, "this format holds surfaces, and the mesh has regions");
+/// Why the format cannot hold what the mesh is made of, or an empty string.
+std::string_view misfit(Format format, const MeshData& mesh) {
+  constexpr std::size_t most_vtk_vertices = std::numeric_limits<std::int32_t>::max();
+  for (int d = 1; d <= 3; ++d) {
+    const std::vector<Shape>& shapes = mesh.list(d).shapes;
+    if (std::any_of(shapes.begin(), shapes.end(), [](Shape s) { return s >= Shape{builtin_shapes}; }))
+      return "no format holds entities of shapes that a program adds";
   }
+  if (!mesh.regions.empty() && format < Format::Msh)
+    return "this format holds surfaces, and the mesh has regions: write .msh, .mesh, .vtk, .vtu or .su2";
+  if (format == Format::Vtk && mesh.positions.size() > most_vtk_vertices)
+    return "the format holds at most 2^31 - 1 vertices: write .vtu";
+  if (format == Format::Su2 && mesh.regions.empty() &&
+      std::any_of(mesh.positions.begin(), mesh.positions.end(), [](const glm::dvec3& p) { return p.z != 0; }))
+    return "this format holds regions, or faces in the plane z = 0, and the mesh is a surface in space";
+  return {};
+}
+
+void check_writable(const std::filesystem::path& path, const MeshData& mesh, bool single_precision) {
+  const std::string_view why = misfit(format_for_writing(path), mesh);
+  if (!why.empty()) throw WriteError(path.string(), {}, std::string(why));
   const double limit =
       single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
   for (const glm::dvec3& p : mesh.positions) {
@@ -118,7 +170,8 @@ ReadResult read_bytes(const std::string& name, std::string_view bytes) {
 
 Format format_for_writing(const std::filesystem::path& path) {
   if (const auto format = format_of_name(path)) return *format;
-  throw WriteError(path.string(), {}, "the extension names no format: .obj, .ply, .off or .stl");
+  throw WriteError(path.string(), {},
+                   "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
 }
 
 void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
@@ -134,6 +187,16 @@ void write(const std::filesystem::path& path, const MeshData& mesh, const WriteO
       return write_file(path, detail::write_off(mesh, binary));
     case Format::Stl:
       return write_file(path, detail::write_stl(mesh, binary));
+    case Format::Msh:
+      return write_file(path, detail::write_msh(mesh, binary, options.msh2));
+    case Format::Medit:
+      return write_file(path, detail::write_medit(mesh));
+    case Format::Vtk:
+      return write_file(path, detail::write_vtk(mesh, binary));
+    case Format::Vtu:
+      return write_file(path, detail::write_vtu(mesh, binary));
+    case Format::Su2:
+      return write_file(path, detail::write_su2(mesh));
   }
 }
 

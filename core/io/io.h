@@ -12,7 +12,7 @@
 
 namespace aomd::io {
 
-enum class Format { Obj, Ply, Off, Stl };
+enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
 
 /// What a reader returns: the mesh and what it had to do to get it.
 struct ReadResult {
@@ -22,17 +22,21 @@ struct ReadResult {
 };
 
 struct WriteOptions {
-  /// Where the format has both (PLY, STL, OFF). Not given: PLY is binary; STL is binary unless faces are
-  /// classified, since only text holds solids; OFF is text. Binary STL and OFF hold 32-bit floats, so that
-  /// coordinates are rounded; everything else reads back as the same doubles.
+  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU). Not given: PLY is binary; STL is binary unless
+  /// faces are classified, since only text holds solids; the others are text. Binary VTU is appended raw
+  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else reads
+  /// back as the same doubles.
   std::optional<bool> binary{};
+  /// MSH only: 2.2 instead of 4.1.
+  bool msh2 = false;
 };
 
-/// Reads a surface mesh. Polygons become triangles; vertices that no face uses are kept; attributes that we
-/// do not know are passed over. Cost: linear in the file; memory bounded by the file's size, whatever its
-/// header promises.
-/// Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated vertex in a face,
-/// unknown format) with line or byte, or LimitError.
+/// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and STL;
+/// regions keep their shapes and the orientation that the file gives them. Vertices that nothing uses are
+/// kept, nodes that only higher-order elements use are not; attributes that we do not know are passed over in
+/// OBJ, PLY, OFF and STL. Cost: linear in the file; memory bounded by the file's size, whatever its header
+/// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated vertex in
+/// an element, unknown format) with line or byte, or LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
 /// The same for bytes in memory. `name` stands in messages; its extension counts as a file's does.
@@ -40,8 +44,34 @@ struct WriteOptions {
 
 /// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is written
 /// beside its target, flushed, and renamed; an existing target stays untouched when anything fails.
-/// Classification: PLY keeps all of it; OBJ (groups) and text STL (solids) that of the faces; OFF none.
-/// Throws WriteError, also for a mesh with regions.
+///
+/// What reads back equal ("-": left out):
+///
+///          shapes           classes                          attributes           model table
+///   OBJ    edges, faces     of faces (groups)                -                    -
+///   PLY    edges, faces     all                              -                    -
+///   OFF    faces            -                                -                    -
+///   STL    triangles        of faces (solids, in text)       -                    -
+///   MSH    all              all                              all                  all
+///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
+///   VTK    all              all                              all (4)              -
+///   VTU    all              all                              all (4)              -
+///   SU2    regions, faces;  of faces on model faces (5)      -                    groups of markers
+///          in the plane faces, edges on model edges
+///
+/// 1. Faces, and regions, are listed shape by shape.
+/// 2. A tag is read as one of the element's own dimension, no class as tag 0; tags that are all 0, without
+/// corners
+///    and ridges, as no class. Model vertices are numbered anew; other vertices get the class of the lowest
+///    element that uses them.
+/// 3. medit:reference, medit:required, medit:ridge, medit:normal and medit:tangent.
+/// 4. Those of vertices first, then those of edges, faces and regions.
+/// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none; read back
+/// they are
+///    model entities 1, 2, ...
+///
+/// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and shapes that
+/// the program added.
 void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options = {});
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.

@@ -30,10 +30,10 @@ bool legal_class(int dim, std::uint32_t bits) {
 
 class Shadow {
  public:
-  explicit Shadow(const Mesh& mesh) : ids_{mesh.ids(0), mesh.ids(1), mesh.ids(2)} {
-    std::array<std::uint32_t, max_shape_vertices> buffer;
+  explicit Shadow(const Mesh& mesh) : ids_{mesh.ids(0), mesh.ids(1), mesh.ids(2), mesh.ids(3)} {
+    VertexBuffer buffer;
     uses_.assign(mesh.capacity(0), 0);
-    for (int dim = 1; dim <= 2; ++dim) {
+    for (int dim = 1; dim <= 3; ++dim) {
       for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id)
         if (mesh.alive(EntityRef(dim, id))) hold(dim, id, mesh.vertices_of(EntityRef(dim, id), buffer));
     }
@@ -41,7 +41,7 @@ class Shadow {
 
   /// Applies one record; false when it does not fit.
   bool apply(const Record& r) {
-    if (r.dim > 2) return false;
+    if (r.dim > 3) return false;
     switch (r.kind) {
       case RecordKind::Create:
         return create(r);
@@ -58,9 +58,8 @@ class Shadow {
   }
 
  private:
-  static constexpr std::size_t widest = 4;
   struct Held {
-    std::array<std::uint32_t, widest> vertices;
+    VertexBuffer vertices;
     std::uint32_t count;
   };
 
@@ -78,9 +77,9 @@ class Shadow {
   }
 
   [[nodiscard]] bool shape_fits(const Record& r) const {
-    if (static_cast<std::size_t>(r.shape) >= shape_templates.size()) return false;
+    if (static_cast<std::size_t>(r.shape) >= shape_count()) return false;
     const ShapeTemplate& shape = shape_template(r.shape);
-    return shape.dimension == r.dim && r.count <= widest &&
+    return shape.dimension == r.dim && r.count <= max_shape_vertices &&
            r.count == static_cast<std::uint32_t>(r.dim == 0 ? 1 : shape.vertex_count);
   }
 
@@ -123,7 +122,7 @@ class Shadow {
     for (std::size_t at = 0; at < r.body.size(); at += 4) {
       const std::uint32_t dim = r.body[at] >> 8, slot = r.body[at] & 255u, id = r.body[at + 1];
       const std::uint32_t from = r.body[at + 2], to = r.body[at + 3];
-      if (dim < 1 || dim > 2 || static_cast<int>(dim) < last_dim) return false;
+      if (dim < 1 || dim > 3 || static_cast<int>(dim) < last_dim) return false;
       last_dim = static_cast<int>(dim);
       if (!alive(last_dim, id) || !alive(0, to)) return false;
       Held& h = held(last_dim, id);
@@ -135,9 +134,9 @@ class Shadow {
     return true;
   }
 
-  std::array<IdPool, 3> ids_;
-  std::array<std::vector<Held>, 2> held_;  ///< of edges and faces
-  std::vector<std::uint32_t> uses_;        ///< of each vertex, by edges and faces
+  std::array<IdPool, 4> ids_;
+  std::array<std::vector<Held>, 3> held_;  ///< of edges, faces and regions
+  std::vector<std::uint32_t> uses_;        ///< of each vertex, by all of them
 };
 
 }  // namespace

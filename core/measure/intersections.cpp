@@ -10,7 +10,7 @@
 #include <CGAL/intersections.h>
 #include <glm/geometric.hpp>
 
-#include "core/measure/triangle_tree.h"
+#include "core/model/triangle_tree.h"
 
 namespace aomd::measure {
 namespace {

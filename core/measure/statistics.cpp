@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
 
 namespace aomd::measure {
@@ -48,7 +49,7 @@ class Sides {
 
   template <typename Visit>
   static void each(const Mesh& mesh, Visit&& visit) {
-    std::array<std::uint32_t, max_shape_vertices> buffer;
+    VertexBuffer buffer;
     for (const Face f : mesh.faces()) {
       const auto v = mesh.vertices_of(f, buffer);
       for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[k + 1 < v.size() ? k + 1 : 0], true);
@@ -57,22 +58,25 @@ class Sides {
       const auto [a, b] = mesh.edge_vertices(e);
       visit(a.index, b.index, false);
     }
+    for (const Region r : mesh.regions()) {
+      const auto v = mesh.vertices_of(r, buffer);
+      const ShapeTemplate& shape = shape_template(mesh.shape(r));
+      for (int k = 0; k < shape.edge_count; ++k)
+        visit(v[shape.sub(1, k).vertices[0]], v[shape.sub(1, k).vertices[1]], false);
+    }
   }
 
   std::vector<std::uint32_t> begin_;
   std::vector<End> ends_;
 };
 
-// Sets of vertices that faces connect.
+// Sets of vertices that faces and regions connect.
 class Components {
  public:
   explicit Components(const Mesh& mesh) : parent_(mesh.capacity(0)), used_(mesh.capacity(0), 0) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    std::array<std::uint32_t, max_shape_vertices> buffer;
-    for (const Face f : mesh.faces()) {
-      const auto v = mesh.vertices_of(f, buffer);
-      for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = root(v[0]);
-    }
+    for (const Face f : mesh.faces()) connect(mesh, f);
+    for (const Region r : mesh.regions()) connect(mesh, r);
   }
 
   [[nodiscard]] std::size_t count() {
@@ -83,6 +87,12 @@ class Components {
   [[nodiscard]] bool used(Vertex v) const { return used_[v.index] != 0; }
 
  private:
+  void connect(const Mesh& mesh, EntityRef e) {
+    VertexBuffer buffer;
+    const auto v = mesh.vertices_of(e, buffer);
+    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = root(v[0]);
+  }
+
   std::uint32_t root(std::uint32_t v) {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;
@@ -120,8 +130,11 @@ Counts count_entities(const Mesh& mesh) {
   Sides(mesh).count(counts);
   counts.faces = mesh.count(2);
   counts.regions = mesh.count(3);
+  if (counts.regions > 0) count_volume_faces(mesh, counts);
   counts.euler = static_cast<std::int64_t>(counts.vertices - counts.unused_vertices) -
-                 static_cast<std::int64_t>(counts.edges) + static_cast<std::int64_t>(counts.faces);
+                 static_cast<std::int64_t>(counts.edges) + static_cast<std::int64_t>(counts.faces) -
+                 static_cast<std::int64_t>(counts.regions);
+  for (const Region r : mesh.regions()) ++counts.by_shape[static_cast<std::size_t>(mesh.shape(r))];
   for (const Face f : mesh.faces()) ++counts.by_shape[static_cast<std::size_t>(mesh.shape(f))];
   count_classes(mesh, counts);
   return counts;

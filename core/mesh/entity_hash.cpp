@@ -73,7 +73,9 @@ void EntityHash::erase(std::uint32_t entity) {
 }
 
 void EntityHash::grow_when_crowded() {
-  if (crowded_ * std::uint64_t{10} <= used_ || first_.size() * 10 > bucket_limit) return;
+  // With eight buckets an entity, chains are long because keys are equal: no number of buckets parts those.
+  const bool parts_nothing = first_.size() > 8 * keys_.size();
+  if (crowded_ * std::uint64_t{10} <= used_ || first_.size() * 10 > bucket_limit || parts_nothing) return;
   std::vector<std::uint32_t> old = std::move(first_);
   std::vector<std::uint32_t> old_next = next_;
   first_.assign(old.size() * 10 | 1u, no_index);

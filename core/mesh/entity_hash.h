@@ -27,18 +27,21 @@ class EntityHash {
     return (first_.capacity() + next_.capacity()) * 4 + keys_.capacity() * 8 + length_.capacity() * 2;
   }
 
+  [[nodiscard]] std::uint64_t key_of(std::uint32_t entity) const { return keys_[entity]; }
+
   /// An empty set with room for about `expected` entities.
   void build(std::uint32_t expected);
   void insert(std::uint64_t key, std::uint32_t entity);
   void erase(std::uint32_t entity);
   void release() { *this = EntityHash(); }
 
-  /// The first entity with this key for which `same(entity)` holds, or no_index. Expected O(1).
+  /// The smallest entity with this key for which `same(entity)` holds, or no_index. Expected O(1).
   template <typename Same>
   [[nodiscard]] std::uint32_t find(std::uint64_t key, Same&& same) const {
+    std::uint32_t found = no_index;
     for (std::uint32_t e = first_[bucket(key)]; e != no_index; e = next_[e])
-      if (keys_[e] == key && same(e)) return e;
-    return no_index;
+      if (keys_[e] == key && e < found && same(e)) found = e;
+    return found;
   }
 
   /// Calls visit(entity) for everything in the set.

@@ -13,7 +13,6 @@ IdPool::Created IdPool::create() {
 }
 
 std::uint32_t IdPool::create_many(std::uint32_t count) {
-  AOMD_CHECK(free_.empty());
   const std::uint32_t first = capacity_;
   capacity_ += count;
   bits_.resize((capacity_ + std::size_t{63}) / 64);

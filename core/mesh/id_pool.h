@@ -38,7 +38,7 @@ class IdPool {
 
   Created create();
   void destroy(std::uint32_t id);
-  /// `count` fresh ids in one go; the stack must be empty. Returns the first.
+  /// `count` fresh ids in one go, whatever the stack holds. Returns the first.
   std::uint32_t create_many(std::uint32_t count);
 
   /// Exact inverses, for undo in reverse order: afterwards the pool equals the one before.

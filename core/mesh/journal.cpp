@@ -64,7 +64,7 @@ glm::dvec3 Journal::read_position(std::uint64_t at) const {
 
 void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh) {
   open_record();
-  std::array<std::uint32_t, max_shape_vertices> buffer;
+  VertexBuffer buffer;
   const auto vertices = mesh.vertices_of(e, buffer);
   words_.push_back(RecordHead{create ? RecordKind::Create : RecordKind::Destroy, e.dimension, mesh.shape(e),
                               fresh, static_cast<std::uint32_t>(vertices.size())}
@@ -115,8 +115,10 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
   const std::uint32_t id = words_[at + 1];
   IdPool& ids = mesh.level(head.dim).ids;
   const bool recorded_create = head.kind == RecordKind::Create;
+  std::size_t& creations = mesh.recorded_creations_[static_cast<std::size_t>(head.dim)];
   if (!create) {
     mesh.detach_entity(head.dim, id);
+    if (recorded_create) mesh.attached_.uncover(head.dim, id, --creations);
     if (recorded_create)
       ids.undo_create(id, head.fresh);
     else
@@ -136,6 +138,7 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
     mesh.attach_vertex(id, read_position(at + 3), model);
   else
     mesh.attach_entity(head.dim, id, head.shape, std::span(words_).subspan(at + 3, head.count), model);
+  if (recorded_create) mesh.attached_.cover_again(head.dim, id, creations++);
 }
 
 void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {

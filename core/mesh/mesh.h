@@ -1,88 +1,58 @@
 #pragma once
-// The mesh database: entities of four levels, the adjacencies that T(I,J) asks for, classification, and
-// edits.
+// The mesh database: entities of four levels, the adjacencies that T(I,J) asks for, classification, attached
+// data, and edits.
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/mesh/attached.h"
 #include "core/mesh/class_lists.h"
 #include "core/mesh/entity_hash.h"
+#include "core/mesh/entity_range.h"
 #include "core/mesh/handle.h"
 #include "core/mesh/id_pool.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/model_ref.h"
 #include "core/mesh/relation.h"
 #include "core/mesh/representation.h"
+#include "core/mesh/request.h"
 #include "core/mesh/shape.h"
 
 namespace aomd {
 
 class Journal;
-class Mesh;
 
-/// The entities of one level that are alive, in ascending order of ids. Creating or deleting entities while
-/// iterating is allowed: deleted ones are skipped, those with a larger id than the present one are visited.
-template <int Dim>
-class EntityRange {
- public:
-  struct Sentinel {};
-  class Iterator {
-   public:
-    Iterator(const IdPool* ids, std::uint32_t at) : ids_(ids), at_(ids->next_alive(at)) {}
-    Handle<Dim> operator*() const { return Handle<Dim>(at_); }
-    Iterator& operator++() { return at_ = ids_->next_alive(at_ + 1), *this; }
-    friend bool operator==(const Iterator& i, Sentinel) { return i.at_ >= i.ids_->capacity(); }
-
-   private:
-    const IdPool* ids_;
-    std::uint32_t at_;
-  };
-  explicit EntityRange(const IdPool& ids) : ids_(&ids) {}
-  [[nodiscard]] Iterator begin() const { return {ids_, 0}; }
-  [[nodiscard]] Sentinel end() const { return {}; }
-
- private:
-  const IdPool* ids_;
-};
-
-/// Keeps a relation stored for as long as it lives (see Mesh::request).
-class Request {
- public:
-  Request() = default;
-  Request(Mesh& mesh, int i, int j) : mesh_(&mesh), i_(i), j_(j) {}
-  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_) {
-    other.mesh_ = nullptr;
-  }
-  Request& operator=(Request&& other) noexcept;
-  ~Request() { release(); }
-  void release();
-
- private:
-  Mesh* mesh_ = nullptr;
-  int i_ = 0, j_ = 0;
-};
-
-/// Replaces one vertex of an edge or face by another; the entity keeps its id and classification.
+/// Replaces one vertex of an edge, face or region by another; the entity keeps its id and classification.
 struct Rebinding {
   EntityRef entity;
   std::uint32_t slot = 0;  ///< position in the entity's vertex list
   Vertex from, to;
 };
 
-/// The database. Rows and references are valid until the next edit. Movable while no request is out; not
-/// copyable.
+/// Vertices of one entity, on the stack.
+using VertexBuffer = std::array<std::uint32_t, max_shape_vertices>;
+
+/// The database. Rows and references are valid until the next edit. Not copyable; movable while no request is
+/// out, and a mesh that was moved from is empty. Not thread-safe, existence queries included: they may build
+/// a hash set.
 class Mesh {
  public:
   Mesh() = default;
-  /// Faces held by T(2,0); edges only where the data lists some. O(size).
+  /// Holds what the data lists and no more: regions by T(3,0), faces by T(2,0), edges by T(1,0). O(size).
+  /// Attributes of one or three components become attached data. Throws std::invalid_argument for indices out
+  /// of range, lists that do not fit each other, and classifications that break the rule.
   explicit Mesh(const MeshData& data);
-  Mesh(Mesh&&) = default;
-  Mesh& operator=(Mesh&&) = default;
+  Mesh(Mesh&& other) noexcept { swap(other); }
+  Mesh& operator=(Mesh&& other) noexcept;
+  void swap(Mesh& other) noexcept;
 
   // Entities ------------------------------------------------------------------------------------------------
   [[nodiscard]] std::uint32_t count(int dim) const { return level(dim).ids.size(); }
@@ -93,28 +63,46 @@ class Mesh {
   [[nodiscard]] EntityRange<0> vertices() const { return EntityRange<0>(ids(0)); }
   [[nodiscard]] EntityRange<1> edges() const { return EntityRange<1>(ids(1)); }
   [[nodiscard]] EntityRange<2> faces() const { return EntityRange<2>(ids(2)); }
+  [[nodiscard]] EntityRange<3> regions() const { return EntityRange<3>(ids(3)); }
+  /// The highest level with entities.
+  [[nodiscard]] int dimension() const;
   [[nodiscard]] Shape shape(EntityRef e) const {
     const Level& l = level(e.dimension);
     return l.shapes.empty() ? l.uniform : l.shapes[e.index];
   }
+  /// The template of all entities of a level, or null where their shapes may differ.
+  [[nodiscard]] const ShapeTemplate* uniform_shape(int dim) const {
+    return level(dim).shapes.empty() ? &shape_template(level(dim).uniform) : nullptr;
+  }
   [[nodiscard]] const glm::dvec3& position(Vertex v) const { return positions_[v.index]; }
   [[nodiscard]] ModelRef classification(EntityRef e) const { return level(e.dimension).classes[e.index]; }
+  /// What the file told about the model.
+  [[nodiscard]] const ModelTable& model_table() const { return model_table_; }
 
-  // T(I,J): which adjacencies are stored (paper, section 2) ------------------------------------------------
+  // T(I,J): which adjacencies are stored (paper, section 2; mesh_relations.cpp)
+  // ------------------------------
   [[nodiscard]] const Representation& representation() const { return representation_; }
   [[nodiscard]] bool stored(int i, int j) const { return i != j && representation_.stored(i, j); }
-  /// Stores a relation from now on; built in bulk, O(entities). Creates the entities of a level that has
-  /// none. Throws std::invalid_argument for the diagonal.
+  /// True when every side of every higher entity is an entity of this level, as each relation that was ever
+  /// asked for needs it; a level that only holds what a file lists is not complete. Once complete, a level
+  /// stays so: creating an entity creates its sides.
+  [[nodiscard]] bool complete(int dim) const { return level(dim).complete; }
+  /// Stores a relation from now on; built in bulk, O(entities). Completes both levels: missing entities take
+  /// the classification of the first entity whose side they are (faces before regions, smallest id first).
+  /// Throws std::invalid_argument for the diagonal, std::logic_error when a level would have to be completed
+  /// while the attached journal holds a history, which the new entities would not be part of.
   void set(int i, int j);
   /// Frees a relation unless a request still holds it. Throws std::logic_error where the relation is the last
   /// downward one of a populated level, since it defines the entities; the message names another to set
   /// first.
   void unset(int i, int j);
-  /// Stores a relation until the returned object dies (it stays if the user has set it too). Counted.
+  /// Stores a relation until the returned object dies (it stays if the user has set it too). Counted. Throws
+  /// as set() does.
   [[nodiscard]] Request request(int i, int j);
 
-  // Adjacency -----------------------------------------------------------------------------------------------
-  /// The stored row of T(I,J); upward rows are sorted. No allocation, O(1). The relation must be stored.
+  // Adjacency; relations that are not stored: core/mesh/derive.h --------------------------------------------
+  /// The stored row of T(I,J): downward rows in the order of the template, upward rows sorted. No allocation,
+  /// O(1). The relation must be stored.
   template <int J, int I>
   [[nodiscard]] Row<J> row(Handle<I> h) const {
     if constexpr (I > J)
@@ -137,14 +125,22 @@ class Mesh {
     return {Vertex(r[0]), Vertex(r[1]), Vertex(r[2])};
   }
   /// The vertices of any entity in template order, from whichever downward relation is stored.
-  [[nodiscard]] std::span<const std::uint32_t> vertices_of(
-      EntityRef e, std::array<std::uint32_t, max_shape_vertices>& buffer) const;
-  /// True when the face uses the edge in the edge's own direction (paper, figure 3). T(2,1) must be stored.
+  [[nodiscard]] std::span<const std::uint32_t> vertices_of(EntityRef e, VertexBuffer& buffer) const;
+  /// True when the face uses the edge, or the region the face, in its own direction (paper, figure 3): the
+  /// region's template lists the face's vertices in the face's order. T(2,1) or T(3,2) must be stored.
   [[nodiscard]] bool use_direction(Face f, Edge e) const;
-  /// The edge between two vertices, or an invalid handle (paper: E_exists_). Through T(0,1) when stored,
-  /// else through a hash set that is built at the first call and then kept.
+  [[nodiscard]] bool use_direction(Region r, Face f) const;
+
+  // Existence (paper, section 2.1.1; mesh_find.cpp) ---------------------------------------------------------
+  /// The entity on just these vertices, in any order, or an invalid handle; the one with the smallest id
+  /// where a file brings several. Through upward adjacency of a vertex when it is stored, else through a hash
+  /// set that is built at the first call and kept until the adjacency is stored or drop_hash is called.
   [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const;
-  [[nodiscard]] const EntityHash& edge_hash() const { return edge_hash_; }
+  [[nodiscard]] Face find_face(std::span<const Vertex> vertices) const;
+  [[nodiscard]] Region find_region(std::span<const Vertex> vertices) const;
+  /// The hash set of level 1, 2 or 3; may not be built.
+  [[nodiscard]] const EntityHash& hash(int dim) const { return hashes_[static_cast<std::size_t>(dim)]; }
+  void drop_hash(int dim) { hashes_[static_cast<std::size_t>(dim)].release(); }
 
   // The mesh entities of each model entity (paper, section 2.2) ---------------------------------------------
   /// Builds the lists, which every edit then keeps, or frees them. O(entities).
@@ -152,24 +148,57 @@ class Mesh {
   /// Null unless kept.
   [[nodiscard]] const ClassLists* class_lists() const { return class_lists_.get(); }
 
-  // Edits: all relations follow, and the journal records when one is attached ------------------------------
+  // Attached data -------------------------------------------------------------------------------------------
+  /// The column of this name, made when there is none: one T for every entity of the kind, `initial` for
+  /// those created later. Follows creation, deletion, undo, redo and compact(). Throws std::invalid_argument
+  /// when the name is taken by another type.
+  template <typename H, typename T>
+  Attached<H, T>& column(std::string_view name, T initial = {});
+  /// The column, or null.
+  template <typename H, typename T>
+  [[nodiscard]] Attached<H, T>* find_column(std::string_view name) const;
+  bool drop_column(int dim, std::string_view name) { return attached_.drop(dim, name); }
+  [[nodiscard]] const AttachedData::List& columns(int dim) const { return attached_.columns(dim); }
+
+  // Edits: all relations follow, and the journal records when one is attached (mesh_edit.cpp) ---------------
+  /// Edges, faces and regions from their vertices, edges or faces in template order (edges of a face: one
+  /// after the other around it). Sides that a complete level lacks are created with the entity's
+  /// classification. All throw std::invalid_argument when what is given does not form the shape or is not
+  /// alive, when the classification breaks the rule M^I on G^J only if J >= I, and for a second edge on the
+  /// same vertices, or a second face where there are regions.
   Vertex create_vertex(const glm::dvec3& position, ModelRef model = {});
   Edge create_edge(Vertex a, Vertex b, ModelRef model = {});
-  /// A triangle or quad. Missing edges are created with the face's classification where the level is
-  /// represented.
   Face create_face(std::span<const Vertex> vertices, ModelRef model = {});
-  /// Deletes an entity that no higher entity uses; its lower ones stay.
+  Face create_face(std::span<const Edge> edges, ModelRef model = {});
+  Region create_region(Shape shape, std::span<const Vertex> vertices, ModelRef model = {});
+  Region create_region(Shape shape, std::span<const Edge> edges, ModelRef model = {});
+  Region create_region(Shape shape, std::span<const Face> faces, ModelRef model = {});
+  /// The higher entities that use an entity, by level and id. Read from T where it stores the upward relation
+  /// or a path leads there, otherwise found by going through the higher level, O(its size).
+  [[nodiscard]] std::vector<EntityRef> users(EntityRef e) const;
+  /// Deletes an entity; its lower ones stay. Throws std::logic_error naming the users where there are any.
+  /// Cost as users().
   void destroy(EntityRef e);
-  /// Replaces vertices in edges and faces (edges first in the list), all at once as far as relations can see.
+  /// The same for an operator that knows that nothing uses the entity: only stored relations are asked, and
+  /// an answer against it is a programming error. O(row).
+  void destroy_unused(EntityRef e);
+  /// Deletes an entity and everything that uses it, highest first.
+  void destroy_with_users(EntityRef e);
+  /// Replaces vertices in edges, faces and regions (in this order), all at once as far as relations can see.
   void rebind(std::span<const Rebinding> items);
   void move(Vertex v, const glm::dvec3& position);
+  /// Throws std::invalid_argument where the rule is broken.
   void set_classification(EntityRef e, ModelRef model);
 
   [[nodiscard]] Journal* journal() const { return journal_; }
   /// Attaches a journal (or none): from now on every edit is recorded. Changes of T are not edits.
-  void attach(Journal* journal) { journal_ = journal; }
+  void attach(Journal* journal);
+  /// Makes ids consecutive in each level, in ascending order, and frees what deleted entities still occupy.
+  /// Returns the new id of each old one by level (no_index where deleted). O(size). Throws std::logic_error
+  /// while a journal is attached: its records name ids.
+  std::array<std::vector<std::uint32_t>, 4> compact();
 
-  /// Bytes of entities, coordinates and classification; of relations and hash sets.
+  /// Bytes of entities, coordinates, classification and attached data; of relations and hash sets.
   [[nodiscard]] std::size_t entity_bytes() const;
   [[nodiscard]] std::size_t adjacency_bytes() const;
 
@@ -181,52 +210,97 @@ class Mesh {
     std::vector<ModelRef> classes;
     Shape uniform = Shape::Point;  ///< the shape of all, while `shapes` is empty
     std::vector<Shape> shapes;
+    bool complete = false;
   };
   [[nodiscard]] const Level& level(int dim) const { return levels_[static_cast<std::size_t>(dim)]; }
   [[nodiscard]] Level& level(int dim) { return levels_[static_cast<std::size_t>(dim)]; }
   [[nodiscard]] int lower_count(EntityRef e, int dim) const { return shape_template(shape(e)).count(dim); }
+  [[nodiscard]] EntityHash& hash_of(int dim) { return hashes_[static_cast<std::size_t>(dim)]; }
+  void take_list(int dim, const EntityList& list);
+  void take_attributes(const std::vector<Attribute>& attributes);
 
-  // Building and freeing relations (mesh_relations.cpp)
+  // Building and freeing relations (mesh_relations.cpp; the bulk work in bulk.cpp)
   void build(int i, int j);
   void build_up(int i, int j);
-  void build_face_edges();
-  void build_face_vertices();
-  void ensure_level(int dim);
-  void create_implicit_edges();
+  void build_vertices(int i);
+  void complete_level(int dim);
   void free_unwanted(int i, int j);
+  [[nodiscard]] DownRows compact_rows(int i, int j,
+                                      const std::array<std::vector<std::uint32_t>, 4>& maps) const;
   [[nodiscard]] bool defines_level(int i, int j) const;
+  [[nodiscard]] bool can_hold(int i, int j) const;
   [[nodiscard]] std::uint32_t widest(int dim, int lower) const;
 
-  // Elementary edits shared by the public ones, undo and redo (mesh_edit.cpp)
+  // Elementary edits shared by the public ones, undo and redo (mesh_edit.cpp, mesh_rebind.cpp)
+  std::uint32_t create_entity(int dim, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model);
+  Region create_region_of(Shape shape, int k, std::span<const std::uint32_t> sides, ModelRef model);
+  void check_new(int dim, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model) const;
+  void ensure_sides(int dim, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model);
+  void note_created(EntityRef e, bool fresh);
   void grow_level(int dim);
+  void ensure_level(int dim, std::size_t vertices);
   void set_shape(int dim, std::uint32_t id, Shape shape);
   void attach_vertex(std::uint32_t id, const glm::dvec3& position, ModelRef model);
   void attach_entity(int dim, std::uint32_t id, Shape shape, std::span<const std::uint32_t> vertices,
                      ModelRef model);
   void detach_entity(int dim, std::uint32_t id);
+  void attach_sides(EntityRef e, int k, std::span<const std::uint32_t> vertices);
+  void detach_sides(EntityRef e, int k, std::span<const std::uint32_t> vertices);
+  void find_use_directions(EntityRef e, std::span<const std::uint32_t> vertices);
   void apply_rebindings(std::span<const Rebinding> items);
   void rebind_edge(const Rebinding& item);
   void rebind_face(const Rebinding& item, std::span<std::uint32_t> vertices);
-  void rebind_sides(const Rebinding& item, std::span<const std::uint32_t> vertices);
-  void find_use_directions(std::uint32_t face, std::span<const std::uint32_t> vertices);
-  void attach_sides(std::uint32_t face, std::span<const std::uint32_t> vertices);
-  void detach_sides(std::uint32_t face, std::span<const std::uint32_t> vertices);
-  void ensure_edges(std::span<const Vertex> vertices, ModelRef model);
+  void rebind_face_sides(const Rebinding& item, std::span<const std::uint32_t> vertices);
+  void rebind_faces(std::span<const Rebinding> items);
+  void replace_in_row(const Rebinding& item);
   void classify(int dim, std::uint32_t id, ModelRef model);
-  [[nodiscard]] std::uint64_t edge_key(std::uint32_t e) const;
-  [[nodiscard]] bool used(EntityRef e) const;
+
+  // Existence (mesh_find.cpp)
+  [[nodiscard]] std::uint32_t find(int dim, std::span<const std::uint32_t> vertices) const;
+  [[nodiscard]] std::uint32_t find_on(int dim, std::span<const Vertex> vertices) const;
+  [[nodiscard]] std::uint32_t find_edge_index(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] std::uint32_t find_by_hash(int dim, std::span<const std::uint32_t> vertices) const;
+  [[nodiscard]] std::uint64_t hash_key(EntityRef e) const;
+  [[nodiscard]] bool same_vertices(EntityRef e, std::span<const std::uint32_t> vertices) const;
+  [[nodiscard]] bool corners_from_sides(Shape shape, int k, const std::uint32_t* sides,
+                                        VertexBuffer& buffer) const;
+  [[nodiscard]] std::uint32_t side_of(EntityRef e, int k, int i,
+                                      std::span<const std::uint32_t> vertices) const;
 
   std::vector<glm::dvec3> positions_;
-  std::array<Level, 4> levels_{Level{{}, {}, Shape::Point, {}}, Level{{}, {}, Shape::Line, {}},
-                               Level{{}, {}, Shape::Triangle, {}}, Level{{}, {}, Shape::Tetrahedron, {}}};
+  std::array<Level, 4> levels_{Level{{}, {}, Shape::Point, {}, true}, Level{{}, {}, Shape::Line, {}, false},
+                               Level{{}, {}, Shape::Triangle, {}, false},
+                               Level{{}, {}, Shape::Tetrahedron, {}, true}};
   Representation representation_;
-  mutable EntityHash edge_hash_;
+  mutable std::array<EntityHash, 4> hashes_;
   std::unique_ptr<ClassLists> class_lists_;
+  AttachedData attached_;
+  std::array<std::size_t, 4> recorded_creations_{};  ///< by level, those that the journal has applied
+  ModelTable model_table_;
   Journal* journal_ = nullptr;
 };
 
-/// The mesh as plain arrays, ids made consecutive in ascending order; unused vertices are kept. Edges are
-/// listed where they are classified on a model edge. O(size).
+/// The mesh as plain arrays, ids made consecutive in ascending order; unused vertices are kept. Edges and
+/// faces of a level that is not complete are all listed; of a complete one, those classified on a model
+/// entity of their own dimension, and those that nothing uses. Attached double, std::int64_t and glm::dvec3
+/// become attributes. O(size).
 [[nodiscard]] MeshData to_data(const Mesh& mesh);
+
+template <typename H, typename T>
+Attached<H, T>* Mesh::find_column(std::string_view name) const {
+  AttachedBase* found = attached_.find(H::dimension, name);
+  return found && found->type() == typeid(T) ? static_cast<Attached<H, T>*>(found) : nullptr;
+}
+
+template <typename H, typename T>
+Attached<H, T>& Mesh::column(std::string_view name, T initial) {
+  if (Attached<H, T>* known = find_column<H, T>(name)) return *known;
+  constexpr int dim = H::dimension;
+  if (attached_.find(dim, name))
+    throw std::invalid_argument("column \"" + std::string(name) + "\" holds another type");
+  return static_cast<Attached<H, T>&>(attached_.add(
+      dim, std::make_unique<Attached<H, T>>(std::string(name), std::move(initial), capacity(dim),
+                                            recorded_creations_[static_cast<std::size_t>(dim)])));
+}
 
 }  // namespace aomd

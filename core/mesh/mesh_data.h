@@ -3,16 +3,18 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "core/mesh/model_ref.h"
+#include "core/mesh/model_table.h"
 #include "core/mesh/shape.h"
 
 namespace aomd {
 
-/// Entities of one dimension (1 edges, 2 faces, 3 regions), each by its vertices.
+/// Entities of one dimension (1 edges, 2 faces, 3 regions), each by its vertices in template order.
 struct EntityList {
   std::vector<Shape> shapes;            ///< one an entity
   std::vector<std::uint32_t> vertices;  ///< concatenated; the shape tells how many belong to each
@@ -28,10 +30,21 @@ struct EntityList {
       classes.push_back(model);
     }
   }
+  friend bool operator==(const EntityList&, const EntityList&) = default;
 };
 
-/// Vertex positions and the entities that a file lists. Edges are listed only where the file names them
-/// (feature lines, classified curves): the Mesh makes the others when its T asks for them.
+/// Numbers that a file attaches to every entity of one dimension, in the order of the lists.
+struct Attribute {
+  std::string name;
+  int dimension = 0;  ///< 0 vertices, 1 edges, 2 faces, 3 regions
+  int components = 1;
+  bool integer = false;        ///< whole numbers of at most 53 bits
+  std::vector<double> values;  ///< `components` for each entity
+  friend bool operator==(const Attribute&, const Attribute&) = default;
+};
+
+/// Vertex positions and the entities that a file lists. Edges and faces are listed only where the file names
+/// them (feature lines, classified surfaces): the Mesh makes the others when its T asks for them.
 /// Indices are 0-based into `positions`. Vertices that nothing uses are kept.
 struct MeshData {
   std::vector<glm::dvec3> positions;
@@ -39,12 +52,20 @@ struct MeshData {
   EntityList edges;
   EntityList faces;
   EntityList regions;
+  std::vector<Attribute> attributes;
+  ModelTable model;
 
+  /// The list of one dimension, 1 to 3.
+  [[nodiscard]] const EntityList& list(int dim) const {
+    return dim == 1 ? edges : dim == 2 ? faces : regions;
+  }
+  [[nodiscard]] EntityList& list(int dim) { return dim == 1 ? edges : dim == 2 ? faces : regions; }
   /// True where the source classifies at least one entity of dimension 1 or more, or a vertex.
   [[nodiscard]] bool classified() const {
     return !vertex_classes.empty() || !edges.classes.empty() || !faces.classes.empty() ||
            !regions.classes.empty();
   }
+  friend bool operator==(const MeshData&, const MeshData&) = default;
 };
 
 }  // namespace aomd

@@ -1,11 +1,12 @@
-// T(I,J) of Mesh: bulk building (count, prefix sum, fill), implicit creation of edges, and release.
+// T(I,J) of Mesh: what is stored, who wants it, and bulk building (count, prefix sum, fill).
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/mesh/bulk.h"
+#include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 
 namespace aomd {
@@ -37,8 +38,8 @@ void Request::release() {
 
 void Mesh::set(int i, int j) {
   check_cell(i, j);
-  representation_.demand(i, j).user = true;
   build(i, j);
+  representation_.demand(i, j).user = true;
 }
 
 void Mesh::unset(int i, int j) {
@@ -46,7 +47,7 @@ void Mesh::unset(int i, int j) {
   if (stored(i, j) && defines_level(i, j)) {
     std::string others;
     for (int k = 0; k < i; ++k)
-      if (k != j) others += (others.empty() ? "" : " or ") + name(i, k);
+      if (k != j && can_hold(i, k)) others += (others.empty() ? "" : " or ") + name(i, k);
     throw std::logic_error(name(i, j) + " defines the " + entity_name(i) +
                            "s: " + (others.empty() ? "delete them first" : "set " + others + " first"));
   }
@@ -61,16 +62,26 @@ Request Mesh::request(int i, int j) {
   return Request(*this, i, j);
 }
 
+bool Mesh::can_hold(int i, int j) const {
+  if (j == 0 || i == 2) return true;
+  const Level& l = level(i);
+  if (l.shapes.empty()) return told_by_sides(shape_template(l.uniform), j);
+  std::array<bool, max_shapes> present{};
+  for (const Shape s : l.shapes) present[static_cast<std::size_t>(s)] = true;
+  for (std::size_t s = 0; s < max_shapes; ++s)
+    if (present[s] && !told_by_sides(shape_template(static_cast<Shape>(s)), j)) return false;
+  return true;
+}
+
 bool Mesh::defines_level(int i, int j) const {
   if (i < j || count(i) == 0) return false;
   for (int k = 0; k < i; ++k)
-    if (k != j && stored(i, k)) return false;
+    if (k != j && stored(i, k) && can_hold(i, k)) return false;
   return true;
 }
 
 void Mesh::free_unwanted(int i, int j) {
   if (!stored(i, j) || representation_.demand(i, j).wanted() || defines_level(i, j)) return;
-  if (i == 1 && j == 0) edge_hash_.release();
   if (i > j)
     representation_.down(i, j).release();
   else
@@ -78,25 +89,15 @@ void Mesh::free_unwanted(int i, int j) {
 }
 
 void Mesh::build(int i, int j) {
-  if (stored(i, j)) return;
-  ensure_level(std::max(i, j));
-  ensure_level(std::min(i, j));
+  complete_level(i);
+  complete_level(j);
   if (stored(i, j)) return;
   if (i < j)
     build_up(i, j);
-  else if (i == 2 && j == 1)
-    build_face_edges();
-  else if (i == 2 && j == 0)
-    build_face_vertices();
+  else if (j == 0)
+    build_vertices(i);
   else
-    representation_.down(i, j).allocate(capacity(i), widest(i, j), j == i - 1);
-}
-
-void Mesh::ensure_level(int dim) {
-  if (representation_.has_level(dim)) return;
-  AOMD_CHECK(count(dim) == 0);
-  representation_.down(dim, 0).allocate(capacity(dim), static_cast<std::uint32_t>(dim + 1), false);
-  if (dim == 1) create_implicit_edges();
+    build_sides(*this, i, j, representation_.down(i, j));
 }
 
 std::uint32_t Mesh::widest(int dim, int lower) const {
@@ -106,93 +107,51 @@ std::uint32_t Mesh::widest(int dim, int lower) const {
 }
 
 void Mesh::build_up(int i, int j) {
-  Request sides;  // edges of faces are not derivable from vertices in one step
-  if (i == 1 && j == 2) sides = request(2, 1);
-  std::array<std::uint32_t, max_shape_vertices> buffer;
-  const auto lower = [&](std::uint32_t id) {
-    if (i == 0) return vertices_of(EntityRef(j, id), buffer);
-    return std::span(static_cast<const Representation&>(representation_).down(j, i).row(id),
-                     static_cast<std::size_t>(lower_count(EntityRef(j, id), i)));
-  };
-  std::vector<std::uint32_t> sizes(capacity(i), 0);
-  for (std::uint32_t id = 0; id < capacity(j); ++id)
-    if (ids(j).alive(id))
-      for (const std::uint32_t l : lower(id)) ++sizes[l];
-  UpRows& rows = representation_.up(i, j);
-  rows.allocate(sizes);
-  for (std::uint32_t id = 0; id < capacity(j); ++id)
-    if (ids(j).alive(id))
-      for (const std::uint32_t l : lower(id)) rows.append(l, id);
+  Request sides;  // which edges or faces an entity has cannot be read off its vertices
+  if (i > 0) sides = request(j, i);
+  build_upward(*this, i, j, representation_.up(i, j));
+  if (i == 0) hash_of(j).release();
 }
 
-void Mesh::build_face_edges() {
-  const Request edges_of_vertices = request(0, 1);
-  DownRows& rows = representation_.down(2, 1);
-  rows.allocate(capacity(2), widest(2, 1), true);
-  for (const Face f : faces()) {
-    const Row<0> v = row<0>(f);
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      const Edge e = find_edge(v[k], v[(k + 1) % v.size()]);
-      AOMD_CHECK(e.valid());
-      rows.row(f.index)[k] = e.index;
-    }
-    find_use_directions(f.index, v.indices());
-  }
-}
-
-void Mesh::build_face_vertices() {
-  std::array<std::uint32_t, max_shape_vertices> buffer;
+void Mesh::build_vertices(int i) {
   DownRows rows;
-  rows.allocate(capacity(2), widest(2, 0), false);
-  for (const Face f : faces()) {
-    const auto v = vertices_of(f, buffer);
-    std::copy(v.begin(), v.end(), rows.row(f.index));
+  rows.allocate(capacity(i), widest(i, 0), false);
+  VertexBuffer buffer;
+  for (std::uint32_t id = 0; id < capacity(i); ++id) {
+    if (!ids(i).alive(id)) continue;
+    const auto v = vertices_of(EntityRef(i, id), buffer);
+    std::copy(v.begin(), v.end(), rows.row(id));
   }
-  representation_.down(2, 0) = std::move(rows);
+  representation_.down(i, 0) = std::move(rows);
 }
 
-// Edges in ascending order of their smaller vertex, then of the first face that uses them, whose direction
-// and classification they take. Linear: the sides of each vertex are told apart by marks, not by searching.
-void Mesh::create_implicit_edges() {
-  const DownRows& rows = std::as_const(representation_).down(2, 0);
-  if (count(2) == 0) return;
-  std::vector<std::uint32_t> begin(capacity(0) + std::size_t{1}, 0);
-  const auto each_side = [&](auto&& visit) {
-    for (const Face f : faces()) {
-      const std::uint32_t* v = rows.row(f.index);
-      const auto n = static_cast<std::uint32_t>(lower_count(f, 0));
-      for (std::uint32_t k = 0; k < n; ++k) visit(v[k], v[k + 1 == n ? 0 : k + 1], f.index);
-    }
-  };
-  struct Side {
-    std::uint32_t from, to, face;
-  };
-  each_side([&](std::uint32_t a, std::uint32_t b, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
-  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-  std::vector<Side> sides(begin.back());
-  {
-    std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
-    each_side([&](std::uint32_t a, std::uint32_t b, std::uint32_t f) {
-      sides[at[std::min(a, b)]++] = {a, b, f};
-    });
-  }
-  std::vector<std::uint32_t> mark(capacity(0), no_index);
-  std::vector<Side> unique;
-  unique.reserve(sides.size() / 2 + 16);
-  for (const Side& s : sides) {
-    const std::uint32_t low = std::min(s.from, s.to);
-    std::uint32_t& seen = mark[std::max(s.from, s.to)];
-    if (seen != low) unique.push_back(s);
-    seen = low;
-  }
-  level(1).ids.create_many(static_cast<std::uint32_t>(unique.size()));
-  grow_level(1);
-  for (std::uint32_t e = 0; e < unique.size(); ++e) {
-    std::uint32_t* ends = representation_.down(1, 0).row(e);
-    ends[0] = unique[e].from;
-    ends[1] = unique[e].to;
-    level(1).classes[e] = level(2).classes[unique[e].face];
-    if (class_lists_) class_lists_->insert(1, e, level(1).classes[e]);
+// The new ids are fresh, in the order given. Nothing that an incomplete level may have stored needs more than
+// the vertices: other relations complete the level first.
+void Mesh::complete_level(int dim) {
+  if (complete(dim)) return;
+  // A history that has known higher entities would bring some back, or take some away, without their sides.
+  const bool only_ever_below = capacity(3) == 0 && (dim == 2 || capacity(2) == 0);
+  if (journal_ && journal_->size() > 0 && !(only_ever_below && journal_->cursor() == journal_->size()))
+    throw std::logic_error("the " + std::string(entity_name(dim)) +
+                           "s that this relation needs would not be part of the journal's history: request "
+                           "it before the first edit, or clear the journal");
+  level(dim).complete = true;
+  if (count(3) == 0 && (dim == 2 || count(2) == 0)) return;
+  const MissingEntities missing = dim == 1 ? missing_edges(*this) : missing_faces(*this);
+  if (missing.shapes.empty()) return;
+  const std::uint32_t first = level(dim).ids.create_many(static_cast<std::uint32_t>(missing.shapes.size()));
+  DownRows& rows = representation_.down(dim, 0);
+  if (!representation_.has_level(dim)) rows.allocate(0, static_cast<std::uint32_t>(dim + 1), false);
+  hash_of(dim).release();
+  grow_level(dim);
+  const std::uint32_t* from = missing.vertices.data();
+  for (std::uint32_t k = 0; k < missing.shapes.size(); ++k) {
+    set_shape(dim, first + k, missing.shapes[k]);
+    const int n = shape_template(missing.shapes[k]).vertex_count;
+    std::copy_n(from, n, rows.row(first + k));
+    from += n;
+    level(dim).classes[first + k] = missing.classes[k];
+    if (class_lists_) class_lists_->insert(dim, first + k, missing.classes[k]);
   }
 }
 

@@ -34,11 +34,14 @@ std::uint32_t block_for(std::uint32_t size) {
 
 }  // namespace
 
-void DownRows::allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions) {
+void DownRows::allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions, bool fill) {
   AOMD_CHECK(stride > 0);
   stride_ = stride;
   with_directions_ = with_directions;
-  data_.assign(std::size_t{rows} * stride, no_index);
+  if (fill)
+    data_.assign(std::size_t{rows} * stride, no_index);
+  else
+    data_.resize(std::size_t{rows} * stride);
   if (with_directions) directions_.assign(rows, 0);
 }
 
@@ -50,7 +53,7 @@ void DownRows::resize(std::uint32_t rows) {
 void DownRows::widen(std::uint32_t stride) {
   if (stride <= stride_) return;
   const std::size_t rows = data_.size() / stride_;
-  std::vector<std::uint32_t> wider(rows * stride, no_index);
+  RawVector<std::uint32_t> wider(rows * stride, no_index);
   for (std::size_t i = 0; i < rows; ++i)
     std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(i * stride_), stride_,
                 wider.begin() + static_cast<std::ptrdiff_t>(i * stride));
@@ -62,20 +65,24 @@ std::size_t UpRows::bytes() const {
   return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + free_blocks_.capacity() * 4;
 }
 
-void UpRows::allocate(std::span<const std::uint32_t> sizes) {
+std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
   release();
   stored_ = true;
   free_blocks_.assign(block_sizes.size(), no_index);
   heads_.resize(sizes.size());
   std::uint64_t begin = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::uint32_t block = block_for(sizes[i]);
-    heads_[i].begin = static_cast<std::uint32_t>(begin);
+    const std::uint32_t size = sizes[i], block = block_for(size);
+    const auto place = static_cast<std::uint32_t>(begin);
+    heads_[i].begin = sizes[i] = place;
+    heads_[i].size = size;
     heads_[i].block = block;
     begin += block_sizes[block];
+    entries_ += size;
   }
   AOMD_CHECK(begin < no_index);
   pool_.resize(begin);
+  return pool_.data();
 }
 
 void UpRows::resize(std::uint32_t rows) {
@@ -120,6 +127,7 @@ void UpRows::insert(std::uint32_t i, std::uint32_t value) {
   AOMD_DEBUG_CHECK(k == 0 || row[k - 1] != value);
   row[k] = value;
   ++head.size;
+  ++entries_;
 }
 
 bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
@@ -130,6 +138,7 @@ bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   if (k == 0 || row[k - 1] != value) return false;
   for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
+  --entries_;
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/mesh/handle.h"
+#include "core/mesh/raw_vector.h"
 
 namespace aomd {
 
@@ -57,14 +58,15 @@ class DownRows {
   void set_directions(std::uint32_t i, std::uint16_t bits) { directions_[i] = bits; }
   [[nodiscard]] std::size_t bytes() const { return data_.capacity() * 4 + directions_.capacity() * 2; }
 
-  void allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions);
+  /// Rows to be filled: no_index first, or nothing where every place is written anyway.
+  void allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions, bool fill = true);
   void resize(std::uint32_t rows);
   /// Makes room for a shape with more lower entities. O(rows).
   void widen(std::uint32_t stride);
   void release() { *this = DownRows(); }
 
  private:
-  std::vector<std::uint32_t> data_;
+  RawVector<std::uint32_t> data_;
   std::vector<std::uint16_t> directions_;
   std::uint32_t stride_ = 0;
   bool with_directions_ = false;
@@ -80,14 +82,13 @@ class UpRows {
     return {pool_.data() + heads_[i].begin, heads_[i].size};
   }
   [[nodiscard]] std::size_t bytes() const;
+  /// Values in all rows together.
+  [[nodiscard]] std::size_t entries() const { return entries_; }
+  [[nodiscard]] std::size_t rows() const { return heads_.size(); }
 
-  /// Rows of the given sizes, to be filled through append() in ascending order of values. O(rows + entries).
-  void allocate(std::span<const std::uint32_t> sizes);
-  /// Adds a value larger than those in the row, into room that allocate() made.
-  void append(std::uint32_t i, std::uint32_t value) {
-    Head& head = heads_[i];
-    pool_[head.begin + head.size++] = value;
-  }
+  /// Makes rows of the given sizes and returns the pool that holds them, to be filled in ascending order of
+  /// values: `sizes[i]` becomes the place of row i in it. O(rows + entries).
+  std::uint32_t* allocate(std::span<std::uint32_t> sizes);
   void resize(std::uint32_t rows);
   void insert(std::uint32_t i, std::uint32_t value);
   /// False when the row does not hold the value.
@@ -106,9 +107,10 @@ class UpRows {
   void give_block(const Head& head);
 
   std::vector<Head> heads_;
-  std::vector<std::uint32_t> pool_;
+  RawVector<std::uint32_t> pool_;
   std::vector<std::uint32_t>
       free_blocks_;  ///< by block size: first free block, each holding the next one's place
+  std::size_t entries_ = 0;
   bool stored_ = false;
 };
 

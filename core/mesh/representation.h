@@ -22,6 +22,13 @@ class Representation {
   [[nodiscard]] const UpRows& up(int i, int j) const { return up_[index(j, i)]; }
   [[nodiscard]] UpRows& up(int i, int j) { return up_[index(j, i)]; }
 
+  /// How many entities a stored row has, on average; for downward rows at most.
+  [[nodiscard]] double average_row(int i, int j) const {
+    if (i > j) return down(i, j).stride();
+    const UpRows& rows = up(i, j);
+    return rows.rows() == 0 ? 0 : static_cast<double>(rows.entries()) / static_cast<double>(rows.rows());
+  }
+
   /// Who keeps a relation alive: the user (set), algorithms (requests), or both.
   struct Demand {
     bool user = false;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
-#include "core/mesh/entity_hash.h"
+#include "core/mesh/side_index.h"
 
 namespace aomd {
 namespace {
+
+using Ids = std::vector<std::uint32_t>;
 
 std::string label(EntityRef e) {
   return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
@@ -18,15 +21,16 @@ class Verifier {
   explicit Verifier(const Mesh& mesh) : mesh_(mesh) {}
 
   std::vector<Finding> run() {
-    check_ids();
+    for (int dim = 0; dim < 4; ++dim) check_ids(dim);
     check_positions();
-    const bool sound = check_vertices();
-    if (sound) {  // the rest looks entities up by their vertices
-      collect_edges();
-      check_faces();
-      for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) check_upward(i, j);
+    if (check_vertices()) {  // the rest looks entities up by their vertices
+      for (int dim = 1; dim < 4; ++dim) collect(dim);
+      for (int dim = 2; dim < 4; ++dim)
+        for (int k = 1; k < dim; ++k) check_downward(dim, k);
+      for (int i = 0; i < 3; ++i)
+        for (int j = i + 1; j < 4; ++j) check_upward(i, j);
       check_classes();
-      check_hash();
+      for (int dim = 1; dim < 4; ++dim) check_hash(dim);
     }
     check_class_lists();
     return std::move(findings_);
@@ -37,34 +41,26 @@ class Verifier {
     findings_.push_back({name, e, std::move(text)});
   }
 
-  std::vector<std::uint32_t> vertices(EntityRef e) const {
-    std::array<std::uint32_t, max_shape_vertices> buffer;
-    const auto v = mesh_.vertices_of(e, buffer);
-    return {v.begin(), v.end()};
-  }
-
   template <typename Visit>
   void each(int dim, Visit&& visit) const {
     for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
       if (mesh_.ids(dim).alive(id)) visit(EntityRef(dim, id));
   }
 
-  void check_ids() {
-    for (int dim = 0; dim < 4; ++dim) {
-      std::vector<std::uint8_t> seen(mesh_.capacity(dim), 0);
-      for (const std::uint32_t id : mesh_.ids(dim).free_ids()) {
-        const EntityRef e(dim, id);
-        if (id >= mesh_.capacity(dim))
-          report("id stack", e, label(e) + " is on the stack but was never given out");
-        else if (mesh_.alive(e))
-          report("id stack", e, label(e) + " is alive and on the stack");
-        else if (seen[id]++)
-          report("id stack", e, label(e) + " is on the stack twice");
-      }
-      for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
-        if (const EntityRef e(dim, id); !mesh_.alive(e) && !seen[id])
-          report("id stack", e, label(e) + " is neither alive nor on the stack");
+  void check_ids(int dim) {
+    std::vector<std::uint8_t> seen(mesh_.capacity(dim), 0);
+    for (const std::uint32_t id : mesh_.ids(dim).free_ids()) {
+      const EntityRef e(dim, id);
+      if (id >= mesh_.capacity(dim))
+        report("id stack", e, label(e) + " is on the stack but was never given out");
+      else if (mesh_.alive(e))
+        report("id stack", e, label(e) + " is alive and on the stack");
+      else if (seen[id]++)
+        report("id stack", e, label(e) + " is on the stack twice");
     }
+    for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
+      if (const EntityRef e(dim, id); !mesh_.alive(e) && !seen[id])
+        report("id stack", e, label(e) + " is neither alive nor on the stack: its id is lost");
   }
 
   void check_positions() {
@@ -75,78 +71,124 @@ class Verifier {
     }
   }
 
+  // Rows first: what they name must exist before vertices can be read through them.
   bool check_vertices() {
     bool sound = true;
-    for (int dim = 1; dim <= 2; ++dim)
+    for (int dim = 1; dim <= 3; ++dim)
+      for (int k = 0; k < dim; ++k)
+        if (mesh_.stored(dim, k)) each(dim, [&](EntityRef e) { sound &= check_row(e, k); });
+    if (!sound) return false;
+    for (int dim = 1; dim <= 3; ++dim) {
+      if (mesh_.count(dim) > 0 && !mesh_.representation().has_level(dim)) return false;
       each(dim, [&](EntityRef e) {
-        std::vector<std::uint32_t> v = vertices(e);
-        for (const std::uint32_t id : v)
-          if (id >= mesh_.capacity(0) || !mesh_.alive(Vertex(id))) {
-            report("dead reference", e,
-                   label(e) + " uses vertex " + std::to_string(id) + ", which does not exist");
-            sound = false;
-          }
+        VertexBuffer buffer;
+        const auto row = mesh_.vertices_of(e, buffer);
+        Ids v(row.begin(), row.end());
         std::sort(v.begin(), v.end());
-        if (std::adjacent_find(v.begin(), v.end()) != v.end())
-          report("repeated vertex", e, label(e) + " uses a vertex twice");
+        if (std::adjacent_find(v.begin(), v.end()) == v.end()) return;
+        report("repeated vertex", e, label(e) + " uses a vertex twice");
+        sound = false;
       });
+    }
     return sound;
   }
 
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-  }
-
-  void collect_edges() {
-    edge_of_.reserve(mesh_.count(1));
-    for (const Edge e : mesh_.edges()) {
-      const auto [a, b] = mesh_.edge_vertices(e);
-      const auto [it, fresh] = edge_of_.emplace(key(a.index, b.index), e.index);
-      if (!fresh)
-        report("duplicate edge", e,
-               label(e) + " joins the same vertices as edge " + std::to_string(it->second));
+  bool check_row(EntityRef e, int k) {
+    bool sound = true;
+    const std::uint32_t* row = mesh_.representation().down(e.dimension, k).row(e.index);
+    for (int i = 0; i < shape_template(mesh_.shape(e)).count(k); ++i) {
+      if (row[i] < mesh_.capacity(k) && mesh_.alive(EntityRef(k, row[i]))) continue;
+      report("dead reference", e,
+             label(e) + " uses " + label(EntityRef(k, row[i])) + ", which does not exist");
+      sound = false;
     }
+    return sound;
   }
 
-  // The sides of a face as edges, from its vertices alone.
-  std::vector<std::uint32_t> sides(const std::vector<std::uint32_t>& v) const {
-    std::vector<std::uint32_t> result;
-    for (std::size_t k = 0; k < v.size(); ++k) {
-      const auto it = edge_of_.find(key(v[k], v[(k + 1) % v.size()]));
-      result.push_back(it == edge_of_.end() ? no_index : it->second);
+  static Ids sorted(std::span<const std::uint32_t> v) {
+    Ids key(v.begin(), v.end());
+    std::sort(key.begin(), key.end());
+    return key;
+  }
+
+  struct Hasher {
+    std::size_t operator()(const Ids& key) const { return static_cast<std::size_t>(EntityHash::key(key)); }
+  };
+
+  void collect(int dim) {
+    auto& known = known_[static_cast<std::size_t>(dim)];
+    known.reserve(mesh_.count(dim));
+    each(dim, [&](EntityRef e) {
+      VertexBuffer buffer;
+      const auto [it, fresh] = known.emplace(sorted(mesh_.vertices_of(e, buffer)), e.index);
+      if (fresh) return;
+      if (dim == 2) return void(repeated_.emplace(it->second, e.index));
+      report(dim == 1 ? "duplicate edge" : "duplicate region", e,
+             label(e) + " has the same vertices as " + label(EntityRef(dim, it->second)));
+    });
+  }
+
+  // The lower entities of an entity, from its vertices alone.
+  Ids sides(EntityRef e, int k) const {
+    VertexBuffer buffer;
+    const auto v = mesh_.vertices_of(e, buffer);
+    if (k == 0) return {v.begin(), v.end()};
+    const ShapeTemplate& shape = shape_template(mesh_.shape(e));
+    Ids result;
+    for (int i = 0; i < shape.count(k); ++i) {
+      const auto& known = known_[static_cast<std::size_t>(k)];
+      const auto it = known.find(sorted(SideVertices(shape.sub(k, i), v.data()).span()));
+      result.push_back(it == known.end() ? no_index : it->second);
     }
     return result;
   }
 
-  void check_faces() {
-    if (!mesh_.representation().has_level(1)) return;
-    for (const Face f : mesh_.faces()) {
-      const auto v = vertices(f);
-      const auto expected = sides(v);
-      for (std::size_t k = 0; k < expected.size(); ++k) check_side(f, v, k, expected[k]);
-    }
+  void check_downward(int dim, int k) {
+    if (!mesh_.complete(k)) return;
+    each(dim, [&](EntityRef e) {
+      const Ids expected = sides(e, k);
+      for (std::size_t i = 0; i < expected.size(); ++i) check_side(e, k, i, expected[i]);
+    });
   }
 
-  void check_side(Face f, const std::vector<std::uint32_t>& v, std::size_t k, std::uint32_t expected) {
-    if (expected == no_index) return report("missing edge", f, label(f) + " has a side without an edge");
-    if (!mesh_.stored(2, 1)) return;
-    const Edge e = mesh_.row<1>(f)[k];
-    if (e.index != expected)
-      return report("wrong side", f,
-                    label(f) + " names edge " + std::to_string(e.index) +
-                        " where its vertices are joined by edge " + std::to_string(expected));
-    if (mesh_.use_direction(f, e) != (mesh_.edge_vertices(e)[0].index == v[k]))
-      report("wrong use direction", f,
-             label(f) + " uses edge " + std::to_string(e.index) + " the other way round");
+  void check_side(EntityRef e, int k, std::size_t i, std::uint32_t expected) {
+    if (expected == no_index)
+      return report(k == 1 ? "missing edge" : "missing face", e,
+                    label(e) + " has a side without " + (k == 1 ? "an edge" : "a face"));
+    if (k == 2)
+      if (const auto it = repeated_.find(expected); it != repeated_.end())
+        report("duplicate face", Face(it->second),
+               label(Face(it->second)) + " has the same vertices as " + label(Face(expected)) + ", which " +
+                   label(e) + " uses");
+    if (!mesh_.stored(e.dimension, k)) return;
+    const std::uint32_t side = mesh_.representation().down(e.dimension, k).row(e.index)[i];
+    if (side != expected)
+      return report("wrong side", e,
+                    label(e) + " names " + label(EntityRef(k, side)) + " where its vertices say " +
+                        label(EntityRef(k, expected)));
+    if (k + 1 == e.dimension) check_direction(e, k, i, side);
+  }
+
+  void check_direction(EntityRef e, int k, std::size_t i, std::uint32_t side) {
+    VertexBuffer buffer, own_buffer;
+    const auto v = mesh_.vertices_of(e, buffer);
+    const SideVertices expected(shape_template(mesh_.shape(e)).sub(k, static_cast<int>(i)), v.data());
+    const auto own = mesh_.vertices_of(EntityRef(k, side), own_buffer);
+    Ids turned(expected.span().begin(), expected.span().end());
+    std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), own[0]), turned.end());
+    const bool along =
+        k == 1 ? expected.ids[0] == own[0] : std::equal(own.begin(), own.end(), turned.begin());
+    const bool stored = (mesh_.representation().down(e.dimension, k).directions(e.index) >> i & 1u) != 0;
+    if (stored != along)
+      report("wrong use direction", e,
+             label(e) + " uses " + label(EntityRef(k, side)) + " the other way round");
   }
 
   void check_upward(int i, int j) {
     if (!mesh_.stored(i, j)) return;
-    std::vector<std::vector<std::uint32_t>> expected(mesh_.capacity(i));
+    std::vector<Ids> expected(mesh_.capacity(i));
     each(j, [&](EntityRef e) {
-      std::vector<std::uint32_t> lower = vertices(e);
-      if (i == 1) lower = sides(lower);
-      for (const std::uint32_t l : lower)
+      for (const std::uint32_t l : sides(e, i))
         if (l != no_index) expected[l].push_back(e.index);
     });
     each(i, [&](EntityRef e) {
@@ -157,40 +199,42 @@ class Verifier {
   }
 
   void check_classes() {
-    for (int dim = 0; dim <= 2; ++dim)
+    for (int dim = 0; dim <= 3; ++dim)
       each(dim, [&](EntityRef e) {
         const ModelRef m = mesh_.classification(e);
         if (!m.may_classify(dim))
           report("classification order", e,
                  label(e) + " is on a model entity of dimension " + std::to_string(m.dimension()));
-        if (dim > 0 && m.valid()) check_closure(e, m);
+        for (int k = 0; m.valid() && k < dim; ++k) check_closure(e, k, m);
       });
   }
 
-  void check_closure(EntityRef e, ModelRef model) {
-    const auto v = vertices(e);
-    const auto above = [&](EntityRef lower) {
+  void check_closure(EntityRef e, int k, ModelRef model) {
+    if (k > 0 && !mesh_.complete(k)) return;
+    for (const std::uint32_t id : sides(e, k)) {
+      if (id == no_index) continue;
+      const EntityRef lower(k, id);
       const ModelRef m = mesh_.classification(lower);
       if (m.valid() && m.dimension() > model.dimension())
         report("classification closure", lower,
                label(lower) + " bounds " + label(e) + " but is on a higher model entity");
-    };
-    for (const std::uint32_t id : v) above(Vertex(id));
-    if (e.dimension != 2 || !mesh_.representation().has_level(1)) return;
-    for (const std::uint32_t id : sides(v))
-      if (id != no_index) above(Edge(id));
+    }
   }
 
-  void check_hash() {
-    if (!mesh_.edge_hash().built()) return;
-    std::vector<std::uint8_t> found(mesh_.capacity(1), 0);
-    mesh_.edge_hash().for_each([&](std::uint32_t e) {
-      if (e >= mesh_.capacity(1) || !mesh_.alive(Edge(e)) || found[e]++)
-        report("hash set", EntityRef(1, e),
-               "the hash set holds edge " + std::to_string(e) + ", which it should not");
+  void check_hash(int dim) {
+    if (!mesh_.hash(dim).built()) return;
+    std::vector<std::uint8_t> found(mesh_.capacity(dim), 0);
+    mesh_.hash(dim).for_each([&](std::uint32_t id) {
+      const EntityRef e(dim, id);
+      VertexBuffer buffer;
+      if (id >= mesh_.capacity(dim) || !mesh_.alive(e) || found[id]++)
+        report("hash set", e, "the hash set holds " + label(e) + ", which it should not");
+      else if (mesh_.hash(dim).key_of(id) != EntityHash::key(mesh_.vertices_of(e, buffer)))
+        report("hash set", e, "the hash set holds " + label(e) + " under the key of other vertices");
     });
-    for (const Edge e : mesh_.edges())
+    each(dim, [&](EntityRef e) {
       if (!found[e.index]) report("hash set", e, label(e) + " is missing from the hash set");
+    });
   }
 
   void check_class_lists() {
@@ -211,7 +255,8 @@ class Verifier {
   }
 
   const Mesh& mesh_;
-  std::unordered_map<std::uint64_t, std::uint32_t> edge_of_;
+  std::array<std::unordered_map<Ids, std::uint32_t, Hasher>, 4> known_;  ///< by sorted vertices; smallest id
+  std::map<std::uint32_t, std::uint32_t> repeated_;                      ///< faces: the first one, another
   std::vector<Finding> findings_;
 };
 

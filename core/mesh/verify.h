@@ -17,18 +17,19 @@ struct Finding {
 
 /// Checks everything that T stores against the entities' vertices, and returns what is wrong. An empty result
 /// means:
-///  - "dead reference", "repeated vertex": entities use living, different vertices;
+///  - "dead reference", "repeated vertex": entities use living, different ones;
 ///  - "not finite": coordinates are numbers;
-///  - "duplicate edge", "missing edge": where edges exist, each pair of vertices that a face joins has just
-///  one;
-///  - "wrong side", "wrong use direction": T(2,1) agrees with the faces' vertices;
-///  - "upward list": T(0,1), T(0,2), T(1,2) hold just what the entities say, sorted;
+///  - "duplicate edge", "duplicate region": no two on the same vertices; "duplicate face": none under a
+///  region;
+///  - "missing edge", "missing face": a complete level has all sides of all higher entities;
+///  - "wrong side", "wrong use direction": T(2,1), T(3,1) and T(3,2) agree with the vertices;
+///  - "upward list": T(I,J), I < J, holds just what the entities say, sorted;
 ///  - "classification order": M^I on G^J only if J >= I (paper, section 2.1);
 ///  - "classification closure": no entity is on a model entity of higher dimension than one that it bounds;
 ///  - "class list": the lists of model entities agree with the entities;
 ///  - "id stack": every id is alive or on the stack, once;
-///  - "hash set": existence queries find every edge and nothing else.
-/// Edges with any number of faces, repeated faces, and unused vertices are legal. O(entities).
+///  - "hash set": existence queries find every entity under its own key, and nothing else.
+/// Edges with any number of faces, repeated faces of surfaces, and unused vertices are legal. O(entities).
 [[nodiscard]] std::vector<Finding> verify(const Mesh& mesh);
 
 }  // namespace aomd

@@ -6,6 +6,7 @@
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal_scope.h"
+#include "core/model/classify_volume.h"
 
 namespace aomd {
 namespace {
@@ -169,7 +170,7 @@ class Classifier {
 
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options) {
   const JournalScope step(mesh, StepKind::Classify, {});
-  return Classifier(mesh, options).run();
+  return mesh.count(3) > 0 ? classify_volume(mesh, options) : Classifier(mesh, options).run();
 }
 
 }  // namespace aomd

@@ -22,9 +22,11 @@ bool find_target(const Mesh& mesh, Vertex v, glm::dvec3& target) {
 
 }  // namespace
 
-Verdict judge_smooth(const Mesh& mesh, Vertex v, const TurnLimit& max_turn, glm::dvec3& target) {
+Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::dvec3& target) {
   if (mesh.classification(v).dimension() == 0 || !find_target(mesh, v, target))
     return {Reason::Classification, v};
+  if (const ModelRef on = mesh.classification(v); rules.model && on.valid())
+    target = rules.model->snap(on, target);
   const glm::dvec3 from = mesh.position(v);
   for (const Face f : mesh.row<2>(v)) {
     const auto t = mesh.triangle(f);
@@ -33,7 +35,7 @@ Verdict judge_smooth(const Mesh& mesh, Vertex v, const TurnLimit& max_turn, glm:
     const glm::dvec3 q = mesh.position(t[static_cast<std::size_t>((slot + 2) % 3)]);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(target, p, q);
     if (is_flat(target, p, q, after)) return {Reason::Flat, f};
-    if (!max_turn.allows(before, after) && !is_flat(from, p, q, before))
+    if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
       return {Reason::Angle, f, cosine_between(before, after)};
   }
   return {};

@@ -3,15 +3,26 @@
 
 #include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
+#include "core/model/model.h"
 #include "core/operators/verdict.h"
 
 namespace aomd {
 
+/// What smoothing has to respect.
+struct SmoothRules {
+  SmoothRules(const TurnLimit& turn, const Model* snap_to = nullptr) : max_turn(turn), model(snap_to) {}
+
+  TurnLimit max_turn;
+  const Model* model;  ///< new positions are snapped to it; none: they stay where averaging puts them
+};
+
 /// Where smoothing would put a vertex, and whether it may: the average of its neighbours; on a model edge, of
-/// the neighbours along that model edge. Refusals: Classification (on a model vertex, unclassified ends of
-/// curves, or no neighbour), Flat, Angle (a normal around the vertex would turn by more than `max_turn`). The
-/// mesh must store T(0,1), T(0,2), T(2,0). O(faces around the vertex).
-[[nodiscard]] Verdict judge_smooth(const Mesh& mesh, Vertex v, const TurnLimit& max_turn, glm::dvec3& target);
+/// the neighbours along that model edge; then, where there is a model, the nearest point of the entity that
+/// the vertex lies on (paper: G_snapVertex_), so that the verdict is on the final position. Refusals:
+/// Classification (on a model vertex, unclassified ends of curves, or no neighbour), Flat, Angle (a normal
+/// around the vertex would turn by more than `max_turn`). The mesh must store T(0,1), T(0,2), T(2,0). Throws
+/// as Model::closest. O(faces around the vertex), and one closest point.
+[[nodiscard]] Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::dvec3& target);
 
 /// Moves the vertex. One journal step.
 void apply_smooth(Mesh& mesh, Vertex v, const glm::dvec3& target);

@@ -19,17 +19,23 @@ struct Curve {
   Index a, b;
 };
 
+std::size_t side_count(const MeshData& mesh, std::size_t face) {
+  return static_cast<std::size_t>(shape_template(mesh.faces.shapes[face]).vertex_count);
+}
+
 std::vector<Curve> find_curves(const MeshData& mesh) {
   struct Side {
     Index a, b;
     std::int32_t tag;
   };
   std::vector<Side> sides;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index a = mesh.faces.vertices[3 * f + i], b = mesh.faces.vertices[3 * f + (i + 1) % 3];
+  for (std::size_t f = 0, place = 0; f < mesh.faces.size(); ++f) {
+    const std::size_t n = side_count(mesh, f);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index a = mesh.faces.vertices[place + i], b = mesh.faces.vertices[place + (i + 1) % n];
       sides.push_back({std::min(a, b), std::max(a, b), mesh.faces.classes[f].tag()});
     }
+    place += n;
   }
   std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
     return std::tie(l.a, l.b, l.tag) < std::tie(r.a, r.b, r.tag);
@@ -126,8 +132,9 @@ void classify_below_faces(MeshData& mesh, std::span<const Index> corners) {
   const std::vector<Curve> curves = find_curves(mesh);
   const Incidence at = meet(mesh.positions.size(), curves);
   mesh.vertex_classes.assign(mesh.positions.size(), ModelRef());
-  for (std::size_t i = 0; i < mesh.faces.vertices.size(); ++i) {
-    mesh.vertex_classes[mesh.faces.vertices[i]] = mesh.faces.classes[i / 3];
+  for (std::size_t f = 0, place = 0; f < mesh.faces.size(); ++f) {
+    for (std::size_t k = side_count(mesh, f); k > 0; --k, ++place)
+      mesh.vertex_classes[mesh.faces.vertices[place]] = mesh.faces.classes[f];
   }
   std::int32_t last_vertex = 0;
   for (Index v = 0; v < mesh.positions.size(); ++v) {

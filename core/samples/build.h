@@ -20,8 +20,9 @@ void add_quad(MeshData& mesh, const std::uint32_t (&quad)[4], std::int32_t tag);
 
 /// Classifies edges and vertices from faces that lie on model faces. A mesh edge lies on a model edge unless
 /// exactly two faces of one model face share it; a vertex is a model vertex where model edges end or meet,
-/// and where `corners` names it. Model edges run from model vertex to model vertex, or are closed; they and
-/// the model vertices get tags from 1. Lists the classified edges in mesh.edges. O(n log n).
+/// and where `corners` names it. Faces may have any number of sides. Model edges run from model vertex to
+/// model vertex, or are closed; they and the model vertices get tags from 1. Lists the classified edges in
+/// mesh.edges. O(n log n).
 void classify_below_faces(MeshData& mesh, std::span<const std::uint32_t> corners = {});
 
 /// Renumbers vertices and faces so that neighbours in space are near in memory, as in scanned data. O(n log

@@ -14,5 +14,10 @@ namespace aomd::sample {
 [[nodiscard]] MeshData make_torus(int cells);
 [[nodiscard]] MeshData make_terrain(int cells);
 [[nodiscard]] MeshData make_nonmanifold(int cells);
+[[nodiscard]] MeshData make_tet_box(int cells);
+[[nodiscard]] MeshData make_hex_box(int cells);
+[[nodiscard]] MeshData make_mixed(int cells);
+[[nodiscard]] MeshData make_tet_drilled(int cells);
+[[nodiscard]] MeshData make_tet_ball(int layers);
 
 }  // namespace aomd::sample

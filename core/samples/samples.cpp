@@ -16,7 +16,7 @@ struct Maker {
   MeshData (*make)(int size);
 };
 
-constexpr std::array<Maker, 9> makers{{
+constexpr std::array<Maker, 14> makers{{
     {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000, "faces, about"},
      80,
      4'000'000,
@@ -52,6 +52,23 @@ constexpr std::array<Maker, 9> makers{{
      1,
      500,
      sample::make_nonmanifold},
+    {{"tet-box", "a cube of tetrahedra: 8 model vertices, 12 model edges, 6 model faces", 10,
+      "cells along a side", 3},
+     1,
+     64,
+     sample::make_tet_box},
+    {{"hex-box", "the same cube of hexahedra", 10, "cells along a side", 3}, 1, 100, sample::make_hex_box},
+    {{"mixed", "two blocks of hexahedra, prisms, pyramids and tetrahedra, with an interface", 6,
+      "cells along a side", 3},
+     2,
+     50,
+     sample::make_mixed},
+    {{"tet-drilled", "a box of tetrahedra with a round hole through it, fully classified", 8,
+      "cells along a side", 3},
+     2,
+     64,
+     sample::make_tet_drilled},
+    {{"tet-ball", "a ball of tetrahedra", 8, "layers of tetrahedra", 3}, 1, 40, sample::make_tet_ball},
 }};
 
 constexpr auto infos = [] {

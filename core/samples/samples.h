@@ -14,6 +14,7 @@ struct SampleInfo {
   std::string_view description;   ///< one line
   int default_size = 0;           ///< what --size means when it is not given
   std::string_view size_meaning;  ///< e.g. "cells along a side"
+  int dimension = 2;              ///< 2 a surface, 3 a volume
 };
 
 /// Every sample, in the order in which menus list them. The first is what opens without a file.

@@ -8,8 +8,13 @@
 
 namespace {
 
-void check(const aomd::EntityList& list, std::size_t per_entity, std::size_t vertices) {
-  if (list.vertices.size() != per_entity * list.size()) std::abort();
+void check(const aomd::EntityList& list, int dimension, std::size_t vertices) {
+  std::size_t sum = 0;
+  for (const aomd::Shape shape : list.shapes) {
+    if (aomd::shape_template(shape).dimension != dimension) std::abort();
+    sum += static_cast<std::size_t>(aomd::shape_template(shape).vertex_count);
+  }
+  if (list.vertices.size() != sum) std::abort();
   if (!list.classes.empty() && list.classes.size() != list.size()) std::abort();
   for (const std::uint32_t v : list.vertices) {
     if (v >= vertices) std::abort();
@@ -24,8 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     const aomd::MeshData mesh = aomd::io::read_bytes(names[data[0] % 5], bytes).mesh;
-    check(mesh.faces, 3, mesh.positions.size());
-    check(mesh.edges, 2, mesh.positions.size());
+    for (int dimension = 1; dimension <= 3; ++dimension)
+      check(mesh.list(dimension), dimension, mesh.positions.size());
     if (!mesh.vertex_classes.empty() && mesh.vertex_classes.size() != mesh.positions.size()) std::abort();
   } catch (const aomd::io::FileError& error) {
     if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();

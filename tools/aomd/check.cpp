@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/measure/volume_statistics.h"
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
@@ -28,7 +29,9 @@ void print(const std::string& file, const std::vector<Finding>& findings) {
 int run(const Options& options) {
   const io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
-  const std::vector<Finding> findings = verify(mesh);
+  std::vector<Finding> findings = verify(mesh);
+  for (const Region r : measure::measure_volume(mesh).inverted)
+    findings.push_back({"inverted region", r, "its volume is zero or negative"});
   if (options.json) {
     Json list = Json::array();
     for (const Finding& f : findings)

@@ -10,6 +10,9 @@
 #include "core/measure/intersections.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/model/discrete_model.h"
+#include "core/model/fit.h"
+#include "core/model/gmsh_model.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/interrupt.h"
@@ -22,6 +25,7 @@ namespace {
 struct Options {
   std::string input, output, report, journal;
   std::string strategy = "paper", topology = "safe", feature_angle = "20";
+  std::string snap = "none", model;
   DecimationOptions decimation;
   bool no_swap = false, no_smooth = false, quiet = false;
 
@@ -60,21 +64,39 @@ class Run {
     stop_if_interrupted();
     original_ = std::move(read.mesh);
     mesh_ = Mesh(original_);
+    if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = watch_.lap();
   }
 
   void classify_mesh() {
     progress_.show("classifying");
     classify(mesh_, how_);
-    seconds_["classify"] = watch_.lap();
-    stop_if_interrupted();
-    input_ = measure::count_entities(mesh_);
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
+    if (model_) fit_to_model();
+    if (snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
+    if (snaps()) steps_.model = model_.get();
+    seconds_["classify"] = watch_.lap();
+    stop_if_interrupted();
+    input_ = measure::count_entities(mesh_);
     watch_.lap();
+  }
+
+  [[nodiscard]] bool snaps() const { return options_.snap == "model"; }
+
+  // Classification by the model is a step of the journal, so that a replay needs no model.
+  void fit_to_model() {
+    try {
+      if (original_.classified())
+        check_against(mesh_, *model_);
+      else
+        classify_on(mesh_, *model_);
+    } catch (const ModelError& e) {
+      throw io::ReadError(options_.input, {}, e.what() + (" (" + options_.model + ")"));
+    }
   }
 
   void decimate() {
@@ -97,7 +119,7 @@ class Run {
     progress_.show("checking");
     mesh_.attach(nullptr);
     self_intersections_ = measure::self_intersections(mesh_).size();
-    flips_ = measure::count_flips(measure::TriangleTree(measure::triangles_of(original_).corners), mesh_);
+    flips_ = measure::count_flips(TriangleTree(triangles_of(original_).corners), mesh_);
     verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
     stop_if_interrupted();
@@ -133,7 +155,9 @@ class Run {
             {"improve", steps_.improve_passes},
             {"swap", steps_.swap},
             {"smooth", steps_.smooth},
-            {"topology", options_.topology}};
+            {"topology", options_.topology},
+            {"snap", options_.snap},
+            {"model", options_.model.empty() ? Json(nullptr) : Json(options_.model)}};
   }
 
   [[nodiscard]] Json report_json() const {
@@ -170,6 +194,7 @@ class Run {
   Json seconds_, memory_;
   MeshData original_;
   Mesh mesh_;
+  std::unique_ptr<Model> model_;
   io::JournalFile record_;
   measure::Counts input_, output_;
   measure::Quality quality_;
@@ -227,6 +252,15 @@ void add_decimate(CLI::App& app, Action& action) {
                    "safe: keep the topology; paper: as printed, without that check")
       ->check(CLI::IsMember({"safe", "paper"}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--snap", o->snap,
+          "model: smoothing puts vertices onto the model, that of --model or else the input's facets")
+      ->check(CLI::IsMember({"none", "model"}))
+      ->capture_default_str();
+  command->add_option("--model", o->model,
+                      "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo (with "
+                      "Gmsh); a mesh without classification is classified on it");
   command->add_option("--report", o->report, "Writes what was done and measured, as JSON");
   command->add_option("--journal", o->journal, "Writes every operation, for aomd replay");
   command->add_flag("--quiet", o->quiet, "Prints nothing but errors");

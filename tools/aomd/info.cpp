@@ -21,7 +21,7 @@ void row(const char* label, const Value& value) {
 }
 
 void print(const std::string& file, const Mesh& mesh, const measure::Counts& counts,
-           const measure::Quality& quality) {
+           const measure::Quality& quality, const measure::VolumeQuality& volume) {
   std::cout << file << '\n' << std::fixed << std::setprecision(2);
   row("vertices", counts.vertices);
   row("  used by nothing", counts.unused_vertices);
@@ -29,12 +29,25 @@ void print(const std::string& file, const Mesh& mesh, const measure::Counts& cou
   row("  boundary", counts.boundary_edges);
   row("  non-manifold", counts.nonmanifold_edges);
   row("faces", counts.faces);
+  if (counts.regions > 0) {
+    row("  boundary", counts.boundary_faces);
+    row("  non-manifold", counts.nonmanifold_faces);
+    row("regions", counts.regions);
+    for (std::size_t s = 0; s < shape_count(); ++s)
+      if (const ShapeTemplate& shape = shape_template(static_cast<Shape>(s));
+          shape.dimension == 3 && counts.by_shape[s] > 0)
+        row(("  " + std::string(shape.name)).c_str(), counts.by_shape[s]);
+  }
   row("components", counts.components);
   row("Euler number", counts.euler);
   constexpr const char* on_model[] = {"on model vertices", "on model edges", "on model faces",
                                       "on model regions"};
   for (std::size_t dim = 0; dim < counts.by_class.size(); ++dim)
     if (counts.by_class[dim] > 0) row(on_model[dim], counts.by_class[dim]);
+  if (volume.worst.valid()) {
+    row("smallest dihedral", volume.min_dihedral_deg);
+    row("inverted regions", volume.inverted.size());
+  }
   row("smallest angle, mean", quality.min_angle_mean_deg);
   row("smallest angle, worst", quality.min_angle_worst_deg);
   row("% faces below 10 deg", quality.faces_below_10deg_pct);
@@ -48,18 +61,19 @@ int run(const Options& options) {
   const double seconds = watch.lap();
   const measure::Counts counts = measure::count_entities(mesh);
   const measure::Quality quality = measure::measure_quality(mesh);
+  const measure::VolumeQuality volume = measure::measure_volume(mesh);
   if (!options.json) {
-    print(options.file, mesh, counts, quality);
+    print(options.file, mesh, counts, quality, volume);
     return done;
   }
-  const Json json{
-      {"schema", 1},
-      {"input", counts_json(options.file, counts)},
-      {"quality", quality_json(quality)},
-      {"seconds", {{"read", seconds}}},
-      {"memory_bytes",
-       {{"mesh", mesh.entity_bytes()}, {"adjacency", mesh.adjacency_bytes()}, {"peak", peak_bytes()}}},
-      {"notes", read.notes}};
+  Json json{{"schema", 1},
+            {"input", counts_json(options.file, counts)},
+            {"quality", quality_json(quality)},
+            {"seconds", {{"read", seconds}}},
+            {"memory_bytes",
+             {{"mesh", mesh.entity_bytes()}, {"adjacency", mesh.adjacency_bytes()}, {"peak", peak_bytes()}}},
+            {"notes", read.notes}};
+  add_volume_quality(json["quality"], volume);
   std::cout << text_of(json);
   return done;
 }

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/io/error.h"
+#include "core/model/model.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/interrupt.h"
 
@@ -31,6 +32,8 @@ int run(const Action& action) {
     std::cout.flush();
     return std::cout ? code : fail("standard output: cannot be written", not_written);
   } catch (const io::ReadError& e) {
+    return fail(e.what(), bad_input);
+  } catch (const ModelError& e) {
     return fail(e.what(), bad_input);
   } catch (const io::WriteError& e) {
     return fail(e.what(), not_written);

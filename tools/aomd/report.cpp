@@ -7,7 +7,8 @@ namespace aomd::cli {
 Json counts_json(const std::string& file, const measure::Counts& counts) {
   Json shapes = Json::object(), classes = Json::object();
   for (std::size_t i = 0; i < counts.by_shape.size(); ++i)
-    if (counts.by_shape[i] > 0) shapes[std::string(shape_templates[i].name)] = counts.by_shape[i];
+    if (counts.by_shape[i] > 0)
+      shapes[std::string(shape_template(static_cast<Shape>(i)).name)] = counts.by_shape[i];
   for (std::size_t dim = 0; dim < counts.by_class.size(); ++dim)
     classes[std::to_string(dim)] = counts.by_class[dim];
   return {{"file", file},
@@ -18,6 +19,8 @@ Json counts_json(const std::string& file, const measure::Counts& counts) {
           {"regions", counts.regions},
           {"boundary_edges", counts.boundary_edges},
           {"nonmanifold_edges", counts.nonmanifold_edges},
+          {"boundary_faces", counts.boundary_faces},
+          {"nonmanifold_faces", counts.nonmanifold_faces},
           {"components", counts.components},
           {"euler", counts.euler},
           {"by_shape", shapes},
@@ -30,6 +33,12 @@ Json quality_json(const measure::Quality& quality) {
           {"faces_below_10deg_pct", quality.faces_below_10deg_pct},
           {"min_dihedral_deg", nullptr},
           {"worst_region", nullptr}};
+}
+
+void add_volume_quality(Json& quality, const measure::VolumeQuality& volume) {
+  if (!volume.worst.valid()) return;
+  quality["min_dihedral_deg"] = volume.min_dihedral_deg;
+  quality["worst_region"] = volume.worst.index;
 }
 
 Json sweeps_json(const std::vector<SweepStatistics>& sweeps) {

@@ -10,6 +10,7 @@
 
 #include "core/decimate/decimation.h"
 #include "core/measure/statistics.h"
+#include "core/measure/volume_statistics.h"
 
 namespace aomd::cli {
 
@@ -20,6 +21,8 @@ using Json = nlohmann::ordered_json;
 
 /// "quality": angles of a surface; the entries about regions are null without regions.
 [[nodiscard]] Json quality_json(const measure::Quality& quality);
+/// Fills in what only meshes with regions have.
+void add_volume_quality(Json& quality, const measure::VolumeQuality& volume);
 
 /// "sweeps": what each did and what it refused, by reason.
 [[nodiscard]] Json sweeps_json(const std::vector<SweepStatistics>& sweeps);

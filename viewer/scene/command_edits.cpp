@@ -26,7 +26,7 @@ void say(Session& session, const std::string& name, std::size_t made) {
 
 void start(Session& session, Arguments& arguments) {
   arguments.end();
-  need_mesh(session);
+  need_decimable(session);
   session.play(false);
 }
 

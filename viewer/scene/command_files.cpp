@@ -20,6 +20,12 @@ void need_mesh(const Session& session) {
   if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");
 }
 
+void need_decimable(const Session& session) {
+  need_mesh(session);
+  if (const std::string_view why = session.document.hindrance(); !why.empty())
+    throw CommandError(std::string(why));
+}
+
 void open(Session& session, Arguments& arguments) {
   LoadRequest request;
   request.file = expanded(arguments.rest("a file"));

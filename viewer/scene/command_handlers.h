@@ -14,6 +14,11 @@ void save(Session& session, Arguments& arguments);
 void screenshot(Session& session, Arguments& arguments);
 void quit(Session& session, Arguments& arguments);
 
+// command_adjacency.cpp
+void adjacency(Session& session, Arguments& arguments);
+/// The rest of `expect adjacency I J = on|off`.
+void expect_adjacency(Session& session, Arguments& arguments);
+
 // command_edits.cpp
 void factor(Session& session, Arguments& arguments);
 void angle(Session& session, Arguments& arguments);
@@ -59,5 +64,7 @@ void log(Session& session, Arguments& arguments);
 
 /// Throws CommandError where there is no mesh yet.
 void need_mesh(const Session& session);
+/// The same, and for a mesh that cannot be decimated.
+void need_decimable(const Session& session);
 
 }  // namespace aomd::scene::handle

@@ -25,10 +25,12 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 16> quantities = {{
+constexpr std::array<Named, 19> quantities = {{
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
+    {"regions", [](const Session& s) { return s.facts().regions; }},
+    {"outer-faces", [](const Session& s) { return s.facts().outer_faces; }},
     {"euler", [](const Session& s) { return s.facts().euler(); }},
     {"boundary", [](const Session& s) { return s.facts().boundary; }},
     {"nonmanifold", [](const Session& s) { return s.facts().nonmanifold; }},
@@ -36,6 +38,7 @@ constexpr std::array<Named, 16> quantities = {{
     {"model-vertices", [](const Session& s) { return models(s, 0); }},
     {"model-edges", [](const Session& s) { return models(s, 1); }},
     {"model-faces", [](const Session& s) { return models(s, 2); }},
+    {"model-regions", [](const Session& s) { return models(s, 3); }},
     {"steps", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
     {"cursor", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
     {"commands", [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
@@ -69,6 +72,7 @@ void expect(Session& session, Arguments& arguments) {
   need_mesh(session);
   Arguments again = arguments;
   const std::string what = again.rest("a quantity");
+  if (what.rfind("adjacency ", 0) == 0) return expect_adjacency(session, arguments);
   const Quantity of = quantity(arguments);
   const std::string relation = arguments.word("=, <, >, <= or >=");
   const long long bound = arguments.integer("a whole number");

@@ -70,6 +70,14 @@ std::vector<Command> make_table() {
        handle::improve_passes,
        {}},
 
+      {"adjacency",
+       "I J [on|off|toggle]",
+       "Stores the relation T(I,J) of levels 0 (vertices) to 3 (regions), or lets go of it. It stays stored "
+       "while an algorithm needs it or where it defines entities. Not part of the history.",
+       Options,
+       handle::adjacency,
+       {}},
+
       {"step",
        "[N]",
        "N single operations; -N takes back as many.",
@@ -160,8 +168,10 @@ std::vector<Command> make_table() {
        handle::color,
        {{"C", "color classification"}, {"N", "color none"}}},
       {"show",
-       "surface|edges|model-edges|model-vertices|operation [on|off|toggle]",
-       "operation is what the last single step touched.",
+       "surface|edges|model-edges|model-vertices|interfaces|operation [on|off|toggle]",
+       "interfaces are the faces between two model regions, seen where something is hidden; operation is "
+       "what "
+       "the last single step touched.",
        Viewing,
        handle::show,
        {{"E", "show edges toggle"},
@@ -169,14 +179,15 @@ std::vector<Command> make_table() {
         {"V", "show model-vertices toggle"},
         {"O", "show operation toggle"}}},
       {"highlight",
-       "[vertex|edge|face:TAG]",
+       "[vertex|edge|face|region:TAG]",
        "Brightens what lies on one model entity; none without a word.",
        Viewing,
        handle::highlight,
        {}},
       {"hide",
-       "[vertex|edge|face:TAG [on|off|toggle]]",
-       "Hides what lies on one model entity; shows everything without a word.",
+       "[vertex|edge|face|region:TAG [on|off|toggle]]",
+       "Hides what lies on one model entity; shows everything without a word. Behind a hidden region its "
+       "neighbours show.",
        Viewing,
        handle::hide,
        {{"H", "hide"}}},
@@ -187,11 +198,11 @@ std::vector<Command> make_table() {
        handle::theme,
        {{"T", "theme toggle"}}},
       {"panel",
-       "mesh|decimation|timeline|all [on|off|toggle]",
-       "Which panels are there.",
+       "mesh|decimation|adjacency|timeline|all [on|off|toggle]",
+       "Which panels are there; decimation and adjacency share the one on the right.",
        Viewing,
        handle::panel,
-       {{"Tab", "panel all toggle"}}},
+       {{"Tab", "panel all toggle"}, {"D", "panel decimation on"}, {"A", "panel adjacency on"}}},
       {"dialog",
        "open|save|screenshot|shortcuts|about|none",
        "Opens one of the dialogs.",
@@ -203,10 +214,12 @@ std::vector<Command> make_table() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, euler "
-       "(over used vertices), boundary, nonmanifold, unused, model-vertices, model-edges, model-faces, "
+       "faces, regions, "
+       "outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, unused, "
+       "model-vertices, model-edges, model-faces, model-regions, "
        "steps, cursor, "
-       "commands, refused-classification, refused-topology, refused-angle.",
+       "commands, refused-classification, refused-topology, refused-angle. Also: expect adjacency I J = "
+       "on|off.",
        Scripts,
        handle::expect,
        {}},

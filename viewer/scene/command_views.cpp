@@ -66,11 +66,12 @@ void zoom(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 5> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 6> choices = {
       {{"surface", &View::surface},
        {"edges", &View::edges},
        {"model-edges", &View::model_edges},
        {"model-vertices", &View::model_vertices},
+       {"interfaces", &View::interfaces},
        {"operation", &View::operation}}};
   bool& shown = session.view.*choose(arguments, choices);
   shown = arguments.flag(shown);
@@ -110,20 +111,27 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool Panels::*>, 4> choices = {
-      {{"mesh", &Panels::mesh},
-       {"decimation", &Panels::decimation},
-       {"timeline", &Panels::timeline},
-       {"all", nullptr}}};
+  enum class Which { Mesh, Decimation, Adjacency, Timeline, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 5> choices = {{{"mesh", Which::Mesh},
+                                                                          {"decimation", Which::Decimation},
+                                                                          {"adjacency", Which::Adjacency},
+                                                                          {"timeline", Which::Timeline},
+                                                                          {"all", Which::All}}};
   Panels& panels = session.view.panels;
-  bool Panels::*one = choose(arguments, choices);
-  const bool any = panels.mesh || panels.decimation || panels.timeline;
-  const bool on = arguments.flag(one == nullptr ? any : panels.*one);
+  const Which which = choose(arguments, choices);
+  const bool any = panels.mesh || panels.side || panels.timeline;
+  const auto turn_page = [&](Page page) {
+    const bool up = panels.side && panels.page == page;
+    const bool on = arguments.flag(up);
+    if (on) panels.page = page;
+    panels.side = on || (panels.side && !up);
+  };
+  if (which == Which::Mesh) panels.mesh = arguments.flag(panels.mesh);
+  if (which == Which::Decimation) turn_page(Page::Decimation);
+  if (which == Which::Adjacency) turn_page(Page::Adjacency);
+  if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
+  if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
   arguments.end();
-  if (one != nullptr)
-    panels.*one = on;
-  else
-    panels = {on, on, on};
 }
 
 void dialog(Session& session, Arguments& arguments) {

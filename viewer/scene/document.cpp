@@ -9,9 +9,15 @@
 namespace aomd::scene {
 
 HistoryPlace Document::place() const {
-  if (!loaded_) return {generation_, 0, 0, 0};
+  if (!loaded_) return {generation_, creations_, 0, 0, 0};
   const std::size_t last_cut = journal().epoch() == epoch_at_mark_ ? last_cut_ : mark_begin_;
-  return {generation_, journal().epoch(), journal().cursor(), last_cut};
+  return {generation_, creations_, journal().epoch(), journal().cursor(), last_cut};
+}
+
+std::string_view Document::hindrance() const {
+  if (!loaded_ || !loaded_->skin) return {};
+  return loaded_->volume() ? "Decimating volumes is not part of this version."
+                           : "Only triangles can be decimated: this mesh has quads.";
 }
 
 const HistoryMark& Document::mark_of(std::size_t step) const {
@@ -43,6 +49,27 @@ void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   last_cut_ = mark_begin_ = 0;
   epoch_at_mark_ = 0;
   running_ = stale_ = focused_ = false;
+  adjacency_change_.reset();
+}
+
+/// What it shows depends on which entities there are and on what they lie.
+void Document::renew_skin() {
+  if (loaded_->skin) loaded_->skin.emplace(loaded_->mesh);
+}
+
+const AdjacencyChange& Document::set_adjacency(int i, int j, bool on) {
+  Mesh& mesh = loaded_->mesh;
+  const bool known = mesh.stored(i, j);
+  const auto entities = [&] { return std::array{mesh.count(1), mesh.count(2), mesh.count(3)}; };
+  const auto before = entities();
+  adjacency_change_ = change_adjacency(mesh, i, j, on);
+  if (!known && mesh.stored(i, j))
+    loaded_->build_ms[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = adjacency_change_->ms;
+  if (entities() != before) {
+    ++creations_;
+    renew_skin();
+  }
+  return *adjacency_change_;
 }
 
 /// The decimation, made at the first need and told what it has missed.
@@ -84,6 +111,7 @@ std::size_t Document::record(std::string label, const std::function<void()>& edi
   focused_ = false;
   open_mark(std::move(label));
   edit();
+  renew_skin();
   return close_mark();
 }
 
@@ -177,6 +205,7 @@ void Document::move_to(std::size_t step, bool single) {
   loaded_->journal.seek(loaded_->mesh, step);
   stale_ = stale_ || (journal().cursor() != before && loaded_->decimation);
   focused_ = single;
+  if (journal().cursor() != before) renew_skin();
 }
 
 bool Document::undo() {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/scene/loaded_mesh.h"
@@ -32,6 +33,8 @@ class Document {
   }
   [[nodiscard]] const DecimationOptions& options() const { return options_; }
   [[nodiscard]] const ClassifyOptions& classify_options() const { return classify_; }
+  /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
+  [[nodiscard]] std::string_view hindrance() const;
   [[nodiscard]] HistoryPlace place() const;
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
   [[nodiscard]] bool can_undo() const { return loaded_ && journal().cursor() > 0; }
@@ -43,13 +46,22 @@ class Document {
   /// The refusals of the last sweep that counted some; null before.
   [[nodiscard]] const SweepStatistics* last_sweep() const;
 
+  /// What the last set_adjacency() on the present mesh came to; null before.
+  [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
+    return adjacency_change_ ? &*adjacency_change_ : nullptr;
+  }
+
   void replace(std::unique_ptr<LoadedMesh> loaded);
   /// Keeps what has been done; cheap while nothing runs.
   void set_options(const DecimationOptions& options) { options_ = options; }
   /// For the next mesh that is loaded; reclassify() for the present one.
   void set_classify_options(const ClassifyOptions& options) { classify_ = options; }
-  /// Derives the classification anew; what the file says still wins. One command in the history.
+  /// Derives the classification anew; what the file says still wins. One command in the history. A volume
+  /// gets all its faces and edges.
   void reclassify(const ClassifyOptions& options);
+
+  /// Stores a relation until it is unset, or lets go of it. No part of the history. A mesh must be there.
+  const AdjacencyChange& set_adjacency(int i, int j, bool on);
 
   // Each is one command in the history and returns how many operations it made.
   std::size_t step(std::size_t count);
@@ -78,6 +90,7 @@ class Document {
   void open_mark(std::string label);
   std::size_t close_mark();
   void restore_file_classes();
+  void renew_skin();
   void move_to(std::size_t step, bool single);
 
   std::unique_ptr<LoadedMesh> loaded_;
@@ -89,11 +102,13 @@ class Document {
       0;  ///< where the last command began, which cut there if the epoch has changed since
   std::uint64_t epoch_at_mark_ = 0;
   std::uint64_t generation_ = 0;
+  std::uint64_t creations_ = 0;
   std::size_t last_cut_ = 0;  ///< by the commands before the last
   bool running_ = false;
   bool stale_ = false;  ///< the decimation does not know yet that the history was moved
   bool focused_ = false;
   std::size_t first_sweep_of_run_ = 0;
+  std::optional<AdjacencyChange> adjacency_change_;
 };
 
 }  // namespace aomd::scene

@@ -1,6 +1,7 @@
 #include "viewer/scene/loaded_mesh.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "core/io/io.h"
@@ -30,6 +31,35 @@ void remember_file_classes(LoadedMesh& loaded) {
   }
 }
 
+Request timed_request(LoadedMesh& loaded, int i, int j) {
+  using Clock = std::chrono::steady_clock;
+  const bool known = loaded.mesh.stored(i, j);
+  const auto before = Clock::now();
+  Request request = loaded.mesh.request(i, j);
+  if (!known)
+    loaded.build_ms[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+        std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+  return request;
+}
+
+/// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
+UpAxis usual_up_axis(io::Format format) {
+  const bool y = format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
+  return y ? UpAxis::Y : UpAxis::Z;
+}
+
+bool needs_skin(const Mesh& mesh) {
+  if (mesh.count(3) > 0) return true;
+  for (const Face f : mesh.faces())
+    if (mesh.shape(f) != Shape::Triangle) return true;
+  return false;
+}
+
+void prepare_surface(LoadedMesh& loaded) {
+  loaded.classified = classify(loaded.mesh, loaded.classify_options);
+  loaded.needs = {timed_request(loaded, 2, 0), timed_request(loaded, 0, 1), timed_request(loaded, 0, 2)};
+}
+
 }  // namespace
 
 std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
@@ -39,25 +69,26 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   loaded->mesh = Mesh(data);
   if (data.classified()) remember_file_classes(*loaded);
   loaded->classify_options = options;
-  loaded->classified = classify(loaded->mesh, options);
   Mesh& mesh = loaded->mesh;
-  loaded->needs = {mesh.request(2, 0), mesh.request(0, 1), mesh.request(0, 2)};
+  if (!loaded->volume()) prepare_surface(*loaded);
+  // Going through a volume takes its time and all its faces: only where the file says nothing.
+  if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
+  if (needs_skin(mesh)) loaded->skin.emplace(mesh);
   mesh.keep_class_lists(true);
-  loaded->bounds = box_of(mesh);
+  loaded->bounds = loaded->skin ? loaded->skin->bounds() : box_of(mesh);
   mesh.attach(&loaded->journal);
   return loaded;
 }
-
 std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample, request.classify);
   io::ReadResult result = io::read(request.file);
-  if (result.mesh.faces.empty()) throw io::ReadError(request.file.string(), {}, "there are no faces in it");
+  if (result.mesh.faces.empty() && result.mesh.regions.empty())
+    throw io::ReadError(request.file.string(), {}, "there are no faces or regions in it");
   auto loaded = make_loaded(result.mesh, request.file.filename().string(), request.classify);
   loaded->file = request.file;
   loaded->notes = std::move(result.notes);
-  // Scanners and modellers write y up, machine shops (STL) z up.
-  loaded->up = result.format == io::Format::Stl ? UpAxis::Z : UpAxis::Y;
+  loaded->up = usual_up_axis(result.format);
   return loaded;
 }
 

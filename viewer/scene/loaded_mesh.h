@@ -13,8 +13,10 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_data.h"
 #include "core/model/classify.h"
+#include "viewer/scene/adjacency.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/skin.h"
 
 namespace aomd::scene {
 
@@ -24,18 +26,23 @@ struct LoadedMesh {
   std::filesystem::path file;      ///< empty for a sample
   UpAxis up = UpAxis::Z;           ///< what the source usually means by up
   std::vector<std::string> notes;  ///< what the reader had to do
-  Box bounds;                      ///< of the vertices that faces use
+  Box bounds;                      ///< of the vertices that can be seen
   Mesh mesh;
   Journal journal;
   ClassifyOptions classify_options;
   ClassifyResult classified;
   /// The file's own classification by level and id; empty where it has none. It wins over derived ones.
   std::array<std::vector<ModelRef>, 3> file_classes;
-  /// T(2,0), T(0,1), T(0,2): what drawing and counting need; decimation needs the same.
+  /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they are.
+  std::optional<Skin> skin;
+  /// T(2,0), T(0,1), T(0,2) of a surface: what drawing and counting need; decimation needs the same. A volume
+  /// stores what its file lists and nothing else.
   std::array<Request, 3> needs;
+  BuildTimes build_ms{};
   std::optional<Decimation> decimation;
 
-  [[nodiscard]] bool classified_by_file() const { return !file_classes[2].empty(); }
+  [[nodiscard]] bool classified_by_file() const { return !file_classes[0].empty(); }
+  [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }
 };
 
 /// What to load: a file, or a sample where `file` is empty.
@@ -47,7 +54,8 @@ struct LoadRequest {
 };
 
 /// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a
-/// million faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces.
+/// million faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces and
+/// regions.
 [[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.

@@ -21,7 +21,35 @@ int faces_at(const Mesh& mesh, Edge edge) {
   return common;
 }
 
+void count_shapes(const Mesh& mesh, int dim, MeshFacts& facts) {
+  facts.shapes.fill(0);
+  for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id)
+    if (mesh.alive({dim, id})) ++facts.shapes[static_cast<std::size_t>(mesh.shape({dim, id}))];
+}
+
+std::int64_t count_unused(const Mesh& mesh) {
+  std::vector<char> used(mesh.capacity(0), 0);
+  VertexBuffer buffer;
+  for (int dim = 1; dim <= 3; ++dim)
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id)
+      if (mesh.alive({dim, id}))
+        for (const std::uint32_t v : mesh.vertices_of({dim, id}, buffer)) used[v] = 1;
+  return mesh.count(0) - std::count(used.begin(), used.end(), 1);
+}
+
 }  // namespace
+
+MeshFacts volume_facts(const Mesh& mesh, const Skin& skin) {
+  MeshFacts facts;
+  facts.vertices = mesh.count(0);
+  facts.edges = mesh.count(1);
+  facts.faces = mesh.count(2);
+  facts.regions = mesh.count(3);
+  facts.outer_faces = skin.outer();
+  facts.unused = count_unused(mesh);
+  count_shapes(mesh, 3, facts);
+  return facts;
+}
 
 void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
   if (changes.everything) {
@@ -30,6 +58,7 @@ void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
     unused_.assign(mesh.capacity(0), 0);
     for (const Edge e : mesh.edges()) look_at(mesh, e);
     for (const Vertex v : mesh.vertices()) look_at(mesh, v);
+    count_shapes(mesh, 2, facts_);
   } else {
     if (edges_.size() < mesh.capacity(1)) edges_.resize(mesh.capacity(1), EdgeKind::Dead);
     if (unused_.size() < mesh.capacity(0)) unused_.resize(mesh.capacity(0), 0);
@@ -39,6 +68,8 @@ void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
   facts_.vertices = mesh.count(0);
   facts_.edges = mesh.count(1);
   facts_.faces = mesh.count(2);
+  // Only triangles are ever edited.
+  if (!changes.everything) facts_.shapes[static_cast<std::size_t>(Shape::Triangle)] = facts_.faces;
 }
 
 void FactsKeeper::count(EdgeKind kind, std::int64_t by) {

@@ -57,6 +57,7 @@ Color mix_colors(Color a, Color b, float t) {
 
 Color color_of(ModelRef ref) {
   if (!ref.valid()) return unclassified_color();
+  if (ref == unnamed_border) return plain_line_color();
   const Place place = place_of(ref);
   const float step = 0.12f * static_cast<float>(place.turn % 3);
   switch (ref.dimension()) {

@@ -28,6 +28,10 @@ using Color = std::uint32_t;
 /// the neutral one.
 [[nodiscard]] Color color_of(ModelRef ref);
 
+/// Stands for the lines where model faces meet in a mesh that names no model edges.
+inline constexpr ModelRef unnamed_border{1, 0};
+/// Their colour, and that of all model edges where colours have no meaning.
+[[nodiscard]] constexpr Color plain_line_color() { return rgb(0x3a4656); }
 /// The colour of what is not classified.
 [[nodiscard]] constexpr Color unclassified_color() { return rgb(0xc9ccd1); }
 

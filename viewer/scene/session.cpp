@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "viewer/scene/text.h"
@@ -11,6 +12,21 @@ namespace {
 
 constexpr double longest_play_s = 12;      // however long the history
 constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
+
+SkinStyle skin_style(const View& view) {
+  SkinStyle style;
+  const auto is_region = [](ModelRef ref) { return ref.dimension() == 3; };
+  std::copy_if(view.hidden.begin(), view.hidden.end(),
+               std::inserter(style.hidden_regions, style.hidden_regions.end()), is_region);
+  if (view.highlighted && is_region(*view.highlighted)) style.highlighted_region = view.highlighted;
+  style.interfaces = view.interfaces;
+  return style;
+}
+
+/// "7,160 faces", "165,295 regions"
+std::string size_words(const MeshFacts& facts) {
+  return facts.regions > 0 ? grouped(facts.regions) + " regions" : grouped(facts.faces) + " faces";
+}
 
 }  // namespace
 
@@ -33,12 +49,15 @@ void Session::take_loaded(Loader::Result result) {
   view.hidden.clear();
   view.highlighted.reset();
   drawing_.set_bounds(document.content().bounds);
+  drawing_.set_face_flags({});
+  drawing_.highlight_step(document.mesh(), document.journal(), {});
+  skin_surface_.reset();
   refresh();
   loaded_facts_ = facts();
   view.camera.up_axis = document.content().up;
   view.camera.turn_to(StandardView::Iso);
   view.camera.fit(document.content().bounds, view.aspect);
-  status = document.content().name + ": " + grouped(facts().faces) + " faces";
+  status = document.content().name + ": " + size_words(facts());
   for (const std::string& note : document.content().notes) status += ", " + note;
 }
 
@@ -80,6 +99,32 @@ void Session::finish() {
 
 void Session::refresh() {
   if (document.empty()) return;
+  if (document.content().skin)
+    refresh_skin();
+  else
+    refresh_surface();
+}
+
+void Session::refresh_skin() {
+  const LoadedMesh& content = document.content();
+  const HistoryPlace place = document.place();
+  SurfaceChanges all;
+  all.everything = true;
+  if (const SkinStyle style = skin_style(view);
+      !skin_surface_ || place != skin_place_ || style != skin_style_) {
+    if (place != skin_place_ && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
+    if (place != skin_place_ && !content.volume()) facts_.update(content.mesh, all);
+    skin_surface_.emplace(make_skin_surface(content.mesh, *content.skin, style));
+    skin_style_ = style;
+    skin_place_ = place;
+    drawing_.set_face_flags(skin_surface_->flags);
+  } else {
+    all.everything = false;
+  }
+  drawing_.update(skin_surface_->mesh, view, all);
+}
+
+void Session::refresh_surface() {
   const HistoryPlace place = document.place();
   const SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
   facts_.update(document.mesh(), found);

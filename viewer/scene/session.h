@@ -12,6 +12,7 @@
 #include "viewer/scene/document.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_drawing.h"
 #include "viewer/scene/view.h"
 
@@ -59,6 +60,8 @@ class Session {
   void take_loaded(Loader::Result result);
   void advance_playing(double frame_s);
   void run_on(std::optional<std::chrono::microseconds> budget);
+  void refresh_surface();
+  void refresh_skin();
 
   Loader loader_;
   bool playing_ = false;
@@ -67,6 +70,9 @@ class Session {
   FactsKeeper facts_;
   MeshFacts loaded_facts_;
   SurfaceDrawing drawing_;
+  std::optional<SkinSurface> skin_surface_;  ///< of the present skin, where there is one
+  SkinStyle skin_style_;
+  HistoryPlace skin_place_;
   std::optional<std::size_t> drawn_focus_;
 };
 

@@ -14,7 +14,7 @@ void make_unique(std::vector<T>& values) {
 }  // namespace
 
 bool ChangeReader::can_follow(const HistoryPlace& now) const {
-  if (now.generation != place_.generation) return false;
+  if (now.generation != place_.generation || now.creations != place_.creations) return false;
   // A cut behind the place where this reader stood took nothing that it has seen.
   return now.epoch == place_.epoch || (now.epoch == place_.epoch + 1 && place_.cursor <= now.last_cut);
 }

@@ -13,6 +13,7 @@ namespace aomd::scene {
 /// Where a mesh stands in its history, and what a reader of it needs to know to go on from where it was.
 struct HistoryPlace {
   std::uint64_t generation = 0;  ///< another mesh has another one
+  std::uint64_t creations = 0;   ///< changes of T that made entities, which no journal records
   std::uint64_t epoch = 0;       ///< Journal::epoch
   std::size_t cursor = 0;        ///< Journal::cursor
   std::size_t last_cut = 0;      ///< steps before this one survived the cut that led to `epoch`

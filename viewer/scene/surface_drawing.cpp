@@ -14,7 +14,6 @@ constexpr float step_line_px = 2.6f;
 constexpr float step_disc_px = 5.0f;
 constexpr Color highlight_color = rgb(0xff2f92);
 constexpr Color plain_color = rgb(0xc4cbd4);
-constexpr Color plain_line_color = rgb(0x3a4656);
 
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
 float vertex_radius_px(const Mesh& mesh) {
@@ -88,7 +87,7 @@ void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceCha
 
 Color SurfaceDrawing::color(ModelRef ref) const {
   if (style_.coloring == Coloring::Classification) return color_of(ref);
-  return ref.dimension() < 2 ? plain_line_color : plain_color;
+  return ref.dimension() < 2 ? plain_line_color() : plain_color;
 }
 
 void SurfaceDrawing::rebuild(const Mesh& mesh) {
@@ -124,13 +123,15 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
   const bool alive = mesh.alive(face);
   const ModelRef model = alive ? mesh.classification(face) : ModelRef();
   const bool drawn = alive && !hidden(model);
+  std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
+  if (highlighted(model)) flags |= CornerFlag::highlighted;
   for (std::size_t i = 0; i < 3; ++i) {
     Corner corner;
     if (alive) corner.normal = drawable_.corners[first + i].normal;
     if (drawn) {
       corner.position = place(mesh, mesh.triangle(face)[i]);
       corner.color = color(model);
-      corner.flags = highlighted(model) ? static_cast<std::uint32_t>(CornerFlag::highlighted) : 0;
+      corner.flags = flags;
     }
     if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);
   }

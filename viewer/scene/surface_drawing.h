@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/column.h"
@@ -52,6 +53,8 @@ class SurfaceDrawing {
  public:
   /// The box of the mesh as it was loaded: it gives the origin, and a camera that does not move.
   void set_bounds(const Box& bounds);
+  /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
+  void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
   /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
@@ -85,6 +88,7 @@ class SurfaceDrawing {
     return glm::vec3(mesh.position(v) - drawable_.origin);
   }
 
+  std::vector<std::uint32_t> face_flags_;
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

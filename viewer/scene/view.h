@@ -14,10 +14,14 @@ enum class Coloring { Classification, None };
 enum class Theme { Light, Dark };
 enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About };
 
+/// What the panel on the right shows: one of them at a time, side by side there is no room.
+enum class Page { Decimation, Adjacency };
+
 struct Panels {
   bool mesh = true;
-  bool decimation = true;
+  bool side = true;  ///< the one on the right
   bool timeline = true;
+  Page page = Page::Decimation;
   friend bool operator==(const Panels&, const Panels&) = default;
 };
 
@@ -29,7 +33,8 @@ struct View {
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
-  bool operation = true;  ///< what the last single step touched
+  bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
+  bool operation = true;   ///< what the last single step touched
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
   Theme theme = Theme::Light;

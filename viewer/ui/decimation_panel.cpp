@@ -90,7 +90,7 @@ void passes_control(Frame& frame, const DecimationOptions& options) {
 float half_width() { return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x); }
 
 void operation_buttons(Frame& frame) {
-  const bool ready = frame.has_mesh() && !frame.document().running();
+  const bool ready = frame.can_decimate() && !frame.document().running();
   const float width = half_width();
   command_button(frame, "Step", "step", width, ready);
   ImGui::SameLine();
@@ -106,7 +106,7 @@ void operation_buttons(Frame& frame) {
 void run_controls(Frame& frame) {
   const scene::Document& document = frame.document();
   if (!document.running()) {
-    primary_button(frame, "Run", "run", -1, frame.has_mesh());
+    primary_button(frame, "Run", "run", -1, frame.can_decimate());
     return;
   }
   command_button(frame, "Cancel", "cancel", -1);
@@ -183,7 +183,14 @@ void last_sweep_section(const Frame& frame) {
 
 void decimation_panel(Frame& frame, DecimationDrafts& drafts) {
   const DecimationOptions& options = frame.document().options();
-  heading(frame, "Decimation");
+  if (const std::string_view why = frame.document().hindrance(); !why.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.warning);
+    text(why);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::BeginDisabled(frame.has_mesh() && !frame.can_decimate());
   factor_control(frame, options);
   angle_control(frame, options);
   feature_angle_control(frame, drafts);
@@ -192,6 +199,7 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts) {
   gap();
   operation_buttons(frame);
   run_controls(frame);
+  ImGui::EndDisabled();
   last_sweep_section(frame);
 }
 

@@ -16,11 +16,17 @@ std::string stem_of(const scene::Session& session) {
   return std::filesystem::path(session.document.content().name).stem().string();
 }
 
+std::string suggested_name(const scene::Session& session) {
+  const bool volume = !session.document.empty() && session.document.content().volume();
+  return stem_of(session) + (volume ? "-copy.msh" : "-decimated.ply");
+}
+
 BrowserPurpose purpose_of(Dialog dialog, const scene::Session& session) {
-  const std::vector<std::string> meshes = {".obj", ".off", ".ply", ".stl"};
+  const std::vector<std::string> meshes = {".obj",  ".off", ".ply", ".stl", ".msh",
+                                           ".mesh", ".vtk", ".vtu", ".su2"};
   switch (dialog) {
     case Dialog::Save:
-      return {"Save the mesh", "Save", meshes, false, stem_of(session) + "-decimated.ply"};
+      return {"Save the mesh", "Save", meshes, false, suggested_name(session)};
     case Dialog::Screenshot:
       return {"Save a picture", "Save", {".png"}, false, stem_of(session) + ".png"};
     default:

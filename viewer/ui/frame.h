@@ -21,6 +21,7 @@ struct Frame {
   void emit(std::string line) { lines.push_back(std::move(line)); }
   [[nodiscard]] const scene::Document& document() const { return session.document; }
   [[nodiscard]] bool has_mesh() const { return !session.document.empty(); }
+  [[nodiscard]] bool can_decimate() const { return has_mesh() && document().hindrance().empty(); }
 };
 
 }  // namespace aomd::ui

@@ -63,8 +63,7 @@ void Interface::draw_panels(Frame& frame) {
     gap();
     legend_panel(frame);
   });
-  docked("##decimation", layout_.decimation, ImGuiWindowFlags_None,
-         [&] { decimation_panel(frame, drafts_); });
+  docked("##side", layout_.side, ImGuiWindowFlags_None, [&] { side_panel(frame, drafts_); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }

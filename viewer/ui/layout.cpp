@@ -10,7 +10,7 @@ constexpr float menu_ems = 1.66f;
 constexpr float status_ems = 1.9f;
 constexpr float timeline_ems = 6.6f;
 constexpr float mesh_ems = 17.5f;
-constexpr float decimation_ems = 18.5f;
+constexpr float side_ems = 18.5f;
 
 }  // namespace
 
@@ -21,11 +21,11 @@ Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float
   const float timeline = bars && panels.timeline ? std::round(timeline_ems * em) : 0;
   const float widest = std::round(0.3f * display.x);
   const float left = bars && panels.mesh ? std::min(std::round(mesh_ems * em), widest) : 0;
-  const float right = bars && panels.decimation ? std::min(std::round(decimation_ems * em), widest) : 0;
+  const float right = bars && panels.side ? std::min(std::round(side_ems * em), widest) : 0;
   const float height = std::max(1.0f, display.y - menu - status - timeline);
   layout.menu = {{0, 0}, {display.x, menu}};
   layout.mesh = {{0, menu}, {left, height}};
-  layout.decimation = {{display.x - right, menu}, {right, height}};
+  layout.side = {{display.x - right, menu}, {right, height}};
   layout.timeline = {{0, menu + height}, {display.x, timeline}};
   layout.status = {{0, display.y - status}, {display.x, status}};
   layout.viewport = {{left, menu}, {std::max(1.0f, display.x - left - right), height}};

@@ -15,9 +15,9 @@ struct Area {
 /// In ImGui's units. Areas of panels that are off are empty.
 struct Layout {
   Area menu;
-  Area mesh;        ///< left
-  Area decimation;  ///< right
-  Area timeline;    ///< bottom, from side to side
+  Area mesh;      ///< left
+  Area side;      ///< right
+  Area timeline;  ///< bottom, from side to side
   Area status;
   Area viewport;  ///< what is left
 };

@@ -12,8 +12,9 @@
 namespace aomd::ui {
 namespace {
 
-constexpr std::array<const char*, 3> group_titles = {"Model vertices", "Model edges", "Model faces"};
-constexpr std::array<const char*, 3> row_titles = {"Vertex ", "Edge ", "Face "};
+constexpr std::array<const char*, 4> group_titles = {"Model vertices", "Model edges", "Model faces",
+                                                     "Model regions"};
+constexpr std::array<const char*, 4> row_titles = {"Vertex ", "Edge ", "Face ", "Region "};
 
 /// A title (ref is not valid) or a model entity.
 struct Item {
@@ -23,14 +24,14 @@ struct Item {
   std::size_t count = 0;  ///< model entities below a title; mesh entities of the same dimension on an entity
 };
 
-/// Faces first: they are what one sees.
+/// Highest first: regions are few, and faces are what one sees.
 std::vector<Item> items_of(const Mesh& mesh) {
   std::vector<Item> items;
-  for (const int dim : {2, 1, 0}) {
+  for (const int dim : {3, 2, 1, 0}) {
     const std::size_t title = items.size();
     items.push_back({dim, {}, true, 0});
     for (const ModelRef ref : mesh.class_lists()->models(dim))
-      if (ref.dimension() == dim || (!ref.valid() && dim == 2))
+      if (ref.dimension() == dim || (!ref.valid() && dim >= 2))
         items.push_back({dim, ref, false, mesh.class_lists()->entities(dim, ref).size()});
     items[title].count = items.size() - title - 1;
     if (items[title].count == 0) items.pop_back();
@@ -50,18 +51,19 @@ void title_row(const Frame& frame, const Item& item) {
   ImGui::PopStyleColor();
 }
 
-/// Round for vertices, a line for edges, a square for faces; only its outline where the entity is hidden.
+/// Round for vertices, a line for edges, a square for faces and regions; only its outline where the entity is
+/// hidden.
 void swatch(const Item& item, bool hidden, scene::Color color) {
   const float side = 0.78f * em();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const bool line = item.dimension == 1;
   const ImVec2 from{corner.x, corner.y + 0.12f * em() + (line ? 0.28f * side : 0)};
   const ImVec2 to{from.x + side, from.y + (line ? 0.44f * side : side)};
-  const float radius = item.dimension == 2 ? 0.2f * side : 0.5f * (to.y - from.y);
+  const float radius = item.dimension >= 2 ? 0.2f * side : 0.5f * (to.y - from.y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (!hidden) list.AddRectFilled(from, to, color, radius);
   if (hidden) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_TextDisabled), radius);
-  if (!hidden && item.dimension == 2)
+  if (!hidden && item.dimension >= 2)
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_Text, 0.25f), radius);
 }
 
@@ -78,6 +80,7 @@ void entity_row(Frame& frame, const Item& item) {
   const std::string name = scene::model_entity_text(item.ref);
   const bool on = frame.session.view.highlighted == item.ref && item.ref.valid();
   const bool hidden = frame.session.view.hidden.contains(item.ref);
+  ImGui::PushID(item.dimension);
   ImGui::PushID(static_cast<int>(item.ref.bits()));
   ImGui::TableNextColumn();
   swatch_cell(frame, item, name);
@@ -92,6 +95,7 @@ void entity_row(Frame& frame, const Item& item) {
   tooltip(on ? "Highlighted. Click to end that." : "Click to highlight what lies on it.");
   ImGui::TableNextColumn();
   text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
+  ImGui::PopID();
   ImGui::PopID();
 }
 

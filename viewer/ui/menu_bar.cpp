@@ -46,14 +46,14 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Redo", "redo", false, frame.document().can_redo());
   command_item(frame, "Reset", "reset", false, frame.document().can_undo());
   ImGui::Separator();
-  command_item(frame, "Step", "step", false, frame.has_mesh());
+  command_item(frame, "Step", "step", false, frame.can_decimate());
   command_item(frame, "Step back", "step -1", false, frame.document().can_undo());
-  command_item(frame, "Sweep", "sweep", false, frame.has_mesh());
-  command_item(frame, "Swap", "swap", false, frame.has_mesh());
-  command_item(frame, "Smooth", "smooth", false, frame.has_mesh());
-  command_item(frame, "Improve", "improve", false, frame.has_mesh());
+  command_item(frame, "Sweep", "sweep", false, frame.can_decimate());
+  command_item(frame, "Swap", "swap", false, frame.can_decimate());
+  command_item(frame, "Smooth", "smooth", false, frame.can_decimate());
+  command_item(frame, "Improve", "improve", false, frame.can_decimate());
   ImGui::Separator();
-  command_item(frame, "Run", "run", false, frame.has_mesh());
+  command_item(frame, "Run", "run", false, frame.can_decimate());
   command_item(frame, "Cancel", "cancel", false, !frame.session.idle());
   ImGui::EndMenu();
 }
@@ -84,6 +84,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Edges", "show edges toggle", view.edges);
   command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
   command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
+  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces,
+               frame.has_mesh() && frame.document().content().volume());
   command_item(frame, "Last operation", "show operation toggle", view.operation);
   ImGui::Separator();
   command_item(frame, "Colour by classification", "color classification",
@@ -91,7 +93,13 @@ void view_menu(Frame& frame) {
   command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
-  command_item(frame, "Decimation panel", "panel decimation toggle", view.panels.decimation);
+  const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };
+  command_item(frame, "Decimation",
+               up(scene::Page::Decimation) ? "panel decimation off" : "panel decimation on",
+               up(scene::Page::Decimation));
+  command_item(frame, "Adjacencies T(I,J)",
+               up(scene::Page::Adjacency) ? "panel adjacency off" : "panel adjacency on",
+               up(scene::Page::Adjacency));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();

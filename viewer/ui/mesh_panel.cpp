@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
 
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
@@ -27,23 +30,9 @@ void change_cell(const Frame& frame, const Row& row) {
 }
 
 void count_row(const Frame& frame, const Row& row) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  muted(frame, row.label);
-  tooltip(row.help);
-  ImGui::TableNextColumn();
-  text_right(grouped(row.now));
+  value_row(frame, row.label, grouped(row.now), row.help);
   if (row.now != row.before) tooltip(signed_grouped(row.now - row.before) + " since loading");
   if (ImGui::TableGetColumnCount() == 3) change_cell(frame, row);
-}
-
-void memory_row(const Frame& frame, const char* label, std::size_t bytes, const char* help) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  muted(frame, label);
-  tooltip(help);
-  ImGui::TableNextColumn();
-  text_right(scene::bytes_text(bytes));
 }
 
 void file_line(const Frame& frame) {
@@ -59,19 +48,78 @@ void file_line(const Frame& frame) {
 
 void memory_rows(const Frame& frame) {
   const Mesh& mesh = frame.document().mesh();
-  memory_row(frame, "Mesh", mesh.entity_bytes(), "Entities, coordinates and classification");
-  memory_row(frame, "Adjacency", mesh.adjacency_bytes(),
-             "Stored relations T(I,J): what the algorithms have asked for");
-  memory_row(frame, "History", frame.document().journal().bytes(),
-             "The journal that undo, stepping and replay read");
+  value_row(frame, "Mesh", scene::bytes_text(mesh.entity_bytes()),
+            "Entities, coordinates and classification");
+  value_row(frame, "Adjacency", scene::bytes_text(mesh.adjacency_bytes()),
+            "Stored relations T(I,J): the panel Adjacencies shows each");
+  value_row(frame, "History", scene::bytes_text(frame.document().journal().bytes()),
+            "The journal that undo, stepping and replay read");
 }
 
-void count_rows(const Frame& frame) {
+std::string shape_words(Shape shape) {
+  switch (shape) {
+    case Shape::Tetrahedron:
+      return "Tetrahedra";
+    case Shape::Hexahedron:
+      return "Hexahedra";
+    default: {
+      std::string name = std::string(shape_template(shape).name) + "s";
+      name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+      return name;
+    }
+  }
+}
+
+/// The only shape of the highest level, if there is but one.
+std::optional<Shape> only_shape(const scene::MeshFacts& facts) {
+  const std::int64_t all = facts.regions > 0 ? facts.regions : facts.faces;
+  for (std::size_t s = 0; s < shape_count(); ++s)
+    if (facts.shapes[s] == all) return static_cast<Shape>(s);
+  return {};
+}
+
+/// The shapes of the highest level, where there is more than one.
+void shape_rows(const Frame& frame) {
+  const scene::MeshFacts& facts = frame.session.facts();
+  if (only_shape(facts)) return;
+  for (std::size_t s = 0; s < shape_count(); ++s)
+    if (facts.shapes[s] > 0)
+      value_row(frame, ("   " + shape_words(static_cast<Shape>(s))).c_str(), grouped(facts.shapes[s]), "");
+}
+
+/// A level that holds what the file lists, or all sides of the level above.
+void level_row(const Frame& frame, int dim, const char* complete, const char* listed, std::int64_t count) {
+  const bool whole = frame.document().mesh().complete(dim);
+  value_row(frame, whole ? complete : listed, grouped(count),
+            whole
+                ? "All that the regions have, each counted once"
+                : "Only those that the file lists: the level is not complete. Storing a relation that needs "
+                  "the others creates them (panel Adjacencies).");
+}
+
+void volume_rows(const Frame& frame) {
+  const scene::MeshFacts& facts = frame.session.facts();
+  const auto only = only_shape(facts);
+  value_row(frame, only ? shape_words(*only).c_str() : "Regions", grouped(facts.regions),
+            "What fills the volume");
+  shape_rows(frame);
+  value_row(frame, "Outer faces", grouped(facts.outer_faces),
+            "Sides with one region, and faces with none: what is drawn");
+  level_row(frame, 2, "Faces", "Faces, listed", facts.faces);
+  level_row(frame, 1, "Edges", "Edges, listed", facts.edges);
+  value_row(frame, "Vertices", grouped(facts.vertices), "All vertices, also those that nothing uses");
+  value_row(frame, "Unused vertices", grouped(facts.unused), "Vertices that nothing uses; they are kept");
+}
+
+void surface_rows(const Frame& frame) {
   const scene::MeshFacts& now = frame.session.facts();
   const scene::MeshFacts& then = frame.session.loaded_facts();
+  const auto only = only_shape(now);
+  count_row(frame, {only == Shape::Quad ? "Quads" : "Faces", now.faces, then.faces,
+                    "Triangles, and quads where a file has them"});
+  shape_rows(frame);
   const Row rows[] = {
-      {"Faces", now.faces, then.faces, "Triangles"},
-      {"Edges", now.edges, then.edges, "Edges of triangles, each counted once"},
+      {"Edges", now.edges, then.edges, "Edges of faces, each counted once"},
       {"Vertices", now.vertices, then.vertices, "All vertices, also those that no face uses"},
       {"Unused vertices", now.unused, then.unused, "Vertices that no face uses; they are kept and saved"},
       {"Boundary edges", now.boundary, then.boundary, "Edges with one face"},
@@ -93,19 +141,14 @@ void mesh_panel(Frame& frame) {
   }
   file_line(frame);
   gap(0.1f);
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.12f * em()));
   // Where it is narrow, or nothing has changed, the names need the room more than the changes do.
-  const bool changed = !(frame.session.facts() == frame.session.loaded_facts());
+  const bool volume = frame.document().content().volume();
+  const bool changed = !volume && !(frame.session.facts() == frame.session.loaded_facts());
   const int columns = changed && ImGui::GetContentRegionAvail().x > 15 * em() ? 3 : 2;
-  if (ImGui::BeginTable("counts", columns, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("now", ImGuiTableColumnFlags_WidthFixed, 3.9f * em());
-    if (columns == 3) ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed, 4.0f * em());
-    count_rows(frame);
-    memory_rows(frame);
-    ImGui::EndTable();
-  }
-  ImGui::PopStyleVar();
+  if (!begin_values("counts", columns)) return;
+  volume ? volume_rows(frame) : surface_rows(frame);
+  memory_rows(frame);
+  end_values();
 }
 
 }  // namespace aomd::ui

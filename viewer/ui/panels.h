@@ -18,6 +18,11 @@ struct DecimationDrafts {
 /// Options, operations, progress and refusals.
 void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
+/// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
+void adjacency_panel(Frame& frame);
+/// The titles of both pages, and the one that is up.
+void side_panel(Frame& frame, DecimationDrafts& drafts);
+
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);
 

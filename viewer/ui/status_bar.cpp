@@ -8,9 +8,10 @@ void status_bar(Frame& frame) {
   std::string right;
   if (frame.has_mesh()) {
     const scene::MeshFacts& facts = frame.session.facts();
-    right = scene::grouped(facts.faces) + " faces";
+    right = facts.regions > 0 ? scene::grouped(facts.regions) + " regions"
+                              : scene::grouped(facts.faces) + " faces";
     const auto loaded = static_cast<double>(frame.session.loaded_facts().faces);
-    if (facts.faces != frame.session.loaded_facts().faces && loaded > 0)
+    if (facts.regions == 0 && facts.faces != frame.session.loaded_facts().faces && loaded > 0)
       right += " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
   }
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;

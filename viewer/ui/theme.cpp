@@ -11,6 +11,7 @@ namespace {
 constexpr float text_px = 15.5f;
 constexpr float heading_px = 16.5f;
 constexpr float mono_px = 14.0f;
+constexpr float small_px = 12.5f;
 
 /// Where Debian, Ubuntu, Fedora and Arch put a font, best first.
 constexpr std::array text_files = {"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
@@ -188,6 +189,7 @@ Fonts load_fonts(float scale) {
   fonts.text = add_font(atlas, text_files, std::round(text_px * scale * 2.0f) / 2.0f);
   fonts.heading = add_font(atlas, heading_files, std::round(heading_px * scale * 2.0f) / 2.0f);
   fonts.mono = add_font(atlas, mono_files, std::round(mono_px * scale * 2.0f) / 2.0f);
+  fonts.small = add_font(atlas, text_files, std::round(small_px * scale * 2.0f) / 2.0f);
   ImGui::GetIO().FontDefault = fonts.text;
   return fonts;
 }

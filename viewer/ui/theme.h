@@ -14,6 +14,7 @@ struct Fonts {
   ImFont* text = nullptr;
   ImFont* heading = nullptr;  ///< bold, slightly larger
   ImFont* mono = nullptr;     ///< for commands and numbers in columns
+  ImFont* small = nullptr;    ///< for what has to fit into a cell
 };
 
 /// Colours with a meaning, for panels that draw something of their own.

@@ -44,7 +44,7 @@ void transport(Frame& frame) {
                    (back || forward) && still);
   // Forward through what is known; beyond its end a step makes something new.
   const std::string next = forward ? "seek " + std::to_string(document.journal().cursor() + 1) : "step";
-  transport_button(frame, "forward", Icon::Forward, next, still);
+  transport_button(frame, "forward", Icon::Forward, next, still && (forward || frame.can_decimate()));
   transport_button(frame, "last", Icon::Last, "seek end", forward && still);
   ImGui::Dummy({0.4f * em(), 0});
   ImGui::SameLine();
@@ -162,7 +162,9 @@ void key_entry(const Frame& frame, StepKind kind, const char* name) {
 
 void key_line(const Frame& frame) {
   if (frame.document().journal().size() == 0) {
-    muted(frame, "Every operation appears here: step, sweep or run, then drag along the strip.");
+    muted(frame, frame.can_decimate()
+                     ? "Every operation appears here: step, sweep or run, then drag along the strip."
+                     : frame.document().hindrance());
     return;
   }
   key_entry(frame, StepKind::Collapse, "Collapse");

@@ -78,6 +78,32 @@ void text_right(std::string_view s) {
   text(s);
 }
 
+bool begin_values(const char* id, int columns) {
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.12f * em()));
+  if (!ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::PopStyleVar();
+    return false;
+  }
+  ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("now", ImGuiTableColumnFlags_WidthFixed, 3.9f * em());
+  if (columns == 3) ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed, 4.0f * em());
+  return true;
+}
+
+void end_values() {
+  ImGui::EndTable();
+  ImGui::PopStyleVar();
+}
+
+void value_row(const Frame& frame, const char* label, std::string_view value, std::string_view help) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  muted(frame, label);
+  tooltip(help);
+  ImGui::TableNextColumn();
+  text_right(value);
+}
+
 void same_line_right(float width) {
   ImGui::SameLine();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
@@ -118,16 +144,21 @@ void command_button(Frame& frame, const char* label, std::string_view line, floa
   command_tooltip(line);
 }
 
+ImVec4 on_accent(const Frame& frame) {
+  const ImVec4 a = frame.colors.accent;
+  const bool dark_text = 0.3f * a.x + 0.6f * a.y + 0.1f * a.z > 0.5f;
+  return dark_text ? ImVec4(0.05f, 0.08f, 0.12f, 1) : ImVec4(1, 1, 1, 1);
+}
+
 void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
   const ImVec4 a = frame.colors.accent;
   const auto lighter = [&](float by) {
     return ImVec4(a.x + (1 - a.x) * by, a.y + (1 - a.y) * by, a.z + (1 - a.z) * by, 1);
   };
-  const bool dark_text = 0.3f * a.x + 0.6f * a.y + 0.1f * a.z > 0.5f;
   ImGui::PushStyleColor(ImGuiCol_Button, a);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lighter(0.15f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, lighter(0.3f));
-  ImGui::PushStyleColor(ImGuiCol_Text, dark_text ? ImVec4(0.05f, 0.08f, 0.12f, 1) : ImVec4(1, 1, 1, 1));
+  ImGui::PushStyleColor(ImGuiCol_Text, on_accent(frame));
   command_button(frame, label, line, width, enabled);
   ImGui::PopStyleColor(4);
 }

@@ -18,6 +18,12 @@ void text(std::string_view s);
 void muted(const Frame& frame, std::string_view s);
 /// Right-aligned in the present column.
 void text_right(std::string_view s);
+/// A table of names and values, `columns` wide (3: with changes). False where nothing of it shows: then
+/// without end_values().
+[[nodiscard]] bool begin_values(const char* id, int columns);
+void end_values();
+/// One row of it.
+void value_row(const Frame& frame, const char* label, std::string_view value, std::string_view help);
 /// The next item stands on the same line, at its right end, `width` wide.
 void same_line_right(float width);
 /// A panel's or section's title.
@@ -30,6 +36,8 @@ void command_tooltip(std::string_view line);
 
 /// A button that emits `line`; it fills `width` (0: its text, negative: what is left).
 void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+/// For text on the accent colour.
+[[nodiscard]] ImVec4 on_accent(const Frame& frame);
 /// In the accent colour: the one thing to do.
 void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
 /// A menu entry that emits `line` and shows its key.

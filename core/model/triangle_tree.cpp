@@ -1,26 +1,10 @@
-#include "core/measure/triangle_tree.h"
+#include "core/model/triangle_tree.h"
 
 #include <algorithm>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace aomd::measure {
-
-void Box::add(const glm::dvec3& p) {
-  low = glm::min(low, p);
-  high = glm::max(high, p);
-}
-
-void Box::add(const Box& box) {
-  low = glm::min(low, box.low);
-  high = glm::max(high, box.high);
-}
-
-double Box::distance2(const glm::dvec3& p) const {
-  const glm::dvec3 d = glm::max(glm::max(low - p, p - high), glm::dvec3(0));
-  return glm::dot(d, d);
-}
+namespace aomd {
 
 namespace {
 
@@ -177,4 +161,4 @@ glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p) {
   return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
 }
 
-}  // namespace aomd::measure
+}  // namespace aomd

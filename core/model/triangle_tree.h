@@ -10,8 +10,9 @@
 #include <glm/vec3.hpp>
 
 #include "core/mesh/mesh.h"
+#include "core/model/box.h"
 
-namespace aomd::measure {
+namespace aomd {
 
 /// The corners of a triangle in its own order.
 using Triangle = std::array<glm::dvec3, 3>;
@@ -27,22 +28,6 @@ struct Triangles {
 /// The same for plain arrays; the n-th of `faces` is Face(n).
 [[nodiscard]] Triangles triangles_of(const MeshData& data);
 
-/// An axis-parallel box; an empty one holds nothing.
-struct Box {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void add(const glm::dvec3& p);
-  void add(const Box& box);
-  /// True when the closed boxes have a point in common.
-  [[nodiscard]] bool touches(const Box& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
-           low.z <= other.high.z && other.low.z <= high.z;
-  }
-  /// Squared distance of a point; 0 inside.
-  [[nodiscard]] double distance2(const glm::dvec3& p) const;
-};
-
 /// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median where the
 /// middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the triangles are
 /// copied, about 170 bytes each with the tree.
@@ -54,7 +39,9 @@ class TriangleTree {
   /// The n-th triangle in the tree's order, and its index in what the tree was built from.
   [[nodiscard]] const Triangle& triangle(std::uint32_t n) const { return triangles_[n]; }
   [[nodiscard]] std::uint32_t source(std::uint32_t n) const { return source_[n]; }
-  /// Squared diagonal of the box around all; 0 when empty.
+  /// The box around all.
+  [[nodiscard]] Box box() const { return nodes_.empty() ? Box() : nodes_[0].box; }
+  /// Its squared diagonal; 0 when empty.
   [[nodiscard]] double diagonal2() const;
 
   struct Nearest {
@@ -156,4 +143,4 @@ void TriangleTree::touching_pairs(Visit&& visit) const {
   }
 }
 
-}  // namespace aomd::measure
+}  // namespace aomd

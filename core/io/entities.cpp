@@ -1,0 +1,65 @@
+#include "core/io/entities.h"
+
+#include <algorithm>
+
+#include "core/io/formats.h"
+
+namespace aomd::io::detail {
+namespace {
+
+constexpr std::int64_t none = -1;
+
+/// The first value that occurs twice, or none. Few values are compared with each other, many are sorted.
+std::int64_t repeated(std::span<const std::int64_t> vertices) {
+  if (vertices.size() <= 8) {
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+      const auto before = vertices.first(i);
+      if (std::find(before.begin(), before.end(), vertices[i]) != before.end()) return vertices[i];
+    }
+    return none;
+  }
+  std::vector<std::int64_t> sorted(vertices.begin(), vertices.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+  return twin == sorted.end() ? none : *twin;
+}
+
+}  // namespace
+
+std::string out_of_range(std::int64_t index, std::uint64_t vertex_count, int first) {
+  if (vertex_count == 0) return "an element refers to a vertex, but there are none";
+  return "vertex index " + std::to_string(index + first) + " is out of range (" + std::to_string(first) +
+         ".." + std::to_string(vertex_count - 1 + static_cast<std::uint64_t>(first)) + ")";
+}
+
+std::string entity_defect(std::string_view name, std::span<const std::int64_t> vertices,
+                          std::uint64_t vertex_count, int first) {
+  for (const std::int64_t index : vertices) {
+    if (outside(index, vertex_count)) return out_of_range(index, vertex_count, first);
+  }
+  const std::int64_t twin = repeated(vertices);
+  if (twin == none) return {};
+  return "the " + std::string(name) + " repeats vertex " + std::to_string(twin + first);
+}
+
+void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertices) {
+  list.shapes.push_back(shape);
+  for (const std::int64_t v : vertices) list.vertices.push_back(static_cast<std::uint32_t>(v));
+}
+
+std::vector<ModelRef> lowest_classes(const MeshData& mesh) {
+  std::vector<ModelRef> classes(mesh.positions.size());
+  std::vector<std::uint8_t> from(mesh.positions.size());  // the dimension that gave the class, 0 before
+  for (std::uint8_t d = 1; d <= 3; ++d) {
+    for_each_entity(mesh.list(d), [&](auto vertices, ModelRef model) {
+      if (!model.valid()) return;
+      for (const std::uint32_t v : vertices) {
+        if (from[v] == 0 || (from[v] == d && model < classes[v])) classes[v] = model;
+        if (from[v] == 0) from[v] = d;
+      }
+    });
+  }
+  return classes;
+}
+
+}  // namespace aomd::io::detail

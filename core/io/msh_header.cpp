@@ -1,0 +1,51 @@
+#include <cstring>
+
+#include "core/io/msh.h"
+#include "core/io/text_cursor.h"
+
+namespace aomd::io::detail {
+namespace {
+
+void check_version(const TextCursor& cursor, double version) {
+  if (version == 4.1 || (version >= 2 && version < 3)) return;
+  std::string what = "MSH version is not one that is known here (2.2 or 4.1)";
+  if (version == 4 || version < 2) what += ": save it as 4.1";
+  cursor.fail(what);
+}
+
+}  // namespace
+
+MshHeader read_msh_header(const Source& source) {
+  TextCursor cursor(source, source.bytes);
+  if (cursor.skip_to_content()) cursor.fail("not an MSH file");
+  const std::string_view word = cursor.word();
+  if (word == "$NOD") cursor.fail("MSH version 1 is not read here: save it as 4.1");
+  if (word != "$MeshFormat") cursor.fail("not an MSH file: it starts with " + shown(word));
+  cursor.skip_line();
+  MshHeader header;
+  const double version = cursor.real("the version");
+  check_version(cursor, version);
+  header.msh2 = version < 3;
+  const std::int64_t kind = cursor.integer("the file type");
+  if (kind != 0 && kind != 1) cursor.fail("the file type is neither 0 (text) nor 1 (binary)");
+  header.binary = kind == 1;
+  if (const std::int64_t size = cursor.integer("the data size"); size != 8)
+    cursor.fail("a data size of " + std::to_string(size) + ", expected 8");
+  cursor.end_line();
+  if (header.binary) {
+    if (cursor.left() < 4) cursor.fail("the file ends within its header");
+    std::int32_t one = 0;
+    std::memcpy(&one, source.bytes.data() + cursor.offset(), 4);
+    constexpr bool native_is_little = std::endian::native == std::endian::little;
+    if (one == 1 << 24) header.order = native_is_little ? std::endian::big : std::endian::little;
+    if (one != 1 && one != 1 << 24)
+      source.fail_at_byte(cursor.offset(), "the number that tells the byte order is neither 1 nor 1 swapped");
+    cursor = TextCursor(source, source.bytes, cursor.offset() + 4);
+  }
+  if (cursor.skip_to_content() || cursor.word() != "$EndMeshFormat") cursor.fail("expected $EndMeshFormat");
+  cursor.end_line();
+  header.end = cursor.offset();
+  return header;
+}
+
+}  // namespace aomd::io::detail

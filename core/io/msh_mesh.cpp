@@ -1,0 +1,103 @@
+#include "core/io/msh_mesh.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace aomd::io::detail {
+
+std::vector<std::uint32_t> ascending_order(const std::vector<std::uint64_t>& tags) {
+  std::vector<std::uint32_t> order;
+  if (std::is_sorted(tags.begin(), tags.end())) return order;
+  order.resize(tags.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return tags[a] < tags[b]; });
+  return order;
+}
+
+void MshTags::build(std::vector<std::uint64_t> ascending) {
+  tags_ = std::move(ascending);
+  table_.clear();
+  first_ = tags_.empty() ? 0 : tags_.front();
+  const std::uint64_t range = tags_.empty() ? 0 : tags_.back() - first_ + 1;
+  contiguous_ = range == tags_.size() && std::adjacent_find(tags_.begin(), tags_.end()) == tags_.end();
+  if (contiguous_ || range > 8 * tags_.size() + 1024) return;
+  table_.assign(static_cast<std::size_t>(range), no_index);
+  for (std::size_t i = tags_.size(); i-- > 0;)
+    table_[static_cast<std::size_t>(tags_[i] - first_)] = static_cast<std::uint32_t>(i);
+}
+
+std::uint32_t MshTags::search(std::uint64_t tag) const {
+  const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
+  return at == tags_.end() || *at != tag ? no_index : static_cast<std::uint32_t>(at - tags_.begin());
+}
+
+void MshMesh::reserve_nodes(std::size_t n) {
+  mesh_.positions.reserve(n);
+  mesh_.vertex_classes.reserve(n);
+  node_tags_.reserve(n);
+}
+
+void MshMesh::add_node_tag(std::uint64_t tag, ModelRef model) {
+  node_tags_.push_back(tag);
+  mesh_.vertex_classes.push_back(model);
+}
+
+std::string MshMesh::finish_nodes() {
+  const std::vector<std::uint32_t> order = ascending_order(node_tags_);
+  if (!order.empty()) {
+    permute(node_tags_, order);
+    permute(mesh_.positions, order);
+    permute(mesh_.vertex_classes, order);
+  }
+  const auto twin = std::adjacent_find(node_tags_.begin(), node_tags_.end());
+  if (twin != node_tags_.end()) return "node " + std::to_string(*twin) + " is there twice";
+  corner_.assign(node_tags_.size(), false);
+  inner_.assign(node_tags_.size(), false);
+  nodes_.build(std::move(node_tags_));
+  return {};
+}
+
+std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::uint64_t> nodes,
+                         ModelRef model, std::int32_t physical) {
+  const auto corners = static_cast<std::size_t>(shape_template(type.shape).vertex_count);
+  Elements& elements = elements_[static_cast<std::size_t>(shape_template(type.shape).dimension)];
+  std::vector<std::uint32_t>& vertices = elements.list.vertices;
+  const std::size_t start = vertices.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::uint32_t v = nodes_.find(nodes[i]);
+    if (v == no_index)
+      return "element " + std::to_string(tag) + " refers to node " +
+             std::to_string(static_cast<std::int64_t>(nodes[i])) + ", which is not there";
+    (i < corners ? corner_ : inner_)[v] = true;
+    if (i >= corners) continue;
+    if (std::find(vertices.begin() + static_cast<std::ptrdiff_t>(start), vertices.end(), v) != vertices.end())
+      return "element " + std::to_string(tag) + " repeats node " +
+             std::to_string(static_cast<std::int64_t>(nodes[i]));
+    vertices.push_back(v);
+  }
+  elements.list.shapes.push_back(type.shape);
+  elements.list.classes.push_back(model);
+  elements.tags.push_back(tag);
+  elements.physical.push_back(physical);
+  higher_order_ += nodes.size() > corners;
+  return {};
+}
+
+std::uint32_t MshMesh::vertex(std::uint64_t tag, bool& known) const {
+  const std::uint32_t v = nodes_.find(tag);
+  known = v != no_index;
+  return known && !new_vertices_.empty() ? new_vertices_[v] : v;
+}
+
+MshMesh::Place MshMesh::element(std::uint64_t tag, bool& known) const {
+  known = true;
+  for (int dim = 1; dim <= 3; ++dim) {
+    const std::uint32_t i = element_tags_[static_cast<std::size_t>(dim)].find(tag);
+    if (i != no_index) return {dim, i};
+  }
+  known = element_tags_[0].find(tag) != no_index || std::binary_search(dropped_.begin(), dropped_.end(), tag);
+  return {};
+}
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,113 @@
+#pragma once
+// Collects the nodes and elements of an MSH file and makes a mesh of them.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/io/msh.h"
+#include "core/mesh/handle.h"
+
+namespace aomd::io::detail {
+
+/// Places of arbitrary tags in an ascending list.
+class MshTags {
+ public:
+  /// `ascending` may hold a tag twice: the first counts.
+  void build(std::vector<std::uint64_t> ascending);
+  /// no_index where there is no such tag. O(1) where the tags are dense, otherwise O(log n).
+  [[nodiscard]] std::uint32_t find(std::uint64_t tag) const {
+    const std::uint64_t k = tag - first_;  // wraps below the first
+    if (k < table_.size()) return table_[k];
+    return contiguous_ ? (k < tags_.size() ? static_cast<std::uint32_t>(k) : no_index) : search(tag);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t search(std::uint64_t tag) const;
+
+  std::vector<std::uint64_t> tags_;
+  std::vector<std::uint32_t> table_;  ///< by tag - first_, where gaps are few
+  std::uint64_t first_ = 0;
+  bool contiguous_ = true;
+};
+
+/// The order that makes the tags ascend; empty where they do already.
+[[nodiscard]] std::vector<std::uint32_t> ascending_order(const std::vector<std::uint64_t>& tags);
+
+/// The values at these places, in this order.
+template <class Value>
+void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<Value> result;
+  result.reserve(order.size());
+  for (const std::uint32_t i : order) result.push_back(values[i]);
+  values = std::move(result);
+}
+
+/// Nodes first, then elements, then finish(). Vertices end up in the order of the node tags, elements of each
+/// dimension in that of their tags: so a file can group them by model entity and still keep their order.
+class MshMesh {
+ public:
+  /// An element by the dimension and index of the mesh entity it became.
+  struct Place {
+    int dimension = 0;
+    std::uint32_t index = no_index;
+  };
+
+  void reserve_nodes(std::size_t n);
+  void add_node_tag(std::uint64_t tag, ModelRef model);
+  void add_position(const glm::dvec3& p) { mesh_.positions.push_back(p); }
+  [[nodiscard]] std::size_t node_count() const { return node_tags_.size(); }
+  /// All nodes are there. Returns what is wrong with them, or an empty string.
+  [[nodiscard]] std::string finish_nodes();
+
+  /// Adds an element by its node tags. `physical` is that of MSH 2, 0 where there is none. Returns what is
+  /// wrong, or an empty string.
+  [[nodiscard]] std::string add(std::uint64_t tag, MshType type, std::span<const std::uint64_t> nodes,
+                                ModelRef model, std::int32_t physical);
+  [[nodiscard]] ModelTable& model() { return mesh_.model; }
+
+  /// What a file says about where its vertices lie.
+  enum class NodeClasses { None, Blocks, Entities };
+  /// Sorts, drops repeated elements and nodes that only higher-order elements use, classifies the vertices:
+  /// by their blocks (with a lower element's class where they contradict it), or by their lowest element.
+  /// Makes the model's table of an MSH 2 file (None) from the physical tags. Linear but for the sorting.
+  void finish(NodeClasses known);
+
+  /// After finish(). The vertex of a node, no_index where it was dropped or (`known` false) never there.
+  [[nodiscard]] std::uint32_t vertex(std::uint64_t tag, bool& known) const;
+  /// After finish(). The first element with this tag; index no_index where it was dropped or is a point.
+  [[nodiscard]] Place element(std::uint64_t tag, bool& known) const;
+  [[nodiscard]] MeshData& mesh() { return mesh_; }
+  [[nodiscard]] std::vector<std::string>& notes() { return notes_; }
+
+ private:
+  /// Elements of one dimension.
+  struct Elements {
+    EntityList list;
+    std::vector<std::uint64_t> tags;
+    std::vector<std::int32_t> physical;
+  };
+
+  void sort(Elements& elements) const;
+  std::size_t drop_repeated(int dim);
+  void drop_unused_nodes();
+  void classify_vertices(NodeClasses known);
+  [[nodiscard]] bool blocks_classify() const;
+  void make_model();
+
+  MeshData mesh_;
+  std::vector<std::uint64_t> node_tags_;
+  MshTags nodes_;
+  std::vector<bool> corner_, inner_;         ///< nodes that elements use as a corner, and otherwise
+  std::vector<std::uint32_t> new_vertices_;  ///< by node; empty where none was dropped
+  std::array<Elements, 4> elements_;
+  std::array<MshTags, 4> element_tags_;
+  std::vector<std::uint64_t> dropped_;  ///< tags of repeated elements
+  std::vector<std::pair<ModelRef, std::int32_t>> further_groups_;
+  std::size_t higher_order_ = 0;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,127 @@
+#include "core/io/vtu_data.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace aomd::io::detail {
+namespace {
+
+constexpr std::array<std::int8_t, 256> base64_values = [] {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<std::int8_t, 256> table{};
+  table.fill(-1);
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+  return table;
+}();
+
+/// Bytes in sequence, decoded as far as they are asked for.
+class Stream {
+ public:
+  Stream(const Source& source, std::size_t offset, std::size_t end, bool base64)
+      : source_(source), at_(offset), end_(end), base64_(base64) {}
+
+  [[noreturn]] void fail(const std::string& what) const { source_.fail_at_byte(at_, what); }
+
+  [[nodiscard]] std::size_t at() const { return at_; }
+  /// No more bytes than this are left.
+  [[nodiscard]] std::uint64_t left() const {
+    return base64_ ? (end_ - at_) / 4 * 3 + 3 + rest_.size() : end_ - at_;
+  }
+
+  std::string take(std::uint64_t n) {
+    if (n > left()) fail("the data end early: " + counted(n, "byte") + " should follow");
+    std::string bytes;
+    if (base64_) {
+      bytes = std::move(rest_);
+      while (bytes.size() < n) decode_group(bytes);
+      rest_ = bytes.substr(static_cast<std::size_t>(n));
+      bytes.resize(static_cast<std::size_t>(n));
+    } else {
+      bytes = source_.bytes.substr(at_, static_cast<std::size_t>(n));
+      at_ += static_cast<std::size_t>(n);
+    }
+    return bytes;
+  }
+
+ private:
+  /// Four digits. A padded group may stand anywhere: headers are encoded apart from what they describe.
+  void decode_group(std::string& out) {
+    std::uint32_t bits = 0;
+    int digits = 0, padding = 0;
+    for (; digits < 4; ++at_) {
+      if (at_ == end_) fail("the data end early");
+      const char c = source_.bytes[at_];
+      if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+      const std::int8_t value = base64_values[static_cast<unsigned char>(c)];
+      if (c == '=' ? digits < 2 : value < 0 || padding > 0)
+        fail("not base64: " + shown(source_.bytes.substr(at_, 1)));
+      padding += c == '=';
+      bits = bits << 6 | (c == '=' ? 0u : static_cast<std::uint32_t>(value));
+      ++digits;
+    }
+    for (int byte = 0; byte < 3 - padding; ++byte) out += static_cast<char>(bits >> (16 - 8 * byte) & 255u);
+  }
+
+  const Source& source_;
+  std::size_t at_, end_;
+  bool base64_;
+  std::string rest_;  ///< decoded, not yet asked for
+};
+
+std::vector<std::uint64_t> words(Stream& stream, std::uint64_t n, const VtuPacking& packing) {
+  const std::size_t size = packing.wide ? 8 : 4;
+  if (n > stream.left() / size)
+    stream.fail("the data end early: a header of " + counted(n, "word") + " should follow");
+  const std::string bytes = stream.take(n * size);
+  std::vector<std::uint64_t> result(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::size_t k = packing.order == std::endian::big ? i : i / size * size + size - 1 - i % size;
+    result[i / size] = result[i / size] << 8 | static_cast<unsigned char>(bytes[k]);
+  }
+  return result;
+}
+
+/// A number of blocks, the size of each but the last, that of the last, the compressed size of each; the
+/// blocks.
+std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
+  const std::vector<std::uint64_t> head = words(stream, 3, packing);
+  const std::uint64_t blocks = head[0], block_size = head[1], partial = head[2];
+  if (blocks == 0) return {};
+  const std::vector<std::uint64_t> packed = words(stream, blocks, packing);
+  // zlib never packs tighter than 1 : 1032.
+  const std::uint64_t most = 1040 * std::min<std::uint64_t>(stream.left(), UINT64_MAX / 2080);
+  if (block_size > most || partial > most || blocks * block_size > most)
+    stream.fail("the data end early: " + counted(blocks, "block") + " of " + counted(block_size, "byte") +
+                " should follow");
+  std::string out;
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    const bool last = i + 1 == packed.size() && partial != 0;
+    uLongf size = static_cast<uLongf>(last ? partial : block_size);
+    const std::string bytes = stream.take(packed[i]);
+    const std::size_t start = out.size();
+    out.resize(start + size);
+    const uLongf expected = size;
+    if (::uncompress(reinterpret_cast<Bytef*>(out.data() + start), &size,
+                     reinterpret_cast<const Bytef*>(bytes.data()),
+                     static_cast<uLong>(bytes.size())) != Z_OK ||
+        size != expected)
+      stream.fail("block " + std::to_string(i) + " of compressed data is damaged");
+  }
+  return out;
+}
+
+}  // namespace
+
+Unpacked unpack(const Source& source, std::size_t offset, std::size_t end, bool base64,
+                const VtuPacking& packing) {
+  Stream stream(source, offset, end, base64);
+  std::string bytes =
+      packing.compressed ? inflate_blocks(stream, packing) : stream.take(words(stream, 1, packing)[0]);
+  return {std::move(bytes), stream.at()};
+}
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,31 @@
+#pragma once
+// The encoded arrays of VTK XML files: base64 or raw bytes, compressed by zlib or not.
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/io/source.h"
+
+namespace aomd::io::detail {
+
+/// How a file packs its arrays, as the attributes of its root element say.
+struct VtuPacking {
+  std::endian order = std::endian::little;
+  bool wide = false;  ///< 64-bit header words instead of 32-bit
+  bool compressed = false;
+};
+
+struct Unpacked {
+  std::string bytes;
+  std::size_t end = 0;  ///< where the encoded form ends
+};
+
+/// The bytes of the array whose encoded form starts at `offset` of the source and ends at `end` at the
+/// latest. Throws ReadError with the byte where data lack, are no base64 or do not unpack; sizes that the
+/// file only promises are checked before memory is taken.
+[[nodiscard]] Unpacked unpack(const Source& source, std::size_t offset, std::size_t end, bool base64,
+                              const VtuPacking& packing);
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,281 @@
+// VTU: VTK's XML files of unstructured grids. pugixml reads the elements; the numbers are read from the
+// file's own bytes, so that errors name their line.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <pugixml.hpp>
+
+#include "core/io/formats.h"
+#include "core/io/vtk_dataset.h"
+#include "core/io/vtk_numbers.h"
+#include "core/io/vtu_data.h"
+
+namespace aomd::io::detail {
+namespace {
+
+/// The cells and points of one piece end here in the joined grid; for messages.
+struct PieceEnd {
+  std::size_t cells = 0, points = 0;
+  pugi::xml_node connectivity;
+};
+
+class VtuReader {
+ public:
+  explicit VtuReader(const Source& source) : source_(source), xml_end_(source.bytes.size()) {}
+
+  ReadResult read() {
+    parse();
+    const pugi::xml_node root = document_.document_element();
+    read_root(root);
+    const pugi::xml_node grid = root.child("UnstructuredGrid");
+    if (!grid) fail(root, "has no element UnstructuredGrid");
+    for (const pugi::xml_node array : grid.child("FieldData").children("DataArray")) {
+      if (const auto read = data_array(array)) grid_.field_data.push_back(*read);
+    }
+    for (const pugi::xml_node piece : grid.children("Piece")) read_piece(piece);
+    ReadResult result = mesh_of(std::move(grid_), source_, [this](std::size_t cell, const std::string& what) {
+      fail_at_cell(cell, what);
+    });
+    result.format = Format::Vtu;
+    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const {
+    source_.fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)), what);
+  }
+
+  [[noreturn]] void fail_at_cell(std::size_t cell, const std::string& what) const {
+    std::size_t first = 0, p = 0;
+    while (p + 1 < pieces_.size() && cell >= pieces_[p].cells) first = pieces_[p++].cells;
+    fail(pieces_[p].connectivity, "cell " + std::to_string(cell - first) + ": " + what);
+  }
+
+  /// Appended data are bytes, not XML: they are cut off, and the elements around them closed.
+  void parse() {
+    constexpr std::string_view tag = "<AppendedData";
+    const std::size_t start = source_.bytes.find(tag);
+    std::string text;
+    if (start == std::string_view::npos) {
+      text = source_.bytes;
+    } else {
+      const std::size_t close = source_.bytes.find('>', start);
+      const std::size_t mark = source_.bytes.find('_', std::min(close, source_.bytes.size()));
+      if (close == std::string_view::npos || mark == std::string_view::npos)
+        source_.fail_at_line(start, "the file ends within AppendedData");
+      text = std::string(source_.bytes.substr(0, close + 1)) + "</AppendedData></VTKFile>";
+      xml_end_ = close + 1;
+      appended_ = mark + 1;
+    }
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer(text.data(), text.size(), pugi::parse_escapes, pugi::encoding_utf8);
+    if (!parsed)
+      source_.fail_at_line(std::min(static_cast<std::size_t>(parsed.offset), xml_end_),
+                           std::string("XML: ") + parsed.description());
+  }
+
+  void read_root(const pugi::xml_node& root) {
+    if (std::string_view(root.name()) != "VTKFile") fail(root, "the root element is not VTKFile");
+    const std::string_view type = root.attribute("type").value();
+    if (type != "UnstructuredGrid")
+      fail(root, "a VTK file of type " + shown(type) + "; only UnstructuredGrid is read");
+    const std::string_view compressor = root.attribute("compressor").value();
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+      fail(root, "compressed by " + shown(compressor) + "; only vtkZLibDataCompressor is read");
+    packing_.compressed = !compressor.empty();
+    packing_.wide = std::string_view(root.attribute("header_type").value()) == "UInt64";
+    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
+      packing_.order = std::endian::big;
+    appended_base64_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
+  }
+
+  std::uint64_t count(const pugi::xml_node& node, const char* name, std::uint64_t absent) const {
+    const std::string_view text = node.attribute(name).value();
+    if (text.empty()) return absent;
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+      fail(node, std::string(name) + " is no number: " + shown(text));
+    return value;
+  }
+
+  /// Where the text of an element lies in the file.
+  std::pair<std::size_t, std::size_t> text_of(const pugi::xml_node& node) const {
+    for (const pugi::xml_node child : node.children()) {
+      if (child.type() != pugi::node_pcdata || child.offset_debug() < 0) continue;
+      const auto start = static_cast<std::size_t>(child.offset_debug());
+      return {start, std::min(source_.bytes.find('<', start), xml_end_)};
+    }
+    return {0, 0};
+  }
+
+  NumberType number_type(const pugi::xml_node& node) const {
+    const std::string_view name = node.attribute("type").value();
+    const auto type = number_type_of_xml(name);
+    if (!type) fail(node, "arrays of type " + shown(name) + " are not read");
+    return *type;
+  }
+
+  template <class Value>
+  std::vector<Value> numbers(const pugi::xml_node& node) {
+    const NumberType type = number_type(node);
+    const std::string_view format = node.attribute("format").value();
+    std::vector<Value> out;
+    if (format == "ascii") {
+      const auto [start, end] = text_of(node);
+      TextCursor cursor(source_, source_.bytes.substr(0, end), start);
+      if constexpr (std::is_same_v<Value, double>) {
+        read_text(cursor, all_words, is_integer(type), out);
+      } else {
+        read_text(cursor, all_words, out);
+      }
+    } else {
+      decode(bytes(node, format), type, packing_.order, out);
+    }
+    return out;
+  }
+
+  std::string bytes(const pugi::xml_node& node, std::string_view format) {
+    if (format == "binary") {
+      const auto [start, end] = text_of(node);
+      return start == end ? std::string() : unpack(source_, start, end, true, packing_).bytes;
+    }
+    if (format != "appended") fail(node, "unknown format " + shown(format) + " of an array");
+    const std::uint64_t offset = count(node, "offset", 0);
+    if (!appended_ || offset > source_.bytes.size() - *appended_)
+      fail(node, "offset " + std::to_string(offset) + " lies beyond the file's end");
+    const std::size_t start = *appended_ + static_cast<std::size_t>(offset);
+    Unpacked data = unpack(source_, start, source_.bytes.size(), appended_base64_, packing_);
+    used_ += data.end - start;
+    if (used_ > source_.bytes.size()) fail(node, "arrays share their data");  // memory would have no bound
+    return std::move(data.bytes);
+  }
+
+  /// Nothing for what is not made of numbers.
+  std::optional<VtkArray> data_array(const pugi::xml_node& node) {
+    const std::string name = node.attribute("Name").value();
+    if (std::string_view(node.attribute("type").value()) == "String") {
+      passed_over_ += (passed_over_.empty() ? "text " : ", text ") + shown(name);
+      return {};
+    }
+    const std::uint64_t components = std::max<std::uint64_t>(count(node, "NumberOfComponents", 1), 1);
+    VtkArray array{name, 1, is_integer(number_type(node)), numbers<double>(node)};
+    if (components > (1u << 20) || array.values.size() % components != 0)
+      fail(node, counted(array.values.size(), "value") + " are not tuples of " + std::to_string(components));
+    array.components = static_cast<int>(components);
+    return array;
+  }
+
+  pugi::xml_node array_named(const pugi::xml_node& piece, const char* name) const {
+    const pugi::xml_node array = piece.child("Cells").find_child_by_attribute("DataArray", "Name", name);
+    if (!array) fail(piece, std::string("has no array of the cells' ") + name);
+    return array;
+  }
+
+  void read_piece(const pugi::xml_node& piece) {
+    const std::uint64_t points = count(piece, "NumberOfPoints", 0), cells = count(piece, "NumberOfCells", 0);
+    const std::size_t first_point = grid_.points.size(), first_cell = grid_.types.size();
+    if (points > 0) read_points(piece, points);
+    PieceEnd end;
+    if (cells > 0) end.connectivity = read_cells(piece, points, cells, first_point);
+    end.cells = grid_.types.size();
+    end.points = grid_.points.size();
+    read_data(piece.child("PointData"), grid_.point_data, first_point, points);
+    read_data(piece.child("CellData"), grid_.cell_data, first_cell, cells);
+    pieces_.push_back(end);
+  }
+
+  void read_points(const pugi::xml_node& piece, std::uint64_t n) {
+    const pugi::xml_node node = piece.child("Points").child("DataArray");
+    if (!node) fail(piece, "has no array of points");
+    const std::vector<double> x = numbers<double>(node);
+    if (x.size() % 3 != 0 || x.size() / 3 != n)
+      fail(node, counted(x.size(), "coordinate") + " for " + counted(n, "point"));
+    for (std::size_t k = 0; k < x.size(); k += 3) {
+      if (!std::isfinite(x[k]) || !std::isfinite(x[k + 1]) || !std::isfinite(x[k + 2]))
+        fail(node, "a coordinate of point " + std::to_string(k / 3) + " is not a finite number");
+      grid_.points.emplace_back(x[k], x[k + 1], x[k + 2]);
+    }
+  }
+
+  /// Returns the element of the connectivity.
+  pugi::xml_node read_cells(const pugi::xml_node& piece, std::uint64_t points, std::uint64_t n,
+                            std::size_t first_point) {
+    const pugi::xml_node list = array_named(piece, "connectivity"), ends = array_named(piece, "offsets");
+    const std::vector<std::int64_t> types = numbers<std::int64_t>(array_named(piece, "types"));
+    const std::vector<std::int64_t> indices = numbers<std::int64_t>(list),
+                                    stops = numbers<std::int64_t>(ends);
+    if (types.size() != n)
+      fail(array_named(piece, "types"), counted(types.size(), "type") + " for " + counted(n, "cell"));
+    if (stops.size() != n || stops.front() < 0 || !std::is_sorted(stops.begin(), stops.end()) ||
+        static_cast<std::uint64_t>(stops.back()) != indices.size()) {
+      fail(ends,
+           "the offsets of " + counted(n, "cell") + " do not ascend to " + std::to_string(indices.size()));
+    }
+    const auto base = static_cast<std::int64_t>(grid_.connectivity.size());
+    for (const std::int64_t type : types) {
+      if (type < 0 || type > 255)
+        fail(array_named(piece, "types"), "there is no cell type " + std::to_string(type));
+      grid_.types.push_back(static_cast<std::uint8_t>(type));
+    }
+    for (const std::int64_t stop : stops) grid_.ends.push_back(base + stop);
+    for (const std::int64_t v : indices)
+      grid_.connectivity.push_back(joined_index(list, v, points, first_point));
+    return list;
+  }
+
+  /// Indices count from the piece's own first point.
+  std::int64_t joined_index(const pugi::xml_node& list, std::int64_t v, std::uint64_t points,
+                            std::size_t first_point) const {
+    if (v < 0 || static_cast<std::uint64_t>(v) >= points)
+      fail(list,
+           "vertex index " + std::to_string(v) + " is out of range (" + counted(points, "vertex") + ")");
+    return v + static_cast<std::int64_t>(first_point);
+  }
+
+  /// Appends the arrays of a piece, whose first element is number `first` of the grid.
+  void read_data(const pugi::xml_node& data, std::vector<VtkArray>& into, std::size_t first,
+                 std::uint64_t n) {
+    for (const pugi::xml_node node : data.children("DataArray")) {
+      std::optional<VtkArray> array = data_array(node);
+      if (!array) continue;
+      if (array->values.size() / static_cast<std::size_t>(array->components) != n)
+        fail(node, "array " + shown(array->name) + " has " + counted(array->values.size(), "value") +
+                       " for " + std::to_string(n));
+      const auto same = std::find_if(into.begin(), into.end(), [&](const VtkArray& a) {
+        return a.name == array->name && a.components == array->components && a.integer == array->integer;
+      });
+      if (same != into.end()) {
+        same->values.insert(same->values.end(), array->values.begin(), array->values.end());
+      } else if (first == 0) {
+        into.push_back(std::move(*array));
+      } else {
+        fail(node, "array " + shown(array->name) + " is not in every piece");
+      }
+    }
+    for (const VtkArray& array : into) {
+      if (array.values.size() != (first + n) * static_cast<std::size_t>(array.components))
+        fail(data, "array " + shown(array.name) + " is not in every piece");
+    }
+  }
+
+  const Source& source_;
+  pugi::xml_document document_;
+  std::size_t xml_end_;
+  std::optional<std::size_t> appended_;  ///< where offset 0 lies
+  std::size_t used_ = 0;                 ///< bytes of the appended data
+  bool appended_base64_ = false;
+  VtuPacking packing_;
+  VtkDataset grid_;
+  std::vector<PieceEnd> pieces_;
+  std::string passed_over_;
+};
+
+}  // namespace
+
+ReadResult read_vtu(const Source& source) { return VtuReader(source).read(); }
+
+}  // namespace aomd::io::detail

@@ -1,0 +1,136 @@
+// VTU: text, or appended raw bytes, which every reader of the format takes.
+
+#include "core/io/byte_writer.h"
+#include "core/io/formats.h"
+#include "core/io/vtk_dataset.h"
+
+namespace aomd::io::detail {
+namespace {
+
+constexpr std::endian little = std::endian::little;
+
+class VtuWriter {
+ public:
+  explicit VtuWriter(bool binary) : binary_(binary) {}
+
+  std::string write(const VtkDataset& grid) {
+    out_.reserve(48 * (grid.points.size() + grid.types.size()));
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    if (!grid.field_data.empty()) arrays("FieldData", grid.field_data, true);
+    out_ << "<Piece NumberOfPoints=\"" << grid.points.size() << "\" NumberOfCells=\"" << grid.types.size()
+         << "\">\n";
+    arrays("PointData", grid.point_data, false);
+    arrays("CellData", grid.cell_data, false);
+    points(grid);
+    cells(grid);
+    out_ << "</Piece>\n</UnstructuredGrid>\n";
+    if (binary_) out_ << "<AppendedData encoding=\"raw\">\n_" << appended_.take() << "\n</AppendedData>\n";
+    out_ << "</VTKFile>\n";
+    return out_.take();
+  }
+
+ private:
+  void points(const VtkDataset& grid) {
+    out_ << "<Points>\n";
+    begin("Float64", "Points", 3, 0);
+    size(24 * grid.points.size());
+    for (const glm::dvec3& p : grid.points) {
+      for (int axis = 0; axis < 3; ++axis) value(p[axis], axis == 2);
+    }
+    end();
+    out_ << "</Points>\n";
+  }
+
+  void cells(const VtkDataset& grid) {
+    out_ << "<Cells>\n";
+    column("Int64", "connectivity", grid.connectivity);
+    column("Int64", "offsets", grid.ends);
+    column("UInt8", "types", grid.types);
+    out_ << "</Cells>\n";
+  }
+
+  template <class Value>
+  void column(std::string_view type, std::string_view name, const std::vector<Value>& values) {
+    constexpr std::size_t per_line = 16;
+    begin(type, name, 0, 0);
+    size(sizeof(Value) * values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+      value(values[i], i % per_line == per_line - 1 || i + 1 == values.size());
+    end();
+  }
+
+  void arrays(std::string_view element, const std::vector<VtkArray>& list, bool of_field) {
+    out_ << '<' << element << ">\n";
+    for (const VtkArray& array : list) {
+      const bool narrow = array.integer && fits_int32(array);
+      const auto n = static_cast<std::size_t>(array.components);
+      begin(!array.integer ? "Float64"
+            : narrow       ? "Int32"
+                           : "Int64",
+            array.name, n, of_field ? array.values.size() / n : 0);
+      size((narrow ? 4 : 8) * array.values.size());
+      for (std::size_t i = 0; i < array.values.size(); ++i) {
+        const double x = array.values[i];
+        const bool last = i % n == n - 1;
+        if (narrow) {
+          value(static_cast<std::int32_t>(x), last);
+        } else if (array.integer) {
+          value(static_cast<std::int64_t>(x), last);
+        } else {
+          value(x, last);
+        }
+      }
+      end();
+    }
+    out_ << "</" << element << ">\n";
+  }
+
+  /// `components` and `tuples` are left out where they are 0.
+  void begin(std::string_view type, std::string_view name, std::size_t components, std::size_t tuples) {
+    out_ << "<DataArray type=\"" << type << "\" Name=\"";
+    escaped(name);
+    if (components != 0) out_ << "\" NumberOfComponents=\"" << components;
+    if (tuples != 0) out_ << "\" NumberOfTuples=\"" << tuples;
+    if (binary_) {
+      out_ << "\" format=\"appended\" offset=\"" << appended_.size() << "\"/>\n";
+    } else {
+      out_ << "\" format=\"ascii\">\n";
+    }
+  }
+  void size(std::size_t bytes) {
+    if (binary_) appended_.raw<little>(static_cast<std::uint64_t>(bytes));
+  }
+  template <class Value>
+  void value(Value v, bool last) {
+    if (binary_) {
+      appended_.raw<little>(v);
+    } else if constexpr (sizeof(Value) == 1) {
+      out_ << int{v} << (last ? '\n' : ' ');
+    } else {
+      out_ << v << (last ? '\n' : ' ');
+    }
+  }
+  void end() {
+    if (!binary_) out_ << "</DataArray>\n";
+  }
+
+  void escaped(std::string_view text) {
+    for (const char c : text) {
+      if (c == '&' || c == '<' || c == '>' || c == '"' || static_cast<unsigned char>(c) < 0x20) {
+        out_ << "&#" << static_cast<int>(static_cast<unsigned char>(c)) << ';';
+      } else {
+        out_ << c;
+      }
+    }
+  }
+
+  bool binary_;
+  ByteWriter out_, appended_;
+};
+
+}  // namespace
+
+std::string write_vtu(const MeshData& mesh, bool binary) { return VtuWriter(binary).write(grid_of(mesh)); }
+
+}  // namespace aomd::io::detail

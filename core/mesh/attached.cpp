@@ -1,0 +1,58 @@
+#include "core/mesh/attached.h"
+
+#include <algorithm>
+
+namespace aomd {
+
+AttachedBase* AttachedData::find(int dim, std::string_view name) const {
+  for (const auto& column : columns(dim))
+    if (column->name() == name) return column.get();
+  return nullptr;
+}
+
+AttachedBase& AttachedData::add(int dim, std::unique_ptr<AttachedBase> column) {
+  return *lists_[static_cast<std::size_t>(dim)].emplace_back(std::move(column));
+}
+
+bool AttachedData::drop(int dim, std::string_view name) {
+  return std::erase_if(lists_[static_cast<std::size_t>(dim)],
+                       [&](const auto& column) { return column->name() == name; }) > 0;
+}
+
+std::size_t AttachedData::bytes() const {
+  std::size_t sum = 0;
+  for (const List& list : lists_)
+    for (const auto& column : list) sum += column->bytes();
+  return sum;
+}
+
+void AttachedData::resize(int dim, std::uint32_t entities) {
+  for (const auto& column : columns(dim)) column->resize(entities);
+}
+
+void AttachedData::created(int dim, std::uint32_t id) {
+  for (const auto& column : columns(dim)) column->reset(id);
+}
+
+void AttachedData::cover(int dim, std::uint32_t id, std::size_t creation) {
+  for (const auto& column : columns(dim)) column->cover(id, creation);
+}
+
+void AttachedData::uncover(int dim, std::uint32_t id, std::size_t creation) {
+  for (const auto& column : columns(dim)) column->uncover(id, creation);
+}
+
+void AttachedData::cover_again(int dim, std::uint32_t id, std::size_t creation) {
+  for (const auto& column : columns(dim)) column->cover_again(id, creation);
+}
+
+void AttachedData::forget() {
+  for (const List& list : lists_)
+    for (const auto& column : list) column->forget(0);
+}
+
+void AttachedData::compact(int dim, std::span<const std::uint32_t> new_index, std::uint32_t entities) {
+  for (const auto& column : columns(dim)) column->compact(new_index, entities);
+}
+
+}  // namespace aomd

@@ -1,0 +1,242 @@
+#include "core/mesh/bulk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/check.h"
+
+namespace aomd {
+namespace {
+
+bool has_holes(const Mesh& mesh, int dim) { return !mesh.ids(dim).free_ids().empty(); }
+
+std::uint32_t widest(const VertexRows& rows, int lower) {
+  if (rows.uniform()) return static_cast<std::uint32_t>(rows.uniform()->count(lower));
+  int most = 0;
+  rows.each([&](std::uint32_t id) { most = std::max(most, rows.shape(id).count(lower)); });
+  return static_cast<std::uint32_t>(std::max(most, 1));
+}
+
+// Edges of an entity: the key tells them exactly, and their direction is one comparison.
+void match_edges(const Mesh& mesh, const VertexRows& rows, bool with_directions, DownRows& result) {
+  const SideIndex<EdgeKey> index = index_edges(mesh, VertexRows(mesh, 1));
+  rows.each([&](std::uint32_t id) {
+    const std::uint32_t* v = rows.row(id);
+    const ShapeTemplate& shape = rows.shape(id);
+    std::uint32_t* row = result.row(id);
+    unsigned bits = 0;
+    for (int k = 0; k < shape.edge_count; ++k) {
+      const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
+      const EdgeKey key(v[ends[0]], v[ends[1]]);
+      const auto hit = index.find(key, [](std::uint32_t) { return true; });
+      AOMD_CHECK(hit.valid());
+      row[k] = hit.id();
+      bits |= unsigned{hit.forward() == key.forward} << k;
+    }
+    if (with_directions) result.set_directions(id, static_cast<std::uint16_t>(bits));
+  });
+}
+
+bool all_triangles(const VertexRows& faces) { return faces.uniform() && faces.uniform()->vertex_count == 3; }
+
+// Tetrahedra between triangles: keys are exact, nothing else is read.
+void match_triangles(const VertexRows& rows, const SideIndex<FaceKey>& index, DownRows& result) {
+  const ShapeTemplate& shape = *rows.uniform();
+  rows.each([&](std::uint32_t id) {
+    const std::uint32_t* v = rows.row(id);
+    unsigned bits = 0;
+    for (int k = 0; k < shape.face_count; ++k) {
+      const auto& corners = shape.faces[static_cast<std::size_t>(k)].vertices;
+      const FaceKey key(v[corners[0]], v[corners[1]], v[corners[2]]);
+      const auto hit = index.find(key, [](std::uint32_t) { return true; });
+      AOMD_CHECK(hit.valid());
+      result.row(id)[k] = hit.id();
+      bits |= unsigned{hit.forward() == key.forward} << k;
+    }
+    result.set_directions(id, static_cast<std::uint16_t>(bits));
+  });
+}
+
+void match_faces(const Mesh& mesh, const VertexRows& rows, DownRows& result) {
+  const VertexRows faces(mesh, 2);
+  const SideIndex<FaceKey> index = index_faces(mesh, faces);
+  if (all_triangles(faces) && rows.uniform()) return match_triangles(rows, index, result);
+  rows.each([&](std::uint32_t id) {
+    const ShapeTemplate& shape = rows.shape(id);
+    unsigned bits = 0;
+    for (int k = 0; k < shape.face_count; ++k) {
+      const SideVertices side(shape.faces[static_cast<std::size_t>(k)], rows.row(id));
+      const FaceKey key(side.span());
+      const auto hit =
+          index.find(key, [&](std::uint32_t f) { return same_set(faces.vertices(f), side.span()); });
+      AOMD_CHECK(hit.valid());
+      result.row(id)[k] = hit.id();
+      bits |= unsigned{hit.forward() == key.forward} << k;
+    }
+    result.set_directions(id, static_cast<std::uint16_t>(bits));
+  });
+}
+
+}  // namespace
+
+VertexRows::VertexRows(const Mesh& mesh, int dim) : mesh_(mesh), dim_(dim) {
+  uniform_ = mesh.uniform_shape(dim);
+  const DownRows* rows = &mesh.representation().down(dim, 0);
+  if (!rows->stored()) {
+    made_.allocate(mesh.capacity(dim),
+                   static_cast<std::uint32_t>(uniform_ ? uniform_->vertex_count : max_shape_vertices), false);
+    VertexBuffer buffer;
+    each([&](std::uint32_t id) {
+      const auto v = mesh.vertices_of(EntityRef(dim, id), buffer);
+      std::copy(v.begin(), v.end(), made_.row(id));
+    });
+    rows = &made_;
+  }
+  data_ = rows->row(0);
+  stride_ = rows->stride();
+}
+
+bool same_set(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](std::uint32_t v) {
+           return std::find(b.begin(), b.end(), v) != b.end();
+         });
+}
+
+SideIndex<EdgeKey> index_edges(const Mesh& mesh, const VertexRows& edges) {
+  return SideIndex<EdgeKey>(mesh.capacity(0), mesh.count(1), [&](auto&& visit) {
+    edges.each([&](std::uint32_t id) { visit(id, EdgeKey(edges.row(id)[0], edges.row(id)[1])); });
+  });
+}
+
+SideIndex<FaceKey> index_faces(const Mesh& mesh, const VertexRows& faces) {
+  const bool triangles = all_triangles(faces);
+  return SideIndex<FaceKey>(mesh.capacity(0), mesh.count(2), [&](auto&& visit) {
+    faces.each([&](std::uint32_t id) {
+      const std::uint32_t* v = faces.row(id);
+      visit(id, triangles ? FaceKey(v[0], v[1], v[2]) : FaceKey(faces.vertices(id)));
+    });
+  });
+}
+
+void build_upward(const Mesh& mesh, int i, int j, UpRows& result) {
+  const auto fill = [&](const auto& rows) {
+    const ShapeTemplate* uniform = mesh.uniform_shape(j);
+    const auto each = [&](auto&& visit) {
+      each_entry(
+          rows, mesh.ids(j), uniform ? uniform->count(i) : 0,
+          [&](std::uint32_t id) { return shape_template(mesh.shape(EntityRef(j, id))).count(i); },
+          std::forward<decltype(visit)>(visit));
+    };
+    std::vector<std::uint32_t> at(mesh.capacity(i), 0);
+    each([&](std::uint32_t lower, std::uint32_t) { ++at[lower]; });
+    std::uint32_t* pool = result.allocate(at);
+    each([&](std::uint32_t lower, std::uint32_t id) { pool[at[lower]++] = id; });
+  };
+  if (i == 0)
+    fill(VertexRows(mesh, j));
+  else
+    fill(mesh.representation().down(j, i));
+}
+
+void build_sides(const Mesh& mesh, int i, int j, DownRows& result) {
+  const VertexRows rows(mesh, i);
+  const bool every_place = !has_holes(mesh, i) && rows.uniform();
+  result.allocate(mesh.capacity(i), widest(rows, j), j == i - 1, !every_place);
+  if (j == 1)
+    match_edges(mesh, rows, i == 2, result);
+  else
+    match_faces(mesh, rows, result);
+}
+
+// Linear: the sides of each vertex are told apart by marks, not by searching.
+MissingEntities missing_edges(const Mesh& mesh) {
+  struct Side {
+    std::uint32_t from, to;
+    ModelRef model;
+    bool exists;
+  };
+  const VertexRows edges(mesh, 1), faces(mesh, 2), regions(mesh, 3);
+  const auto each_side = [&](auto&& visit) {
+    edges.each([&](std::uint32_t id) { visit(edges.row(id)[0], edges.row(id)[1], Edge(id)); });
+    const auto sides_of = [&](const VertexRows& rows, auto handle) {
+      rows.each([&](std::uint32_t id) {
+        const std::uint32_t* v = rows.row(id);
+        const ShapeTemplate& shape = rows.shape(id);
+        for (int k = 0; k < shape.edge_count; ++k) {
+          const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
+          visit(v[ends[0]], v[ends[1]], decltype(handle)(id));
+        }
+      });
+    };
+    sides_of(faces, Face());
+    sides_of(regions, Region());
+  };
+  std::vector<std::uint32_t> begin(mesh.capacity(0) + std::size_t{1}, 0);
+  each_side([&](std::uint32_t a, std::uint32_t b, auto) { ++begin[std::min(a, b) + std::size_t{1}]; });
+  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+  RawVector<Side> sides(begin.back());
+  each_side([&](std::uint32_t a, std::uint32_t b, auto of) {
+    sides[begin[std::min(a, b)]++] = {a, b, mesh.classification(of), decltype(of)::dimension == 1};
+  });
+  std::vector<std::uint32_t> mark(mesh.capacity(0), no_index);
+  MissingEntities missing;
+  missing.vertices.reserve(sides.size());
+  missing.classes.reserve(sides.size() / 2 + 16);
+  for (const Side& s : sides) {
+    const std::uint32_t low = std::min(s.from, s.to);
+    std::uint32_t& seen = mark[std::max(s.from, s.to)];
+    if (seen != low && !s.exists) {
+      missing.vertices.push_back(s.from);
+      missing.vertices.push_back(s.to);
+      missing.classes.push_back(s.model);
+    }
+    seen = low;
+  }
+  missing.shapes.assign(missing.classes.size(), Shape::Line);
+  return missing;
+}
+
+// Chains by smallest vertex, since the faces to be found are being made.
+MissingEntities missing_faces(const Mesh& mesh) {
+  struct Known {
+    FaceKey::Tag tag;
+    std::uint32_t begin, next;
+  };
+  const VertexRows faces(mesh, 2), regions(mesh, 3);
+  MissingEntities missing;
+  std::vector<std::uint32_t> first(mesh.capacity(0), no_index);
+  std::vector<Known> known;
+  std::vector<std::uint32_t> corners;
+  known.reserve(mesh.count(2) + std::size_t{2} * mesh.count(3) + 64);
+  const auto add = [&](const FaceKey& key, std::span<const std::uint32_t> v) {
+    known.push_back({key.tag, static_cast<std::uint32_t>(corners.size()), first[key.low]});
+    first[key.low] = static_cast<std::uint32_t>(known.size() - 1);
+    corners.insert(corners.end(), v.begin(), v.end());
+  };
+  faces.each([&](std::uint32_t id) { add(FaceKey(faces.vertices(id)), faces.vertices(id)); });
+  const std::size_t listed = corners.size();
+  regions.each([&](std::uint32_t id) {
+    const ShapeTemplate& shape = regions.shape(id);
+    for (int k = 0; k < shape.face_count; ++k) {
+      const SubEntity& sub = shape.faces[static_cast<std::size_t>(k)];
+      const SideVertices side(sub, regions.row(id));
+      const FaceKey key(side.span());
+      std::uint32_t at = first[key.low];
+      while (at != no_index) {
+        const std::uint32_t next_begin =
+            at + 1 < known.size() ? known[at + 1].begin : static_cast<std::uint32_t>(corners.size());
+        const std::span own(corners.data() + known[at].begin, next_begin - known[at].begin);
+        if (known[at].tag == key.tag && same_set(own, side.span())) break;
+        at = known[at].next;
+      }
+      if (at != no_index) continue;
+      add(key, side.span());
+      missing.shapes.push_back(sub.shape);
+      missing.classes.push_back(mesh.classification(Region(id)));
+    }
+  });
+  missing.vertices.assign(corners.begin() + static_cast<std::ptrdiff_t>(listed), corners.end());
+  return missing;
+}
+
+}  // namespace aomd

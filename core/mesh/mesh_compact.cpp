@@ -1,0 +1,80 @@
+// Consecutive ids: what is left of a mesh after many deletions, without the holes.
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "core/mesh/mesh.h"
+
+namespace aomd {
+namespace {
+
+template <typename T>
+void close_up(std::vector<T>& values, std::span<const std::uint32_t> new_index, std::uint32_t count) {
+  if (values.empty()) return;
+  for (std::size_t old = 0; old < new_index.size(); ++old)
+    if (new_index[old] != no_index) values[new_index[old]] = values[old];
+  values.resize(count);
+  values.shrink_to_fit();
+}
+
+std::vector<std::uint32_t> consecutive(const IdPool& ids) {
+  std::vector<std::uint32_t> new_index(ids.capacity(), no_index);
+  std::uint32_t next = 0;
+  for (std::uint32_t id = ids.next_alive(0); id < ids.capacity(); id = ids.next_alive(id + 1))
+    new_index[id] = next++;
+  return new_index;
+}
+
+}  // namespace
+
+std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
+  if (journal_) throw std::logic_error("a journal is attached, and its records name the present ids");
+  std::array<std::vector<std::uint32_t>, 4> maps;
+  for (int dim = 0; dim < 4; ++dim) maps[static_cast<std::size_t>(dim)] = consecutive(ids(dim));
+  Representation compacted;
+  std::array<bool, 16> upward{};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      if (i == j) continue;
+      compacted.demand(i, j) = representation_.demand(i, j);
+      if (!stored(i, j)) continue;
+      if (i < j)
+        upward[static_cast<std::size_t>(4 * i + j)] = true;
+      else
+        compacted.down(i, j) = compact_rows(i, j, maps);
+    }
+  representation_ = std::move(compacted);
+  for (int dim = 0; dim < 4; ++dim) {
+    const auto& map = maps[static_cast<std::size_t>(dim)];
+    const std::uint32_t n = count(dim);
+    if (dim == 0) close_up(positions_, map, n);
+    close_up(level(dim).classes, map, n);
+    close_up(level(dim).shapes, map, n);
+    attached_.compact(dim, map, n);
+    level(dim).ids = IdPool();
+    level(dim).ids.create_many(n);
+    hash_of(dim).release();
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (upward[static_cast<std::size_t>(4 * i + j)]) build_up(i, j);
+  if (class_lists_) keep_class_lists(true);
+  return maps;
+}
+
+DownRows Mesh::compact_rows(int i, int j, const std::array<std::vector<std::uint32_t>, 4>& maps) const {
+  const DownRows& old = representation_.down(i, j);
+  DownRows rows;
+  rows.allocate(count(i), old.stride(), j == i - 1 && j > 0);
+  for (std::uint32_t id = 0; id < capacity(i); ++id) {
+    if (!ids(i).alive(id)) continue;
+    const std::uint32_t to = maps[static_cast<std::size_t>(i)][id];
+    for (int k = 0; k < lower_count(EntityRef(i, id), j); ++k)
+      rows.row(to)[k] = maps[static_cast<std::size_t>(j)][old.row(id)[k]];
+    if (j == i - 1 && j > 0) rows.set_directions(to, old.directions(id));
+  }
+  return rows;
+}
+
+}  // namespace aomd

@@ -1,0 +1,226 @@
+// From plain arrays to the database and back.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/mesh/bulk.h"
+#include "core/mesh/mesh.h"
+
+namespace aomd {
+namespace {
+
+void require(bool condition, const std::string& what) {
+  if (!condition) throw std::invalid_argument("mesh data: " + what);
+}
+
+void check_list(const MeshData& data, int dim) {
+  const EntityList& list = data.list(dim);
+  const std::string name = entity_name(dim);
+  require(list.classes.empty() || list.classes.size() == list.size(),
+          "there are not as many classes as " + name + "s");
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto shape = static_cast<std::size_t>(list.shapes[i]);
+    const std::string label = name + " " + std::to_string(i);
+    require(shape < shape_count() && shape_template(list.shapes[i]).dimension == dim,
+            label + " has a wrong shape");
+    const auto n = static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
+    require(at + n <= list.vertices.size(), label + " lacks vertices");
+    for (std::size_t k = at; k < at + n; ++k) {
+      require(list.vertices[k] < data.positions.size(), label + " uses a vertex that does not exist");
+      for (std::size_t j = at; j < k; ++j)
+        require(list.vertices[j] != list.vertices[k], label + " uses a vertex twice");
+    }
+    require(list.classes.empty() || list.classes[i].may_classify(dim),
+            label + " is on a model entity of lower dimension");
+    at += n;
+  }
+  require(at == list.vertices.size(), "there are more vertices than the " + name + "s use");
+}
+
+void check_data(const MeshData& data) {
+  require(data.positions.size() < no_index, "there are too many vertices");
+  require(data.vertex_classes.empty() || data.vertex_classes.size() == data.positions.size(),
+          "there are not as many classes as vertices");
+  for (int dim = 1; dim <= 3; ++dim) check_list(data, dim);
+  for (const Attribute& a : data.attributes) {
+    const std::size_t n = a.dimension == 0 ? data.positions.size() : data.list(a.dimension).size();
+    require(a.values.size() == n * static_cast<std::size_t>(a.components),
+            "attribute \"" + a.name + "\" does not have one value for each entity");
+  }
+}
+
+// A file may list an edge twice: the last one with a class counts.
+EntityList without_duplicates(const EntityList& edges, std::size_t vertices) {
+  const auto key = [&](std::size_t e) { return EdgeKey(edges.vertices[2 * e], edges.vertices[2 * e + 1]); };
+  const SideIndex<EdgeKey> index(static_cast<std::uint32_t>(vertices), edges.size(), [&](auto&& visit) {
+    for (std::uint32_t e = 0; e < edges.size(); ++e) visit(e, key(e));
+  });
+  EntityList unique;
+  std::vector<std::uint32_t> place(edges.size());
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    const ModelRef model = edges.classes.empty() ? ModelRef() : edges.classes[e];
+    const std::uint32_t first = index.find(key(e), [](std::uint32_t) { return true; }).id();
+    place[e] = static_cast<std::uint32_t>(unique.size());
+    if (first == e) {
+      unique.add(edges.shapes[e], {edges.vertices[2 * e], edges.vertices[2 * e + 1]}, model);
+    } else if (model.valid()) {
+      unique.classes.resize(unique.size());
+      unique.classes[place[first]] = model;
+    }
+  }
+  return unique;
+}
+
+template <typename Key, typename MakeKey>
+void mark_used(const Mesh& mesh, int dim, const SideIndex<Key>& index, MakeKey&& key,
+               std::vector<std::uint8_t>& used) {
+  const VertexRows own(mesh, dim);
+  for (int higher = dim + 1; higher <= 3; ++higher) {
+    const VertexRows rows(mesh, higher);
+    rows.each([&](std::uint32_t id) {
+      const ShapeTemplate& shape = rows.shape(id);
+      for (int i = 0; i < shape.count(dim); ++i) {
+        const SideVertices side(shape.sub(dim, i), rows.row(id));
+        (void)index.find(key(side.span()), [&](std::uint32_t e) {
+          used[e] |= std::uint8_t{same_set(own.vertices(e), side.span())};
+          return false;  // all that have these vertices
+        });
+      }
+    });
+  }
+}
+
+// Which entities of a level are a side of a higher one.
+std::vector<std::uint8_t> used_sides(const Mesh& mesh, int dim) {
+  std::vector<std::uint8_t> used(mesh.capacity(dim), 0);
+  const VertexRows rows(mesh, dim);
+  if (dim == 1)
+    mark_used(
+        mesh, 1, index_edges(mesh, rows), [](auto v) { return EdgeKey(v[0], v[1]); }, used);
+  else
+    mark_used(
+        mesh, 2, index_faces(mesh, rows), [](auto v) { return FaceKey(v); }, used);
+  return used;
+}
+
+void drop_if_unclassified(std::vector<ModelRef>& classes) {
+  if (std::none_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); })) classes.clear();
+}
+
+using Ids = std::vector<std::uint32_t>;
+
+template <typename H, typename T>
+void add_attribute(const Mesh& mesh, const AttachedBase& column, const Ids& ids, MeshData& data) {
+  const auto* values = mesh.find_column<H, T>(column.name());
+  if (!values) return;
+  Attribute a{column.name(), H::dimension, std::is_same_v<T, glm::dvec3> ? 3 : 1, std::is_integral_v<T>, {}};
+  for (const std::uint32_t id : ids) {
+    if constexpr (std::is_same_v<T, glm::dvec3>)
+      for (int k = 0; k < 3; ++k) a.values.push_back((*values)[H(id)][k]);
+    else
+      a.values.push_back(static_cast<double>((*values)[H(id)]));
+  }
+  data.attributes.push_back(std::move(a));
+}
+
+template <typename H>
+void add_attributes(const Mesh& mesh, const Ids& ids, MeshData& data) {
+  for (const auto& column : mesh.columns(H::dimension)) {
+    add_attribute<H, double>(mesh, *column, ids, data);
+    add_attribute<H, std::int64_t>(mesh, *column, ids, data);
+    add_attribute<H, glm::dvec3>(mesh, *column, ids, data);
+  }
+}
+
+template <typename H>
+void take_attribute(Mesh& mesh, const Attribute& a) {
+  for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i) {
+    const double* v = a.values.data() + std::size_t{i} * static_cast<std::size_t>(a.components);
+    if (a.components == 3)
+      mesh.column<H, glm::dvec3>(a.name)[H(i)] = {v[0], v[1], v[2]};
+    else if (a.integer)
+      mesh.column<H, std::int64_t>(a.name)[H(i)] = static_cast<std::int64_t>(*v);
+    else
+      mesh.column<H, double>(a.name)[H(i)] = *v;
+  }
+}
+
+}  // namespace
+
+Mesh::Mesh(const MeshData& data) : positions_(data.positions), model_table_(data.model) {
+  check_data(data);
+  level(0).ids.create_many(static_cast<std::uint32_t>(data.positions.size()));
+  level(0).classes = data.vertex_classes;
+  level(0).classes.resize(data.positions.size());
+  const EntityList edges = without_duplicates(data.edges, data.positions.size());
+  take_list(1, edges);
+  take_list(2, data.faces);
+  take_list(3, data.regions);
+  if (dimension() > 1) representation_.demand(dimension(), 0).user = true;
+  for (const Attribute& a : data.attributes) {
+    if ((a.components != 1 && a.components != 3) || (a.dimension == 1 && edges.size() != data.edges.size()))
+      continue;
+    if (a.dimension == 0) take_attribute<Vertex>(*this, a);
+    if (a.dimension == 1) take_attribute<Edge>(*this, a);
+    if (a.dimension == 2) take_attribute<Face>(*this, a);
+    if (a.dimension == 3) take_attribute<Region>(*this, a);
+  }
+}
+
+void Mesh::take_list(int dim, const EntityList& list) {
+  if (list.empty()) return;
+  Level& l = level(dim);
+  l.ids.create_many(static_cast<std::uint32_t>(list.size()));
+  l.classes = list.classes;
+  l.classes.resize(list.size());
+  l.uniform = list.shapes[0];
+  if (std::any_of(list.shapes.begin(), list.shapes.end(), [&](Shape s) { return s != l.uniform; }))
+    l.shapes = list.shapes;
+  DownRows& rows = representation_.down(dim, 0);
+  rows.allocate(static_cast<std::uint32_t>(list.size()), widest(dim, 0), false);
+  const std::uint32_t* from = list.vertices.data();
+  for (std::uint32_t id = 0; id < list.size(); ++id) {
+    const int n = shape_template(list.shapes[id]).vertex_count;
+    std::copy_n(from, n, rows.row(id));
+    from += n;
+  }
+}
+
+MeshData to_data(const Mesh& mesh) {
+  MeshData data;
+  data.model = mesh.model_table();
+  std::array<Ids, 4> listed;
+  Ids new_index(mesh.capacity(0), no_index);
+  data.positions.reserve(mesh.count(0));
+  for (const Vertex v : mesh.vertices()) {
+    new_index[v.index] = static_cast<std::uint32_t>(data.positions.size());
+    data.positions.push_back(mesh.position(v));
+    data.vertex_classes.push_back(mesh.classification(v));
+    listed[0].push_back(v.index);
+  }
+  for (int dim = 1; dim <= 3; ++dim) {
+    const bool some = mesh.complete(dim) && dim < mesh.dimension();
+    const auto used = some ? used_sides(mesh, dim) : std::vector<std::uint8_t>();
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
+      const EntityRef e(dim, id);
+      if (!mesh.alive(e) || (some && used[id] && mesh.classification(e).dimension() != dim)) continue;
+      VertexBuffer buffer;
+      EntityList& list = data.list(dim);
+      for (const std::uint32_t v : mesh.vertices_of(e, buffer)) list.vertices.push_back(new_index[v]);
+      list.shapes.push_back(mesh.shape(e));
+      list.classes.push_back(mesh.classification(e));
+      listed[static_cast<std::size_t>(dim)].push_back(id);
+    }
+  }
+  drop_if_unclassified(data.vertex_classes);
+  for (int dim = 1; dim <= 3; ++dim) drop_if_unclassified(data.list(dim).classes);
+  add_attributes<Vertex>(mesh, listed[0], data);
+  add_attributes<Edge>(mesh, listed[1], data);
+  add_attributes<Face>(mesh, listed[2], data);
+  add_attributes<Region>(mesh, listed[3], data);
+  return data;
+}
+
+}  // namespace aomd

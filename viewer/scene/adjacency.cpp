@@ -1,0 +1,130 @@
+#include "viewer/scene/adjacency.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <stdexcept>
+
+#include "core/mesh/derive.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene {
+namespace {
+
+constexpr std::array<const char*, 4> singular = {"vertex", "edge", "face", "region"};
+constexpr std::array<const char*, 4> plural = {"vertices", "edges", "faces", "regions"};
+
+std::string one(int dim) { return singular[static_cast<std::size_t>(dim)]; }
+std::string many(int dim) { return plural[static_cast<std::size_t>(dim)]; }
+
+/// "1 request holds it", "2 requests hold it"
+std::string held_by(int requests) {
+  return std::to_string(requests) + (requests == 1 ? " request holds it" : " requests hold it");
+}
+
+/// Higher entities may have sides that the level does not hold.
+bool lacks_some(const Mesh& mesh, int level) {
+  std::uint32_t higher = 0;
+  for (int dim = level + 1; dim <= 3; ++dim) higher += mesh.count(dim);
+  return level > 0 && higher > 0 && !mesh.complete(level);
+}
+
+/// How many lower entities of dimension `low` all entities of dimension `high` have together.
+std::uint64_t uses(const Mesh& mesh, int high, int low) {
+  std::array<std::uint64_t, max_shapes> count{};
+  for (std::uint32_t id = 0; id < mesh.capacity(high); ++id)
+    if (mesh.alive({high, id})) ++count[static_cast<std::size_t>(mesh.shape({high, id}))];
+  std::uint64_t sum = 0;
+  for (std::size_t s = 0; s < shape_count(); ++s)
+    sum += count[s] * static_cast<std::uint64_t>(shape_template(static_cast<Shape>(s)).count(low));
+  return sum;
+}
+
+std::string storage_words(const Mesh& mesh, int i, int j, double built_ms) {
+  std::string text = "Stored: " + bytes_text(mesh.representation().bytes(i, j)) + ", " +
+                     grouped(mesh.count(i)) + " rows of " + short_number(mean_row_length(mesh, i, j), 1) +
+                     " on average";
+  if (built_ms > 0) text += ", built in " + short_number(built_ms, built_ms < 10 ? 1 : 0) + " ms";
+  return text + ".";
+}
+
+std::string demand_words(const AdjacencyCell& cell) {
+  if (cell.requests == 0) return cell.set ? "Set." : "Nobody asked for it.";
+  return (cell.set ? "Set, and " : "Not set, but ") + held_by(cell.requests) + ".";
+}
+
+std::string defining_words(int i, int j) {
+  std::string others;
+  for (int k = 0; k < i; ++k)
+    if (k != j) others += (others.empty() ? "" : " or ") + relation_name(i, k);
+  return "It defines the " + many(i) +
+         (others.empty() ? ": it stays while there are any." : ": it stays until " + others + " is stored.");
+}
+
+}  // namespace
+
+AdjacencyCell adjacency_cell(const Mesh& mesh, int i, int j) {
+  AdjacencyCell cell;
+  const Representation& representation = mesh.representation();
+  cell.stored = mesh.stored(i, j);
+  cell.set = representation.demand(i, j).user;
+  cell.requests = representation.demand(i, j).requests;
+  cell.bytes = representation.bytes(i, j);
+  cell.defines = cell.stored && i > j && mesh.count(i) > 0;
+  for (int k = 0; k < i; ++k) cell.defines = cell.defines && (k == j || !mesh.stored(i, k));
+  return cell;
+}
+
+double mean_row_length(const Mesh& mesh, int i, int j) {
+  const auto entries = static_cast<double>(i > j ? uses(mesh, i, j) : uses(mesh, j, i));
+  return mesh.count(i) == 0 ? 0 : entries / mesh.count(i);
+}
+
+std::string relation_name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
+
+std::string relation_words(int i, int j) {
+  if (i < j) return "The " + many(j) + " around each " + one(i) + ", sorted";
+  std::string words = "The " + many(j) + " of each " + one(i) + ", in template order";
+  if (j > 0 && j == i - 1) words += ", with the direction of each use";
+  return words;
+}
+
+std::string adjacency_words(const Mesh& mesh, int i, int j, double built_ms) {
+  const AdjacencyCell cell = adjacency_cell(mesh, i, j);
+  std::string text = relation_name(i, j) + ": " + relation_words(i, j) + ".\n";
+  if (!cell.stored) {
+    const AdjacencyPath path = explain(mesh, i, j);
+    text += path.kind == AdjacencyPath::Kind::None ? "Not stored."
+                                                   : "Not stored, but derived: " + path.text() + ".";
+    for (const int level : {std::min(i, j), std::max(i, j)})
+      if (lacks_some(mesh, level)) text += " Storing it creates the missing " + many(level) + ".";
+    return text;
+  }
+  text += storage_words(mesh, i, j, built_ms) + "\n" + demand_words(cell);
+  if (cell.defines) text += " " + defining_words(i, j);
+  return text;
+}
+
+AdjacencyChange change_adjacency(Mesh& mesh, int i, int j, bool on) {
+  using Clock = std::chrono::steady_clock;
+  AdjacencyChange change{i, j, on, 0, {}};
+  const auto before = Clock::now();
+  try {
+    on ? mesh.set(i, j) : mesh.unset(i, j);
+  } catch (const std::logic_error& refused) {
+    change.refusal = refused.what();
+  }
+  change.ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+  return change;
+}
+
+std::string change_words(const Mesh& mesh, const AdjacencyChange& change) {
+  if (!change.refusal.empty()) return change.refusal;
+  const AdjacencyCell cell = adjacency_cell(mesh, change.i, change.j);
+  const std::string name = relation_name(change.i, change.j);
+  if (change.on) return name + " is stored: " + bytes_text(cell.bytes);
+  if (!cell.stored) return name + " is freed";
+  return name + " is no longer set, but " + held_by(cell.requests);
+}
+
+}  // namespace aomd::scene

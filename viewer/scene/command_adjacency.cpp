@@ -1,0 +1,50 @@
+#include <string>
+
+#include "viewer/scene/adjacency.h"
+#include "viewer/scene/command_handlers.h"
+
+namespace aomd::scene::handle {
+namespace {
+
+struct Cell {
+  int i = 0, j = 0;
+};
+
+Cell cell(Arguments& arguments) {
+  constexpr const char* level = "a level from 0 (vertices) to 3 (regions)";
+  const auto next = [&] {
+    const long long value = arguments.integer(level);
+    if (value < 0 || value > 3) arguments.fail("'" + std::to_string(value) + "' is not " + level);
+    return static_cast<int>(value);
+  };
+  const int i = next();
+  const int j = next();
+  if (i == j) arguments.fail("I and J are two different levels: T has no relation on its diagonal");
+  return {i, j};
+}
+
+}  // namespace
+
+void adjacency(Session& session, Arguments& arguments) {
+  const auto [i, j] = cell(arguments);
+  need_mesh(session);
+  const bool on = arguments.flag(adjacency_cell(session.document.mesh(), i, j).set);
+  arguments.end();
+  const AdjacencyChange& change = session.document.set_adjacency(i, j, on);
+  session.status = change_words(session.document.mesh(), change);
+}
+
+void expect_adjacency(Session& session, Arguments& arguments) {
+  static_cast<void>(arguments.word("adjacency"));
+  const auto [i, j] = cell(arguments);
+  if (const std::string sign = arguments.word("="); sign != "=") arguments.fail("'" + sign + "' is not =");
+  const std::string text = arguments.word("on or off");
+  arguments.end();
+  if (text != "on" && text != "off") arguments.fail("'" + text + "' is neither on nor off");
+  const bool stored = session.document.mesh().stored(i, j);
+  if (stored != (text == "on"))
+    throw ExpectationMissed("expected " + relation_name(i, j) + " to be " + text + ", but it is " +
+                            (stored ? "on" : "off"));
+}
+
+}  // namespace aomd::scene::handle
