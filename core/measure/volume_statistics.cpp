@@ -42,11 +42,10 @@ void count_volume_faces(const Mesh& mesh, Counts& counts) {
     sides.emplace_back(key.low, v.size() == 3 ? key.tag : ~key.tag, of_region);
   };
   const VertexRows faces(mesh, 2), regions(mesh, 3);
-  faces.each([&](std::uint32_t id) { add(faces.vertices(id), false); });
-  regions.each([&](std::uint32_t id) {
+  faces.each([&](std::uint32_t id, const std::uint32_t*) { add(faces.vertices(id), false); });
+  regions.each([&](std::uint32_t id, const std::uint32_t* v) {
     const ShapeTemplate& shape = regions.shape(id);
-    for (int k = 0; k < shape.face_count; ++k)
-      add(SideVertices(shape.sub(2, k), regions.row(id)).span(), true);
+    for (int k = 0; k < shape.face_count; ++k) add(SideVertices(shape.sub(2, k), v).span(), true);
   });
   std::sort(sides.begin(), sides.end());
   counts.faces = 0;

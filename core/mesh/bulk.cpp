@@ -13,68 +13,76 @@ bool has_holes(const Mesh& mesh, int dim) { return !mesh.ids(dim).free_ids().emp
 std::uint32_t widest(const VertexRows& rows, int lower) {
   if (rows.uniform()) return static_cast<std::uint32_t>(rows.uniform()->count(lower));
   int most = 0;
-  rows.each([&](std::uint32_t id) { most = std::max(most, rows.shape(id).count(lower)); });
+  rows.each(
+      [&](std::uint32_t id, const std::uint32_t*) { most = std::max(most, rows.shape(id).count(lower)); });
   return static_cast<std::uint32_t>(std::max(most, 1));
 }
 
-// Edges of an entity: the key tells them exactly, and their direction is one comparison.
-void match_edges(const Mesh& mesh, const VertexRows& rows, bool with_directions, DownRows& result) {
-  const SideIndex<EdgeKey> index = index_edges(mesh, VertexRows(mesh, 1));
-  rows.each([&](std::uint32_t id) {
-    const std::uint32_t* v = rows.row(id);
-    const ShapeTemplate& shape = rows.shape(id);
-    std::uint32_t* row = result.row(id);
+bool all_triangles(const VertexRows& faces) { return faces.uniform() && faces.uniform()->vertex_count == 3; }
+
+// Calls work(shape, each) with the one shape of all entities, or with none: a loop over entities of one shape
+// need not look it up for each.
+template <typename Work>
+void for_shape(const VertexRows& rows, Work&& work) {
+  if (rows.uniform())
+    work([shape = rows.uniform()](std::uint32_t) -> const ShapeTemplate& { return *shape; });
+  else
+    work([&rows](std::uint32_t id) -> const ShapeTemplate& { return rows.shape(id); });
+}
+
+template <typename Key, typename ShapeOf, typename MakeKey, typename Same>
+void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf shape_of, MakeKey key,
+           Same same, bool with_directions, DownRows& result) {
+  std::uint32_t* const out = result.row(0);
+  const std::size_t stride = result.stride();
+  rows.each([&, out, stride](std::uint32_t id, const std::uint32_t* v) {
+    const ShapeTemplate& shape = shape_of(id);
+    std::uint32_t* const row = out + id * stride;
+    const int n = shape.count(j);
     unsigned bits = 0;
-    for (int k = 0; k < shape.edge_count; ++k) {
-      const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
-      const EdgeKey key(v[ends[0]], v[ends[1]]);
-      const auto hit = index.find(key, [](std::uint32_t) { return true; });
+    for (int k = 0; k < n; ++k) {
+      const Key wanted = key(shape, k, v);
+      const auto hit = index.find(wanted, [&](std::uint32_t side) { return same(side, shape, k, v); });
       AOMD_CHECK(hit.valid());
       row[k] = hit.id();
-      bits |= unsigned{hit.forward() == key.forward} << k;
+      bits |= unsigned{hit.forward() == wanted.forward} << k;
     }
     if (with_directions) result.set_directions(id, static_cast<std::uint16_t>(bits));
   });
 }
 
-bool all_triangles(const VertexRows& faces) { return faces.uniform() && faces.uniform()->vertex_count == 3; }
+// Where keys are exact.
+bool no_second_look(std::uint32_t, const ShapeTemplate&, int, const std::uint32_t*) { return true; }
 
-// Tetrahedra between triangles: keys are exact, nothing else is read.
-void match_triangles(const VertexRows& rows, const SideIndex<FaceKey>& index, DownRows& result) {
-  const ShapeTemplate& shape = *rows.uniform();
-  rows.each([&](std::uint32_t id) {
-    const std::uint32_t* v = rows.row(id);
-    unsigned bits = 0;
-    for (int k = 0; k < shape.face_count; ++k) {
-      const auto& corners = shape.faces[static_cast<std::size_t>(k)].vertices;
-      const FaceKey key(v[corners[0]], v[corners[1]], v[corners[2]]);
-      const auto hit = index.find(key, [](std::uint32_t) { return true; });
-      AOMD_CHECK(hit.valid());
-      result.row(id)[k] = hit.id();
-      bits |= unsigned{hit.forward() == key.forward} << k;
-    }
-    result.set_directions(id, static_cast<std::uint16_t>(bits));
+void match_edges(const Mesh& mesh, const VertexRows& rows, bool with_directions, DownRows& result) {
+  const SideIndex<EdgeKey> index = index_edges(mesh, VertexRows(mesh, 1));
+  const auto key = [](const ShapeTemplate& shape, int k, const std::uint32_t* v) {
+    const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
+    return EdgeKey(v[ends[0]], v[ends[1]]);
+  };
+  for_shape(rows, [&](auto shape_of) {
+    match(rows, 1, index, shape_of, key, no_second_look, with_directions, result);
   });
 }
 
 void match_faces(const Mesh& mesh, const VertexRows& rows, DownRows& result) {
   const VertexRows faces(mesh, 2);
   const SideIndex<FaceKey> index = index_faces(mesh, faces);
-  if (all_triangles(faces) && rows.uniform()) return match_triangles(rows, index, result);
-  rows.each([&](std::uint32_t id) {
-    const ShapeTemplate& shape = rows.shape(id);
-    unsigned bits = 0;
-    for (int k = 0; k < shape.face_count; ++k) {
-      const SideVertices side(shape.faces[static_cast<std::size_t>(k)], rows.row(id));
-      const FaceKey key(side.span());
-      const auto hit =
-          index.find(key, [&](std::uint32_t f) { return same_set(faces.vertices(f), side.span()); });
-      AOMD_CHECK(hit.valid());
-      result.row(id)[k] = hit.id();
-      bits |= unsigned{hit.forward() == key.forward} << k;
-    }
-    result.set_directions(id, static_cast<std::uint16_t>(bits));
-  });
+  if (all_triangles(faces) && rows.uniform()) {
+    const auto key = [](const ShapeTemplate& shape, int k, const std::uint32_t* v) {
+      const auto& corners = shape.faces[static_cast<std::size_t>(k)].vertices;
+      return FaceKey(v[corners[0]], v[corners[1]], v[corners[2]]);
+    };
+    return for_shape(
+        rows, [&](auto shape_of) { match(rows, 2, index, shape_of, key, no_second_look, true, result); });
+  }
+  const auto key = [](const ShapeTemplate& shape, int k, const std::uint32_t* v) {
+    return FaceKey(SideVertices(shape.sub(2, k), v).span());
+  };
+  const auto same = [&](std::uint32_t face, const ShapeTemplate& shape, int k, const std::uint32_t* v) {
+    return same_set(faces.vertices(face), SideVertices(shape.sub(2, k), v).span());
+  };
+  for_shape(rows, [&](auto shape_of) { match(rows, 2, index, shape_of, key, same, true, result); });
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ VertexRows::VertexRows(const Mesh& mesh, int dim) : mesh_(mesh), dim_(dim) {
     made_.allocate(mesh.capacity(dim),
                    static_cast<std::uint32_t>(uniform_ ? uniform_->vertex_count : max_shape_vertices), false);
     VertexBuffer buffer;
-    each([&](std::uint32_t id) {
+    each([&](std::uint32_t id, const std::uint32_t*) {
       const auto v = mesh.vertices_of(EntityRef(dim, id), buffer);
       std::copy(v.begin(), v.end(), made_.row(id));
     });
@@ -104,15 +112,14 @@ bool same_set(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b
 
 SideIndex<EdgeKey> index_edges(const Mesh& mesh, const VertexRows& edges) {
   return SideIndex<EdgeKey>(mesh.capacity(0), mesh.count(1), [&](auto&& visit) {
-    edges.each([&](std::uint32_t id) { visit(id, EdgeKey(edges.row(id)[0], edges.row(id)[1])); });
+    edges.each([&](std::uint32_t id, const std::uint32_t* v) { visit(id, EdgeKey(v[0], v[1])); });
   });
 }
 
 SideIndex<FaceKey> index_faces(const Mesh& mesh, const VertexRows& faces) {
   const bool triangles = all_triangles(faces);
   return SideIndex<FaceKey>(mesh.capacity(0), mesh.count(2), [&](auto&& visit) {
-    faces.each([&](std::uint32_t id) {
-      const std::uint32_t* v = faces.row(id);
+    faces.each([&](std::uint32_t id, const std::uint32_t* v) {
       visit(id, triangles ? FaceKey(v[0], v[1], v[2]) : FaceKey(faces.vertices(id)));
     });
   });
@@ -157,10 +164,9 @@ MissingEntities missing_edges(const Mesh& mesh) {
   };
   const VertexRows edges(mesh, 1), faces(mesh, 2), regions(mesh, 3);
   const auto each_side = [&](auto&& visit) {
-    edges.each([&](std::uint32_t id) { visit(edges.row(id)[0], edges.row(id)[1], Edge(id)); });
+    edges.each([&](std::uint32_t id, const std::uint32_t* v) { visit(v[0], v[1], Edge(id)); });
     const auto sides_of = [&](const VertexRows& rows, auto handle) {
-      rows.each([&](std::uint32_t id) {
-        const std::uint32_t* v = rows.row(id);
+      rows.each([&](std::uint32_t id, const std::uint32_t* v) {
         const ShapeTemplate& shape = rows.shape(id);
         for (int k = 0; k < shape.edge_count; ++k) {
           const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
@@ -213,13 +219,14 @@ MissingEntities missing_faces(const Mesh& mesh) {
     first[key.low] = static_cast<std::uint32_t>(known.size() - 1);
     corners.insert(corners.end(), v.begin(), v.end());
   };
-  faces.each([&](std::uint32_t id) { add(FaceKey(faces.vertices(id)), faces.vertices(id)); });
+  faces.each(
+      [&](std::uint32_t id, const std::uint32_t*) { add(FaceKey(faces.vertices(id)), faces.vertices(id)); });
   const std::size_t listed = corners.size();
-  regions.each([&](std::uint32_t id) {
+  regions.each([&](std::uint32_t id, const std::uint32_t* v) {
     const ShapeTemplate& shape = regions.shape(id);
     for (int k = 0; k < shape.face_count; ++k) {
       const SubEntity& sub = shape.faces[static_cast<std::size_t>(k)];
-      const SideVertices side(sub, regions.row(id));
+      const SideVertices side(sub, v);
       const FaceKey key(side.span());
       std::uint32_t at = first[key.low];
       while (at != no_index) {

@@ -24,14 +24,18 @@ class VertexRows {
     return {row(id), static_cast<std::size_t>(shape(id).vertex_count)};
   }
 
-  /// Calls visit(id) for every entity, in ascending order.
+  /// Calls visit(id, its vertices) for every entity, in ascending order.
   template <typename Visit>
   void each(Visit&& visit) const {
     const IdPool& ids = mesh_.ids(dim_);
+    const std::uint32_t* v = data_;
+    const std::size_t stride = stride_;
+    const std::uint32_t n = ids.capacity();
     if (ids.free_ids().empty())
-      for (std::uint32_t id = 0; id < ids.capacity(); ++id) visit(id);
+      for (std::uint32_t id = 0; id < n; ++id, v += stride) visit(id, v);
     else
-      for (std::uint32_t id = ids.next_alive(0); id < ids.capacity(); id = ids.next_alive(id + 1)) visit(id);
+      for (std::uint32_t id = ids.next_alive(0); id < n; id = ids.next_alive(id + 1))
+        visit(id, v + id * stride);
   }
 
  private:

@@ -79,10 +79,10 @@ void mark_used(const Mesh& mesh, int dim, const SideIndex<Key>& index, MakeKey&&
   const VertexRows own(mesh, dim);
   for (int higher = dim + 1; higher <= 3; ++higher) {
     const VertexRows rows(mesh, higher);
-    rows.each([&](std::uint32_t id) {
+    rows.each([&](std::uint32_t id, const std::uint32_t* v) {
       const ShapeTemplate& shape = rows.shape(id);
       for (int i = 0; i < shape.count(dim); ++i) {
-        const SideVertices side(shape.sub(dim, i), rows.row(id));
+        const SideVertices side(shape.sub(dim, i), v);
         (void)index.find(key(side.span()), [&](std::uint32_t e) {
           used[e] |= std::uint8_t{same_set(own.vertices(e), side.span())};
           return false;  // all that have these vertices

@@ -105,12 +105,16 @@ class SideIndex {
       : begin_(vertices + std::size_t{2}, 0), bytes_(entities + 15), entries_(entities) {
     AOMD_CHECK(entities < (std::size_t{1} << 31));
     std::fill(bytes_.end() - 15, bytes_.end(), std::uint8_t{0});
-    each([&](std::uint32_t, const Key& key) { ++begin_[key.low + std::size_t{2}]; });
-    for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
-    each([&](std::uint32_t id, const Key& key) {
-      const std::uint32_t at = begin_[key.low + std::size_t{1}]++;
-      bytes_[at] = byte_of(key.tag);
-      entries_[at] = {key.tag, Hit(id, key.forward)};
+    // Local copies: the compiler must not fear that a byte written changes where the arrays are.
+    std::uint32_t* const begin = begin_.data();
+    std::uint8_t* const bytes = bytes_.data();
+    Entry* const all = entries_.data();
+    each([begin](std::uint32_t, const Key& key) { ++begin[key.low + std::size_t{2}]; });
+    for (std::size_t v = 2; v < begin_.size(); ++v) begin[v] += begin[v - 1];
+    each([begin, bytes, all](std::uint32_t id, const Key& key) {
+      const std::uint32_t at = begin[key.low + std::size_t{1}]++;
+      bytes[at] = byte_of(key.tag);
+      all[at] = {key.tag, Hit(id, key.forward)};
     });
   }
 
