@@ -72,6 +72,26 @@ TEST(ClassifyTest, WhatTheFileSaysWins) {
   EXPECT_EQ(told.classification(Vertex(0)).dimension(), 0);
 }
 
+//   3---2      Paper, figure 4: both faces lie on model face 0, all vertices on model edges. Whether the edge
+//   | / |      between 4 and 9 (0 and 2 here) lies on model edge 5 or across the face cannot be told from
+//   0---1      them: the same vertices and faces fit both models.
+TEST(ClassifyTest, Figure4IsAmbiguousUntilTheFileListsItsModelEdges) {
+  MeshData data = zoo::square();
+  data.vertex_classes = {ModelRef(1, 5), ModelRef(1, 1), ModelRef(1, 5), ModelRef(1, 2)};
+  data.faces.classes = {ModelRef(2, 0), ModelRef(2, 0)};
+  const auto class_of_diagonal = [](const MeshData& d) {
+    Mesh mesh(d);
+    mesh.set(1, 2);  // edges are made implicitly
+    EXPECT_EQ(mesh.count(1), 5u);
+    return mesh.classification(mesh.find_edge(Vertex(0), Vertex(2)));
+  };
+  EXPECT_EQ(class_of_diagonal(data),
+            ModelRef(2, 0));  // its creator's class: right for one of the models only
+  MeshData other = data;      // the model on which the diagonal is model edge 5
+  other.edges.add(Shape::Line, {2, 0}, ModelRef(1, 5));
+  EXPECT_EQ(class_of_diagonal(other), ModelRef(1, 5));
+}
+
 TEST(ClassifyTest, FacesGivenByTheFileKeepTheirTagsAndMeetInModelEdges) {
   MeshData data = zoo::square();
   data.faces.classes = {ModelRef(2, 10), ModelRef(2, 20)};

@@ -47,6 +47,16 @@ TEST_F(DecimateCommand, FailuresHaveTheirCodes) {
   expect_failure("decimate s.ply o.ply --report /dev/full", 4, "/dev/full");
 }
 
+TEST_F(DecimateCommand, VolumesAndQuadsAreRefusedWithASentence) {
+  ASSERT_EQ(aomd("sample tet-box v.msh").code, 0);
+  expect_failure("decimate v.msh o.msh", 5, "Decimating volumes is not part of this version");
+  put("q.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+      "$Elements\n1\n1 3 2 1 1 1 2 3 4\n$EndElements\n");
+  expect_failure("decimate q.msh o.msh", 5, "Only triangles can be decimated");
+  EXPECT_FALSE(exists("o.msh"));
+}
+
 TEST_F(DecimateCommand, ReportHasEveryKey) {
   sample("scan", "s.ply", 3000);
   const Outcome run = aomd("decimate s.ply o.ply --factor 2 --report r.json --journal j");

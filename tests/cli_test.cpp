@@ -153,5 +153,35 @@ TEST_F(CommandLineTest, ImageDiffTellsPicturesApart) {
   expect_failure("image-diff a.png c.png", 3, "c.png");
 }
 
+// A box of 4 x 4 x 4 cells, six tetrahedra each: V - E + F - R = 1.
+TEST_F(CommandLine, VolumesAreCountedCheckedAndConverted) {
+  sample("tet-box", "v.msh", 4);
+  const Outcome info = aomd("info v.msh --json");
+  ASSERT_EQ(info.code, 0) << info.err;
+  const auto counts = nlohmann::json::parse(info.out)["input"];
+  EXPECT_EQ(counts["regions"], 6 * 4 * 4 * 4);
+  EXPECT_EQ(counts["boundary_faces"], 6 * 2 * 4 * 4);
+  EXPECT_EQ(counts["nonmanifold_faces"], 0);
+  EXPECT_EQ(counts["euler"], 1);
+  EXPECT_EQ(counts["by_shape"]["tetrahedron"], 384);
+  EXPECT_NEAR(nlohmann::json::parse(info.out)["quality"]["min_dihedral_deg"].get<double>(), 45, 1e-9);
+  EXPECT_EQ(aomd("check v.msh --unused").code, 0);
+  for (const char* file : {"w.vtk", "w.vtu --binary", "w.mesh", "w.msh --msh2 --binary"})
+    EXPECT_EQ(aomd(std::string("convert v.msh ") + file).code, 0) << file;
+  const Outcome back = aomd("info w.vtu --json");
+  EXPECT_EQ(nlohmann::json::parse(back.out)["input"]["by_class"], counts["by_class"]);
+  expect_failure("convert v.msh w.ply", 4, "the mesh has regions");
+}
+
+TEST_F(CommandLine, AnInvertedRegionIsFound) {
+  put("v.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n9 9 9 0\n"
+      "Tetrahedra\n1\n1 3 2 4 0\nEnd\n");
+  const Outcome run = aomd("check v.mesh");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.out.find("inverted region: region 0"), std::string::npos) << run.out;
+  EXPECT_NE(aomd("check v.mesh --unused").out.find("isolated vertex: vertex 4"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace aomd::test

@@ -98,5 +98,107 @@ TEST(VerifyTest, LeakInTheIdStack) {
   EXPECT_TRUE(found(verify(mesh), "id stack", Face(0)));
 }
 
+// Volumes: two tetrahedra that share the face 1 2 3 (see zoo.h), with all twelve relations.
+Mesh full_volume() {
+  Mesh mesh(zoo::two_tets());
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (i != j) mesh.set(i, j);
+  return mesh;
+}
+
+TEST(VerifyTest, FindsNothingWrongInVolumes) {
+  for (const zoo::Animal& animal : zoo::volumes()) {
+    Mesh mesh(animal.data);
+    EXPECT_TRUE(verify(mesh).empty()) << animal.name;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        if (i != j) mesh.set(i, j);
+    EXPECT_TRUE(verify(mesh).empty()) << animal.name;
+  }
+}
+
+TEST(VerifyTest, ARegionThatNamesAWrongFaceOrUsesItTheOtherWayRound) {
+  Mesh mesh = full_volume();
+  DownRows& sides = rows_of(mesh).down(3, 2);
+  sides.set_directions(1, static_cast<std::uint16_t>(sides.directions(1) ^ 4u));
+  EXPECT_TRUE(found(verify(mesh), "wrong use direction", Region(1)));
+  EXPECT_EQ(verify(mesh).size(), 1u);
+  sides.row(0)[1] = sides.row(1)[2];
+  EXPECT_TRUE(found(verify(mesh), "wrong side", Region(0)));
+}
+
+TEST(VerifyTest, UpwardListsOfVolumesThatDisagree) {
+  for (int i = 0; i < 3; ++i) {
+    Mesh mesh = full_volume();
+    const std::uint32_t id = mesh.representation().down(3, i).row(0)[0];
+    ASSERT_TRUE(rows_of(mesh).up(i, 3).erase(id, 0));
+    EXPECT_TRUE(found(verify(mesh), "upward list", EntityRef(i, id))) << i;
+    EXPECT_EQ(verify(mesh).size(), 1u);
+  }
+}
+
+TEST(VerifyTest, DuplicateRegionAndFaceAndAMissingFace) {
+  MeshData data = zoo::two_tets();
+  data.regions.add(Shape::Tetrahedron, {3, 2, 1, 0});
+  EXPECT_TRUE(found(verify(Mesh(data)), "duplicate region", Region(2)));
+  data = zoo::two_tets();
+  data.faces.add(Shape::Triangle, {1, 2, 3});
+  data.faces.add(Shape::Triangle, {3, 2, 1});
+  Mesh twice(data);
+  EXPECT_TRUE(verify(twice).empty());  // faces of a file that nothing has been asked about
+  twice.set(3, 2);
+  EXPECT_TRUE(found(verify(twice), "duplicate face", Face(1)));
+  Mesh missing(zoo::two_tets());
+  missing.set(2, 0);
+  missing.destroy_unused(missing.find_face(std::array{Vertex(1), Vertex(2), Vertex(3)}));
+  EXPECT_TRUE(found(verify(missing), "missing face", Region(0)));
+  EXPECT_TRUE(found(verify(missing), "missing face", Region(1)));
+}
+
+TEST(VerifyTest, ARegionOnADeadVertex) {
+  Mesh mesh(zoo::two_tets());
+  rows_of(mesh).down(3, 0).row(1)[3] = 99;
+  EXPECT_TRUE(found(verify(mesh), "dead reference", Region(1)));
+}
+
+TEST(VerifyTest, ClassificationOrderOfARegion) {
+  Mesh mesh(zoo::two_tets());
+  mesh.keep_class_lists(true);
+  mesh.set_classification(Region(0), ModelRef(3, 1));
+  EXPECT_TRUE(verify(mesh).empty());
+  EXPECT_THROW(mesh.set_classification(Region(0), ModelRef(2, 1)), std::invalid_argument);
+  mesh.set_classification(Vertex(0), ModelRef(3, 1));
+  MeshData data = zoo::two_tets();
+  data.regions.classes = {ModelRef(2, 5), ModelRef(3, 1)};
+  EXPECT_THROW(Mesh{data}, std::invalid_argument);
+}
+
+TEST(VerifyTest, HashSetsOfFacesAndRegionsThatMissOrMisplaceOne) {
+  for (int dim = 2; dim <= 3; ++dim) {
+    Mesh mesh(zoo::two_tets());
+    mesh.set(2, 0);
+    ASSERT_TRUE(mesh.find_face(std::array{Vertex(1), Vertex(2), Vertex(3)}).valid());
+    ASSERT_TRUE(mesh.find_region(std::array{Vertex(1), Vertex(2), Vertex(3), Vertex(4)}).valid());
+    auto& set = const_cast<EntityHash&>(mesh.hash(dim));
+    set.erase(1);
+    EXPECT_TRUE(found(verify(mesh), "hash set", EntityRef(dim, 1))) << dim;
+    set.insert(12345, 1);
+    EXPECT_TRUE(found(verify(mesh), "hash set", EntityRef(dim, 1))) << dim;
+  }
+}
+
+TEST(VerifyTest, WhatNothingUsesIsNamedWhenAskedFor) {
+  const Mesh mesh(zoo::fan());  // a triangle and an edge hang on it
+  EXPECT_TRUE(verify(mesh).empty());
+  const auto findings = verify(mesh, {.unused = true});
+  EXPECT_TRUE(found(findings, "dangling face", Face(0)));
+  EXPECT_TRUE(found(findings, "dangling edge", Edge(0)));
+  EXPECT_EQ(findings.size(), 2u);
+  MeshData lonely = zoo::one_tet();
+  lonely.positions.emplace_back(5, 5, 5);
+  EXPECT_TRUE(found(verify(Mesh(lonely), {.unused = true}), "isolated vertex", Vertex(4)));
+}
+
 }  // namespace
 }  // namespace aomd

@@ -27,3 +27,11 @@ coarsest on
 sweep
 wait-idle
 END
+
+picture volume light <<'END'
+sample mixed
+panel adjacency
+adjacency 0 3 on
+adjacency 3 2 on
+wait-idle
+END

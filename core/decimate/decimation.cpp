@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "core/mesh/check.h"
 #include "core/operators/smooth.h"
@@ -14,8 +15,25 @@ const char* phase_name(Phase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
+const char* decimation_obstacle(const Mesh& mesh) {
+  if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
+  for (const Face f : mesh.faces())
+    if (mesh.shape(f) != Shape::Triangle)
+      return "Only triangles can be decimated: convert the mesh to .ply, which is read as triangles.";
+  return nullptr;
+}
+
+namespace {
+
+Mesh& decimable(Mesh& mesh) {
+  if (const char* obstacle = decimation_obstacle(mesh)) throw std::invalid_argument(obstacle);
+  return mesh;
+}
+
+}  // namespace
+
 Decimation::Decimation(Mesh& mesh, const DecimationOptions& options)
-    : mesh_(mesh),
+    : mesh_(decimable(mesh)),
       options_(options),
       limit_(options.angle_deg),
       needs_{mesh.request(2, 0), mesh.request(0, 1), mesh.request(0, 2)},

@@ -53,10 +53,15 @@ struct Operation {
   EntityRef entity;
 };
 
+/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, and its faces are
+/// triangles. O(faces).
+[[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
+
 /// Decimates one mesh. Holds T(0,1), T(0,2), T(2,0) stored while it lives; they go with it.
 /// The mesh must not change otherwise while it lives, except through invalidate().
 class Decimation {
  public:
+  /// Throws std::invalid_argument where there is an obstacle (above).
   explicit Decimation(Mesh& mesh, const DecimationOptions& options = {});
 
   [[nodiscard]] const DecimationOptions& options() const { return options_; }

@@ -52,7 +52,9 @@ void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf s
 }
 
 // Where keys are exact.
-bool no_second_look(std::uint32_t, const ShapeTemplate&, int, const std::uint32_t*) { return true; }
+constexpr auto no_second_look = [](std::uint32_t, const ShapeTemplate&, int, const std::uint32_t*) {
+  return true;
+};
 
 void match_edges(const Mesh& mesh, const VertexRows& rows, bool with_directions, DownRows& result) {
   const SideIndex<EdgeKey> index = index_edges(mesh, VertexRows(mesh, 1));
@@ -83,6 +85,45 @@ void match_faces(const Mesh& mesh, const VertexRows& rows, DownRows& result) {
     return same_set(faces.vertices(face), SideVertices(shape.sub(2, k), v).span());
   };
   for_shape(rows, [&](auto shape_of) { match(rows, 2, index, shape_of, key, same, true, result); });
+}
+
+// Calls visit(value, id) for every value of every row. Rows of 2, 3, 4 and 6 values are unrolled; the pointer
+// moves on in a register, since what visit writes might be any number that is read from memory.
+template <typename Visit>
+void each_entry(const Mesh& mesh, int i, int j, const std::uint32_t* row, std::size_t stride, Visit visit) {
+  const IdPool& ids = mesh.ids(j);
+  const std::uint32_t n = ids.capacity();
+  const auto unrolled = [&]<int N>(std::integral_constant<int, N>) {
+    for (std::uint32_t id = 0; id < n; ++id, row += stride)
+      for (int k = 0; k < N; ++k) visit(row[k], id);
+  };
+  const ShapeTemplate* uniform = ids.free_ids().empty() ? mesh.uniform_shape(j) : nullptr;
+  switch (uniform ? uniform->count(i) : 0) {
+    case 2:
+      return unrolled(std::integral_constant<int, 2>());
+    case 3:
+      return unrolled(std::integral_constant<int, 3>());
+    case 4:
+      return unrolled(std::integral_constant<int, 4>());
+    case 6:
+      return unrolled(std::integral_constant<int, 6>());
+    default:
+      break;
+  }
+  for (std::uint32_t id = ids.next_alive(0); id < n; id = ids.next_alive(id + 1))
+    for (int k = 0; k < shape_template(mesh.shape(EntityRef(j, id))).count(i); ++k)
+      visit(row[id * stride + static_cast<std::size_t>(k)], id);
+}
+
+// Count, prefix sum, fill.
+void fill_upward(const Mesh& mesh, int i, int j, const std::uint32_t* rows, std::size_t stride,
+                 UpRows& result) {
+  std::vector<std::uint32_t> places(mesh.capacity(i), 0);
+  std::uint32_t* const at = places.data();
+  each_entry(mesh, i, j, rows, stride, [at](std::uint32_t lower, std::uint32_t) { ++at[lower]; });
+  std::uint32_t* const pool = result.allocate(places);
+  each_entry(mesh, i, j, rows, stride,
+             [at, pool](std::uint32_t lower, std::uint32_t id) { pool[at[lower]++] = id; });
 }
 
 }  // namespace
@@ -126,23 +167,13 @@ SideIndex<FaceKey> index_faces(const Mesh& mesh, const VertexRows& faces) {
 }
 
 void build_upward(const Mesh& mesh, int i, int j, UpRows& result) {
-  const auto fill = [&](const auto& rows) {
-    const ShapeTemplate* uniform = mesh.uniform_shape(j);
-    const auto each = [&](auto&& visit) {
-      each_entry(
-          rows, mesh.ids(j), uniform ? uniform->count(i) : 0,
-          [&](std::uint32_t id) { return shape_template(mesh.shape(EntityRef(j, id))).count(i); },
-          std::forward<decltype(visit)>(visit));
-    };
-    std::vector<std::uint32_t> at(mesh.capacity(i), 0);
-    each([&](std::uint32_t lower, std::uint32_t) { ++at[lower]; });
-    std::uint32_t* pool = result.allocate(at);
-    each([&](std::uint32_t lower, std::uint32_t id) { pool[at[lower]++] = id; });
-  };
-  if (i == 0)
-    fill(VertexRows(mesh, j));
-  else
-    fill(mesh.representation().down(j, i));
+  if (i == 0) {
+    const VertexRows rows(mesh, j);
+    fill_upward(mesh, i, j, rows.row(0), rows.stride(), result);
+  } else {
+    const DownRows& rows = mesh.representation().down(j, i);
+    fill_upward(mesh, i, j, rows.row(0), rows.stride(), result);
+  }
 }
 
 void build_sides(const Mesh& mesh, int i, int j, DownRows& result) {

@@ -14,6 +14,7 @@ class VertexRows {
  public:
   VertexRows(const Mesh& mesh, int dim);
 
+  [[nodiscard]] std::uint32_t stride() const { return stride_; }
   [[nodiscard]] const std::uint32_t* row(std::uint32_t id) const { return data_ + std::size_t{id} * stride_; }
   /// The shape of all entities, or none where they differ.
   [[nodiscard]] const ShapeTemplate* uniform() const { return uniform_; }
@@ -46,22 +47,6 @@ class VertexRows {
   std::uint32_t stride_ = 0;
   const ShapeTemplate* uniform_ = nullptr;
 };
-
-/// Calls visit(value, id) for the first `count` values of each row of a relation that holds them in bulk;
-/// counts of 2, 3, 4 and 6 become loops that the compiler unrolls.
-template <typename Rows, typename Count, typename Visit>
-void each_entry(const Rows& rows, const IdPool& ids, int uniform_count, Count&& count, Visit&& visit) {
-  const auto unrolled = [&]<int N>(std::integral_constant<int, N>) {
-    for (std::uint32_t id = 0; id < ids.capacity(); ++id)
-      for (int k = 0; k < N; ++k) visit(rows.row(id)[k], id);
-  };
-  if (ids.free_ids().empty() && uniform_count == 2) return unrolled(std::integral_constant<int, 2>());
-  if (ids.free_ids().empty() && uniform_count == 3) return unrolled(std::integral_constant<int, 3>());
-  if (ids.free_ids().empty() && uniform_count == 4) return unrolled(std::integral_constant<int, 4>());
-  if (ids.free_ids().empty() && uniform_count == 6) return unrolled(std::integral_constant<int, 6>());
-  for (std::uint32_t id = ids.next_alive(0); id < ids.capacity(); id = ids.next_alive(id + 1))
-    for (int k = 0; k < count(id); ++k) visit(rows.row(id)[k], id);
-}
 
 /// All edges, or all faces.
 [[nodiscard]] SideIndex<EdgeKey> index_edges(const Mesh& mesh, const VertexRows& edges);

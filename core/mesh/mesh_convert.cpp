@@ -14,6 +14,25 @@ void require(bool condition, const std::string& what) {
   if (!condition) throw std::invalid_argument("mesh data: " + what);
 }
 
+// What is wrong with entity i, whose vertices start at `at`; null where nothing is.
+const char* defect(const MeshData& data, int dim, std::size_t i, std::size_t at) {
+  const EntityList& list = data.list(dim);
+  if (static_cast<std::size_t>(list.shapes[i]) >= shape_count() ||
+      shape_template(list.shapes[i]).dimension != dim)
+    return "has a wrong shape";
+  const auto n = static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
+  if (at + n > list.vertices.size()) return "lacks vertices";
+  const std::uint32_t* v = list.vertices.data() + at;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (v[k] >= data.positions.size()) return "uses a vertex that does not exist";
+    for (std::size_t j = 0; j < k; ++j)
+      if (v[j] == v[k]) return "uses a vertex twice";
+  }
+  return list.classes.empty() || list.classes[i].may_classify(dim)
+             ? nullptr
+             : "is on a model entity of lower dimension";
+}
+
 void check_list(const MeshData& data, int dim) {
   const EntityList& list = data.list(dim);
   const std::string name = entity_name(dim);
@@ -21,20 +40,9 @@ void check_list(const MeshData& data, int dim) {
           "there are not as many classes as " + name + "s");
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto shape = static_cast<std::size_t>(list.shapes[i]);
-    const std::string label = name + " " + std::to_string(i);
-    require(shape < shape_count() && shape_template(list.shapes[i]).dimension == dim,
-            label + " has a wrong shape");
-    const auto n = static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
-    require(at + n <= list.vertices.size(), label + " lacks vertices");
-    for (std::size_t k = at; k < at + n; ++k) {
-      require(list.vertices[k] < data.positions.size(), label + " uses a vertex that does not exist");
-      for (std::size_t j = at; j < k; ++j)
-        require(list.vertices[j] != list.vertices[k], label + " uses a vertex twice");
-    }
-    require(list.classes.empty() || list.classes[i].may_classify(dim),
-            label + " is on a model entity of lower dimension");
-    at += n;
+    if (const char* what = defect(data, dim, i, at))
+      require(false, name + " " + std::to_string(i) + " " + what);
+    at += static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
   }
   require(at == list.vertices.size(), "there are more vertices than the " + name + "s use");
 }

@@ -18,7 +18,7 @@ std::string label(EntityRef e) {
 
 class Verifier {
  public:
-  explicit Verifier(const Mesh& mesh) : mesh_(mesh) {}
+  Verifier(const Mesh& mesh, const VerifyOptions& options) : mesh_(mesh), options_(options) {}
 
   std::vector<Finding> run() {
     for (int dim = 0; dim < 4; ++dim) check_ids(dim);
@@ -29,6 +29,7 @@ class Verifier {
         for (int k = 1; k < dim; ++k) check_downward(dim, k);
       for (int i = 0; i < 3; ++i)
         for (int j = i + 1; j < 4; ++j) check_upward(i, j);
+      for (int dim = 0; options_.unused && dim < mesh_.dimension(); ++dim) check_used(dim);
       check_classes();
       for (int dim = 1; dim < 4; ++dim) check_hash(dim);
     }
@@ -198,6 +199,19 @@ class Verifier {
     });
   }
 
+  void check_used(int dim) {
+    constexpr const char* names[] = {"isolated vertex", "dangling edge", "dangling face"};
+    std::vector<std::uint8_t> used(mesh_.capacity(dim), 0);
+    for (int j = dim + 1; j < 4; ++j)
+      each(j, [&](EntityRef e) {
+        for (const std::uint32_t l : sides(e, dim))
+          if (l != no_index) used[l] = 1;
+      });
+    each(dim, [&](EntityRef e) {
+      if (!used[e.index]) report(names[dim], e, label(e) + " is a side of nothing");
+    });
+  }
+
   void check_classes() {
     for (int dim = 0; dim <= 3; ++dim)
       each(dim, [&](EntityRef e) {
@@ -255,6 +269,7 @@ class Verifier {
   }
 
   const Mesh& mesh_;
+  VerifyOptions options_;
   std::array<std::unordered_map<Ids, std::uint32_t, Hasher>, 4> known_;  ///< by sorted vertices; smallest id
   std::map<std::uint32_t, std::uint32_t> repeated_;                      ///< faces: the first one, another
   std::vector<Finding> findings_;
@@ -262,6 +277,8 @@ class Verifier {
 
 }  // namespace
 
-std::vector<Finding> verify(const Mesh& mesh) { return Verifier(mesh).run(); }
+std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options) {
+  return Verifier(mesh, options).run();
+}
 
 }  // namespace aomd

@@ -15,6 +15,10 @@ struct Finding {
   std::string text;
 };
 
+struct VerifyOptions {
+  bool unused = false;  ///< report entities that no higher one uses
+};
+
 /// Checks everything that T stores against the entities' vertices, and returns what is wrong. An empty result
 /// means:
 ///  - "dead reference", "repeated vertex": entities use living, different ones;
@@ -29,7 +33,10 @@ struct Finding {
 ///  - "class list": the lists of model entities agree with the entities;
 ///  - "id stack": every id is alive or on the stack, once;
 ///  - "hash set": existence queries find every entity under its own key, and nothing else.
-/// Edges with any number of faces, repeated faces of surfaces, and unused vertices are legal. O(entities).
-[[nodiscard]] std::vector<Finding> verify(const Mesh& mesh);
+/// Edges with any number of faces and repeated faces of surfaces are legal, and so is what nothing uses
+/// (scans leave thousands of vertices) unless it is asked for:
+///  - "isolated vertex", "dangling edge", "dangling face": below the highest level, and a side of nothing.
+/// O(entities).
+[[nodiscard]] std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options = {});
 
 }  // namespace aomd

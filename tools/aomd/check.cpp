@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   std::string file;
-  bool json = false;
+  bool json = false, unused = false;
 };
 
 std::string shown(EntityRef e) {
@@ -29,7 +29,7 @@ void print(const std::string& file, const std::vector<Finding>& findings) {
 int run(const Options& options) {
   const io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
-  std::vector<Finding> findings = verify(mesh);
+  std::vector<Finding> findings = verify(mesh, {options.unused});
   for (const Region r : measure::measure_volume(mesh).inverted)
     findings.push_back({"inverted region", r, "its volume is zero or negative"});
   if (options.json) {
@@ -51,6 +51,7 @@ void add_check(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--unused", options->unused, "Also names vertices, edges and faces that nothing uses");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

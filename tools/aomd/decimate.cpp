@@ -64,6 +64,7 @@ class Run {
     stop_if_interrupted();
     original_ = std::move(read.mesh);
     mesh_ = Mesh(original_);
+    if (const char* obstacle = decimation_obstacle(mesh_)) throw io::LimitError(options_.input, {}, obstacle);
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = watch_.lap();
   }
