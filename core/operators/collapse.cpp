@@ -203,14 +203,14 @@ void Collapser::merge_edges(Mesh& mesh) {
     const ModelRef gone = mesh.classification(m.gone);
     if (gone.dimension() < mesh.classification(m.survivor).dimension())
       mesh.set_classification(m.survivor, gone);
-    mesh.destroy(m.gone);
+    mesh.destroy_unused(m.gone);
   }
 }
 
 // Without the link condition an edge may lose its last face; then it goes too.
 void Collapser::destroy_bare_edges(Mesh& mesh) {
   for (const Vertex apex : bare_)
-    if (marked(apex)) mesh.destroy(edge_to_kept_[apex]), mark_[apex] = 0;
+    if (marked(apex)) mesh.destroy_unused(edge_to_kept_[apex]), mark_[apex] = 0;
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
@@ -231,12 +231,12 @@ void Collapser::make(Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
   mark_edges(mesh, kept);
   plan(mesh, edge, deleted, kept);
   for (const StarFace& f : stars_[0])
-    if (f.uses(kept)) mesh.destroy(f.face);
+    if (f.uses(kept)) mesh.destroy_unused(f.face);
   mesh.rebind(rebindings_);
   merge_edges(mesh);
   destroy_bare_edges(mesh);
-  mesh.destroy(edge);
-  mesh.destroy(deleted);
+  mesh.destroy_unused(edge);
+  mesh.destroy_unused(deleted);
 }
 
 }  // namespace aomd
