@@ -19,7 +19,7 @@ const char* decimation_obstacle(const Mesh& mesh) {
   if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
   for (const Face f : mesh.faces())
     if (mesh.shape(f) != Shape::Triangle)
-      return "Only triangles can be decimated: convert the mesh to .ply, which is read as triangles.";
+      return "Only triangles can be decimated, and there are quads: .ply is read as triangles.";
   return nullptr;
 }
 

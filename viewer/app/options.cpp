@@ -48,6 +48,10 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_option(
       "FILE", raw.options.file,
       "The mesh to show: OBJ, PLY, OFF, STL, Gmsh MSH, Medit, VTK, VTU or SU2; a sample when none is given");
+  app.add_option(
+         "--model", raw.options.model,
+         "The CAD model that FILE lies on, as the command model: .step, .stp, .brep, .iges, .igs or .geo")
+      ->type_name("CAD");
   app.add_option("--headless", raw.headless,
                  "No window: draw with OSMesa or EGL, whichever works or the one named")
       ->transform(CLI::CheckedTransformer(kinds))

@@ -26,6 +26,7 @@ struct Options {
   std::filesystem::path file;  ///< empty: a sample, or what the script opens
   std::optional<HeadlessKind> headless;
   glm::ivec2 size{1280, 800};
+  std::filesystem::path model;  ///< empty: none
   std::filesystem::path script;
   std::filesystem::path screenshot;
   std::filesystem::path compare;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/io/png.h"
+#include "core/model/gmsh_model.h"
 #include "core/samples/samples.h"
 #include "viewer/render/picture_target.h"
 #include "viewer/scene/commands.h"
@@ -188,6 +189,9 @@ void Viewer::execute_or_tell(const std::string& line) {
   }
 }
 
+/// The command line's model: a wrong one ends a program without a window, as a wrong mesh does.
+void Viewer::take_model(const std::string& line) { headless_ ? execute(line) : execute_or_tell(line); }
+
 /// A mesh has arrived: remember its file; what the command line says about the camera holds for the first
 /// one.
 void Viewer::after_loading() {
@@ -199,6 +203,7 @@ void Viewer::after_loading() {
   window_.set_title(content.name + " \u2013 AOMD Studio");
   if (!content.file.empty()) interface_.recent.add(content.file);
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
+  if (first && !options_.model.empty()) take_model("model \"" + options_.model.string() + "\"");
 }
 
 void Viewer::tick(double frame_s) {
@@ -224,7 +229,7 @@ void Viewer::advance_script() {
 
 void Viewer::take_events(const Events& events) {
   for (const std::filesystem::path& file : events.dropped_files)
-    execute_or_tell("open \"" + file.string() + "\"");
+    execute_or_tell((is_cad_file(file.string()) ? "model \"" : "open \"") + file.string() + "\"");
   for (const std::string& chord : events.chords)
     if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty())
       execute_or_tell(line);

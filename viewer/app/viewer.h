@@ -51,6 +51,7 @@ class Viewer {
   void execute(const std::string& line);
   void execute_or_tell(const std::string& line);
   void tick(double frame_s);
+  void take_model(const std::string& line);
   void after_loading();
   void advance_script();
   void take_events(const Events& events);

@@ -91,6 +91,13 @@ void improve_passes(Session& session, Arguments& arguments) {
   session.document.set_options(options);
 }
 
+void snap(Session& session, Arguments& arguments) {
+  const std::string text = arguments.word("none or model");
+  arguments.end();
+  if (text != "none" && text != "model") arguments.fail("'" + text + "' is neither none nor model");
+  session.document.set_snapping(text == "model");
+}
+
 void step(Session& session, Arguments& arguments) {
   const auto count =
       arguments.done()

@@ -4,6 +4,7 @@
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 #include "viewer/scene/command_handlers.h"
+#include "viewer/scene/text.h"
 
 namespace aomd::scene::handle {
 namespace {
@@ -48,6 +49,20 @@ void sample(Session& session, Arguments& arguments) {
   }
   request.classify = session.document.classify_options();
   session.start_loading(std::move(request));
+}
+
+void model(Session& session, Arguments& arguments) {
+  const std::string file = arguments.rest("a CAD file, or none");
+  if (file == "none") {
+    session.document.drop_model();
+    session.status = "No model";
+    return;
+  }
+  need_mesh(session);
+  session.play(false);
+  session.document.set_model(expanded(file));
+  const GivenModel& given = *session.document.model();
+  session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
 void save(Session& session, Arguments& arguments) {

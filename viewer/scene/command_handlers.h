@@ -10,6 +10,7 @@ namespace aomd::scene::handle {
 // command_files.cpp
 void open(Session& session, Arguments& arguments);
 void sample(Session& session, Arguments& arguments);
+void model(Session& session, Arguments& arguments);
 void save(Session& session, Arguments& arguments);
 void screenshot(Session& session, Arguments& arguments);
 void quit(Session& session, Arguments& arguments);
@@ -26,6 +27,7 @@ void coarsest(Session& session, Arguments& arguments);
 void feature_angle(Session& session, Arguments& arguments);
 void topology(Session& session, Arguments& arguments);
 void improve_passes(Session& session, Arguments& arguments);
+void snap(Session& session, Arguments& arguments);
 void step(Session& session, Arguments& arguments);
 void sweep(Session& session, Arguments& arguments);
 void swap(Session& session, Arguments& arguments);

@@ -21,6 +21,13 @@ std::vector<Command> make_table() {
        handle::open,
        {{"Ctrl+O", "dialog open"}}},
       {"sample", "NAME [SIZE]", "Makes one of the built-in meshes.", File, handle::sample, {}},
+      {"model",
+       "FILE|none",
+       "Reads the CAD model that the present mesh lies on, with Gmsh: .step, .stp, .brep, .iges, .igs or "
+       ".geo. A mesh whose file does not say on what it lies is classified on it. Another mesh drops it.",
+       File,
+       handle::model,
+       {}},
       {"save",
        "FILE",
        "Writes the mesh with its classification; the extension chooses the format.",
@@ -68,6 +75,13 @@ std::vector<Command> make_table() {
        "How many sweeps are followed by swaps and smoothing; 2 at first.",
        Options,
        handle::improve_passes,
+       {}},
+      {"snap",
+       "none|model",
+       "model: smoothing puts vertices back onto the model, or onto the facets of the mesh as opened where "
+       "none is given. none at first.",
+       Options,
+       handle::snap,
        {}},
 
       {"adjacency",

@@ -16,8 +16,8 @@ HistoryPlace Document::place() const {
 
 std::string_view Document::hindrance() const {
   if (!loaded_ || !loaded_->skin) return {};
-  return loaded_->volume() ? "Decimating volumes is not part of this version."
-                           : "Only triangles can be decimated: this mesh has quads.";
+  const char* obstacle = decimation_obstacle(loaded_->mesh);
+  return obstacle ? obstacle : "";
 }
 
 const HistoryMark& Document::mark_of(std::size_t step) const {
@@ -78,9 +78,11 @@ Decimation& Document::prepared() {
     loaded_->decimation.emplace(loaded_->mesh, options_);
     stale_ = false;
   }
+  DecimationOptions options = options_;
+  options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
   stale_ = false;
-  loaded_->decimation->set_options(options_);
+  loaded_->decimation->set_options(options);
   return *loaded_->decimation;
 }
 
@@ -110,9 +112,20 @@ std::size_t Document::record(std::string label, const std::function<void()>& edi
   cancel_run();
   focused_ = false;
   open_mark(std::move(label));
-  edit();
+  try {
+    edit();
+  } catch (...) {
+    close_mark();
+    throw;
+  }
   renew_skin();
   return close_mark();
+}
+
+/// An edit of the decimation: it may have to put the mesh back on its model first.
+std::size_t Document::operate(std::string label, const std::function<void()>& edit) {
+  if (snaps_ && loaded_->model) fit_to(*loaded_->model);
+  return record(std::move(label), edit);
 }
 
 void Document::restore_file_classes() {
@@ -137,12 +150,13 @@ void Document::reclassify(const ClassifyOptions& options) {
     if (each.keep_present) restore_file_classes();
     loaded_->classified = classify(loaded_->mesh, each);
     loaded_->classify_options = options;
+    forget_fits();
     stale_ = loaded_->decimation.has_value();
   });
 }
 
 std::size_t Document::step(std::size_t count) {
-  const std::size_t made = record("step", [&] {
+  const std::size_t made = operate("step", [&] {
     Decimation& decimation = prepared();
     for (std::size_t i = 0; i < count && decimation.step(); ++i) {
     }
@@ -152,26 +166,27 @@ std::size_t Document::step(std::size_t count) {
 }
 
 std::size_t Document::sweep(std::size_t count) {
-  return record("sweep", [&] {
+  return operate("sweep", [&] {
     Decimation& decimation = prepared();
     for (std::size_t i = 0; i < count; ++i) decimation.sweep();
   });
 }
 
 std::size_t Document::swap() {
-  return record("swap", [&] { prepared().swap_pass(); });
+  return operate("swap", [&] { prepared().swap_pass(); });
 }
 
 std::size_t Document::smooth() {
-  return record("smooth", [&] { prepared().smooth_pass(); });
+  return operate("smooth", [&] { prepared().smooth_pass(); });
 }
 
 std::size_t Document::improve() {
-  return record("improve", [&] { prepared().improve(); });
+  return operate("improve", [&] { prepared().improve(); });
 }
 
 void Document::start_run() {
   cancel_run();
+  if (snaps_ && loaded_->model) fit_to(*loaded_->model);
   Decimation& decimation = prepared();
   if (decimation.done()) return;
   open_mark("run");

@@ -33,6 +33,14 @@ class Document {
   }
   [[nodiscard]] const DecimationOptions& options() const { return options_; }
   [[nodiscard]] const ClassifyOptions& classify_options() const { return classify_; }
+  /// Whether smoothing keeps vertices on the model: the given one, or else the faceted original.
+  [[nodiscard]] bool snaps() const { return snaps_; }
+  /// The CAD model of the present mesh; null where none was given.
+  [[nodiscard]] const GivenModel* model() const {
+    return loaded_ && loaded_->model ? &*loaded_->model : nullptr;
+  }
+  /// Whether the present classification is known to be on it.
+  [[nodiscard]] bool lies_on_model() const;
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
   [[nodiscard]] HistoryPlace place() const;
@@ -60,6 +68,14 @@ class Document {
   /// gets all its faces and edges.
   void reclassify(const ClassifyOptions& options);
 
+  /// For the next smoothing, and for meshes to come. Ends a run.
+  void set_snapping(bool on);
+  /// Reads a CAD file for the present mesh, which must be there, and classifies the mesh on it where no file
+  /// says what it lies on: one command in the history. Blocks while it reads. Throws ModelError, which names
+  /// the file, where it cannot be read or does not fit; everything is then as before.
+  void set_model(const std::filesystem::path& file);
+  void drop_model();
+
   /// Stores a relation until it is unset, or lets go of it. No part of the history. A mesh must be there.
   const AdjacencyChange& set_adjacency(int i, int j, bool on);
 
@@ -86,6 +102,13 @@ class Document {
 
  private:
   Decimation& prepared();
+  std::size_t operate(std::string label, const std::function<void()>& edit);
+  [[nodiscard]] std::size_t classified_at() const;
+  void fit_to(GivenModel& model);
+  const Model* model_to_snap_to();
+  void make_original();
+  void forget_fits();
+  void let_go_of_models();
   std::size_t record(std::string label, const std::function<void()>& edit);
   void open_mark(std::string label);
   std::size_t close_mark();
@@ -96,6 +119,7 @@ class Document {
   std::unique_ptr<LoadedMesh> loaded_;
   DecimationOptions options_;
   ClassifyOptions classify_;
+  bool snaps_ = false;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
   std::size_t mark_begin_ =

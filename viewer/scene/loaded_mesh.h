@@ -13,12 +13,28 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_data.h"
 #include "core/model/classify.h"
+#include "core/model/discrete_model.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
 #include "viewer/scene/skin.h"
 
 namespace aomd::scene {
+
+/// A CAD model that was given for the mesh.
+struct GivenModel {
+  std::filesystem::path file;
+  std::unique_ptr<const Model> model;
+  std::array<std::size_t, 4> counts{};  ///< of its entities, by dimension
+  /// The mesh is known to lie on it from this step to the next classification; none: not known.
+  std::optional<std::size_t> fits_from;
+};
+
+/// The faceted original: the mesh as it was after a step, with that step's classification.
+struct FacetedOriginal {
+  std::size_t step = 0;
+  std::unique_ptr<const DiscreteModel> model;
+};
 
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
@@ -39,7 +55,9 @@ struct LoadedMesh {
   /// stores what its file lists and nothing else.
   std::array<Request, 3> needs;
   BuildTimes build_ms{};
-  std::optional<Decimation> decimation;
+  std::optional<GivenModel> model;          ///< none until one is given
+  std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
+  std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model
 
   [[nodiscard]] bool classified_by_file() const { return !file_classes[0].empty(); }
   [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }

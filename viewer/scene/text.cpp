@@ -16,6 +16,18 @@ std::string signed_grouped(std::int64_t n) {
   return n > 0 ? "+" + grouped(n) : grouped(n);
 }
 
+std::string counts_text(const std::array<std::size_t, 4>& counts) {
+  constexpr std::array<std::array<const char*, 2>, 4> names = {
+      {{"vertex", "vertices"}, {"edge", "edges"}, {"face", "faces"}, {"region", "regions"}}};
+  std::string text;
+  for (std::size_t dim = counts.size(); dim-- > 0;) {
+    if (counts[dim] == 0) continue;
+    text += (text.empty() ? "" : ", ") + grouped(static_cast<std::int64_t>(counts[dim])) + " " +
+            names[dim][counts[dim] == 1 ? 0 : 1];
+  }
+  return text;
+}
+
 std::string bytes_text(std::size_t bytes) {
   constexpr std::array units = {" B", " KB", " MB", " GB"};
   auto value = static_cast<double>(bytes);

@@ -34,8 +34,26 @@ void factor_control(Frame& frame, const DecimationOptions& options) {
   ImGui::EndDisabled();
 }
 
+/// Beside a name: the panel just fits a window of 800x600.
+void snap_control(Frame& frame) {
+  const scene::Document& document = frame.document();
+  const char* name = "Snap to model";
+  same_line_right(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                  ImGui::CalcTextSize(name).x);
+  ImGui::BeginDisabled(document.running());
+  bool on = document.snaps();
+  if (ImGui::Checkbox(name, &on)) frame.emit(on ? "snap model" : "snap none");
+  ImGui::EndDisabled();
+  tooltip(
+      "Smoothing puts every vertex that it moves back onto the model face or edge that it lies on: of the "
+      "CAD "
+      "model when one is given, or else onto the facets of the mesh as opened (distance 0 but for rounding, "
+      "in the mesh's units of length). Off: it may leave the model, and round shapes shrink.");
+}
+
 void angle_control(Frame& frame, const DecimationOptions& options) {
   label(frame, "Angle limit", "How far the normal of a face may turn in one operation, in degrees.");
+  snap_control(frame);
   double angle = options.angle_deg;
   if (number_control("angle", angle, {1, 90, "%.1f\u00b0"})) frame.emit("angle " + short_number(angle));
 }

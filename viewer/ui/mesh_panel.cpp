@@ -35,11 +35,29 @@ void count_row(const Frame& frame, const Row& row) {
   if (ImGui::TableGetColumnCount() == 3) change_cell(frame, row);
 }
 
+const char* classified_by(const scene::Document& document) {
+  if (document.content().classified_by_file()) return "Classified by its source";
+  return document.lies_on_model() ? "Classified by its model" : "Classified by feature angle";
+}
+
+void model_lines(const Frame& frame) {
+  const scene::GivenModel* model = frame.document().model();
+  if (model == nullptr) return;
+  const std::string help = "The CAD model " + model->file.string() + ": " + scene::counts_text(model->counts);
+  const float width = ImGui::GetContentRegionAvail().x;
+  text(fitted("Model " + model->file.filename().string(), width));
+  tooltip(help);
+  auto counts = model->counts;
+  counts[3] = 0;  // what a surface lies on needs the room
+  muted(frame, fitted(scene::counts_text(counts), width));
+  tooltip(help);
+}
+
 void file_line(const Frame& frame) {
   const scene::LoadedMesh& content = frame.document().content();
   heading(frame, fitted(content.name, ImGui::GetContentRegionAvail().x).c_str());
   tooltip(content.file.empty() ? "A built-in sample" : content.file.string());
-  muted(frame, content.classified_by_file() ? "Classified by its source" : "Classified by feature angle");
+  muted(frame, classified_by(frame.document()));
   tooltip(
       "Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says "
       "wins; "
@@ -140,6 +158,7 @@ void mesh_panel(Frame& frame) {
     return;
   }
   file_line(frame);
+  model_lines(frame);
   gap(0.1f);
   // Where it is narrow, or nothing has changed, the names need the room more than the changes do.
   const bool volume = frame.document().content().volume();
