@@ -22,6 +22,14 @@ void* operator new(std::size_t size) {
   return p;
 }
 
+// std::stable_sort asks for its buffer this way.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return ::operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* p) noexcept {
   if (p) live_bytes -= malloc_usable_size(p);
   std::free(p);
