@@ -8,6 +8,7 @@
 #include "core/io/error.h"
 #include "core/io/io.h"
 #include "core/mesh/verify.h"
+#include "tests/message.h"
 #include "tests/program.h"
 #include "tests/twin.h"
 #include "zoo.h"
@@ -17,6 +18,7 @@ namespace {
 
 using oracle::Ids;
 using oracle::Twin;
+using test::message;
 
 ShapeTemplate make(std::string_view name, int dimension, int vertices, const std::vector<Ids>& edges,
                    const std::vector<std::pair<Shape, Ids>>& faces = {}) {
@@ -92,15 +94,6 @@ void set_all(Mesh& mesh) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       if (i != j) mesh.set(i, j);
-}
-
-std::string message(const std::function<void()>& call) {
-  try {
-    call();
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
 }
 
 TEST(TemplatesTest, OwnShapesAreCountedAndNamed) {

@@ -9,6 +9,7 @@
 #include "core/mesh/journal.h"
 #include "core/mesh/verify.h"
 #include "core/samples/samples.h"
+#include "tests/message.h"
 #include "tests/oracle.h"
 #include "zoo.h"
 
@@ -16,6 +17,7 @@ namespace aomd {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
+using test::message;
 
 void set_all(Mesh& mesh) {
   mesh.set(0, 1);  // edges first: their order is then that of the regions
@@ -35,15 +37,6 @@ std::vector<Ids> rows(const Mesh& mesh) {
 }
 
 std::vector<Vertex> vertices(std::initializer_list<std::uint32_t> ids) { return {ids.begin(), ids.end()}; }
-
-std::string message(const std::function<void()>& call) {
-  try {
-    call();
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
 
 //      3            region 0 = 0 1 2 3, region 1 = 1 2 3 4
 //     /|\           edges by smaller vertex, then by the first region that has them:

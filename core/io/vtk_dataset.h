@@ -53,6 +53,24 @@ using FailAtCell = std::function<void(std::size_t cell, const std::string& what)
 /// True where a 32-bit integer holds every value.
 [[nodiscard]] bool fits_int32(const VtkArray& array);
 
+/// Calls visit(number of the type that the file gets, whether it ends its tuple) for every value: 32-bit
+/// integers where `narrow`, 64-bit ones where the array holds whole numbers, else doubles.
+template <class Visit>
+void for_each_value(const VtkArray& array, bool narrow, Visit&& visit) {
+  const auto n = static_cast<std::size_t>(array.components);
+  for (std::size_t i = 0; i < array.values.size(); ++i) {
+    const double x = array.values[i];
+    const bool last = i % n == n - 1;
+    if (narrow) {
+      visit(static_cast<std::int32_t>(x), last);
+    } else if (array.integer) {
+      visit(static_cast<std::int64_t>(x), last);
+    } else {
+      visit(x, last);
+    }
+  }
+}
+
 /// Names of our own arrays.
 inline constexpr std::string_view dimension_name = "model_dimension", tag_name = "model_tag",
                                   coverage_name = "attribute_dimensions";

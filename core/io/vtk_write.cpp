@@ -74,17 +74,7 @@ class LegacyWriter {
                : narrow       ? "int"
                               : "vtktypeint64")
            << '\n';
-      for (std::size_t i = 0; i < array.values.size(); ++i) {
-        const double x = array.values[i];
-        const bool last = i % n == n - 1;
-        if (narrow) {
-          value(static_cast<std::int32_t>(x), last);
-        } else if (array.integer) {
-          value(static_cast<std::int64_t>(x), last);
-        } else {
-          value(x, last);
-        }
-      }
+      for_each_value(array, narrow, [&](auto x, bool last) { value(x, last); });
       end_block();
     }
   }

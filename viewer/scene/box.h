@@ -1,32 +1,22 @@
 #pragma once
-// An axis-parallel box.
+// An axis-parallel box that a view can be fitted to.
 
 #include <algorithm>
 #include <array>
 #include <limits>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+
+#include "core/model/box.h"
 
 namespace aomd::scene {
 
-/// Empty until something is added.
-struct Box {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void add(const glm::dvec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
+/// The box of core, and what fitting a view asks of it. Empty until something is added.
+struct Box : aomd::Box {
   /// Tells how far from center() the content reaches: fitting a view can then come nearer to round things.
   void set_radius(double r) { radius_ = r; }
-  [[nodiscard]] bool empty() const { return !(low.x <= high.x); }
   /// The middle; the origin for an empty box.
   [[nodiscard]] glm::dvec3 center() const { return empty() ? glm::dvec3(0) : 0.5 * (low + high); }
-  /// The length of the diagonal; 0 for an empty box.
-  [[nodiscard]] double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
   /// Of a sphere around center() that encloses the content: half the diagonal, or what set_radius() said.
   [[nodiscard]] double radius() const { return std::min(radius_, 0.5 * diagonal()); }
   /// The eight corners; eight times the origin for an empty box.
