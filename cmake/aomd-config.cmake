@@ -1,6 +1,7 @@
 # find_package(aomd): the library aomd::core.
 include(CMakeFindDependencyMacro)
 find_dependency(glm)
+find_dependency(muparser)
 find_dependency(PNG)
 find_dependency(pugixml)
 find_dependency(ZLIB)

@@ -247,7 +247,8 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
     execute(s, "color verdict");
   } catch (const CommandError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "color: 'verdict' is none of classification, none (usage: color classification|none)");
+              "color: 'verdict' is none of classification, spacing, none (usage: color "
+              "classification|spacing|none)");
   }
 }
 

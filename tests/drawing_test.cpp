@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -186,6 +187,63 @@ TEST(Drawing, HiddenFacesAreDeadSlotsAndHighlightedOnesBrightWithoutAFreshStart)
   EXPECT_EQ(flagged(), 0);
   drive(s, {"hide face:1 off"});
   EXPECT_EQ(flagged(), 3 * 18);
+}
+
+//  3--2    sides are 1 long, the diagonal from 0 to 2 is sqrt(2): their means are 1 at 1 and 3, 1.138 at 0
+//  and 2 | /|
+//  |/ |
+//  0--1
+TEST(SpacingColors, AreTheWantedLengthsOfTheVertices) {
+  Session s;
+  s.document.replace(make_loaded(zoo::square(), "square"));
+  drive(s, {"color spacing", "factor 3"});
+  ASSERT_NE(s.field(), nullptr);
+  EXPECT_DOUBLE_EQ(s.field()->low, 3);
+  EXPECT_DOUBLE_EQ(s.field()->high, 2 + std::sqrt(2.0));
+  const auto color = [&](std::size_t corner) {
+    return s.drawing().drawable().corners.values()[corner].color;
+  };
+  for (const std::size_t long_one : {0, 2, 3, 4}) EXPECT_EQ(color(long_one), ramp_color(1)) << long_one;
+  for (const std::size_t short_one : {1, 5}) EXPECT_EQ(color(short_one), ramp_color(0)) << short_one;
+  drive(s, {"factor 6"});
+  EXPECT_DOUBLE_EQ(s.field()->low, 6) << "it follows the options";
+  drive(s, {"coarsest on"});
+  EXPECT_TRUE(s.field()->empty());
+  EXPECT_EQ(color(0), plain_face_color());
+  drive(s, {"color classification"});
+  EXPECT_EQ(s.field(), nullptr);
+  EXPECT_EQ(color(0), color_of(s.document.mesh().classification(Face(0))));
+}
+
+TEST(SpacingColors, StayWithTheVerticesWhileTheMeshChanges) {
+  Session s;
+  s.document.replace(make_loaded(zoo::torus(12, 9), "torus"));
+  drive(s, {"color spacing"});
+  const VertexField before = *s.field();
+  drive(s, {"sweep", "undo", "redo"});
+  EXPECT_EQ(s.field()->low, before.low);
+  EXPECT_EQ(s.field()->high, before.high);
+  const Mesh& mesh = s.document.mesh();
+  for (const Face f : mesh.faces())
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(s.drawing().drawable().corners.values()[3 * f.index + i].color,
+                (*before.colors)[mesh.triangle(f)[i]]);
+}
+
+TEST(SpacingColors, AnotherMeshHasItsOwnAndAVolumeHasNone) {
+  Session s;
+  s.document.replace(make_loaded(zoo::torus(12, 9), "torus"));
+  drive(s, {"color spacing"});
+  s.document.replace(make_loaded(zoo::grid(20), "grid"));
+  drive(s, {"factor 2"});
+  EXPECT_DOUBLE_EQ(s.field()->low, 2);
+  s.document.replace(make_loaded(zoo::hybrid(), "hybrid"));
+  s.refresh();
+  EXPECT_EQ(s.field(), nullptr);
+  s.document.replace(make_loaded(zoo::grid(3), "grid"));
+  s.refresh();
+  ASSERT_NE(s.field(), nullptr);
+  EXPECT_EQ(s.field()->colors->size(), 16u);
 }
 
 TEST(Facts, OfTinyMeshes) {

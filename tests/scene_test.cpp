@@ -62,6 +62,17 @@ TEST(Palette, EdgesAndVerticesAreDarkerThanTheirFaces) {
   }
 }
 
+TEST(Palette, TheRampGetsLighterAllTheWay) {
+  EXPECT_EQ(ramp_color(0), rgb(0x3e4989));
+  EXPECT_EQ(ramp_color(1), rgb(0xfde725));
+  EXPECT_EQ(ramp_color(-3), ramp_color(0));
+  EXPECT_EQ(ramp_color(7), ramp_color(1));
+  for (int i = 0; i < 100; ++i)
+    EXPECT_LT(luminance(ramp_color(0.01f * static_cast<float>(i))),
+              luminance(ramp_color(0.01f * static_cast<float>(i + 1))))
+        << i;
+}
+
 TEST(Palette, TakesEveryTagAndNone) {
   for (const int tag : {0, -1, -5, ModelRef::min_tag, ModelRef::max_tag})
     EXPECT_NE(color_of(ModelRef(2, tag)), unclassified_color()) << tag;

@@ -11,6 +11,7 @@ declare -A may_include=(
   [core/operators]="core/mesh core/model core/io core/operators"
   [core/decimate]="core/mesh core/model core/io core/operators core/decimate"
   [core/measure]="core/mesh core/model core/io core/measure"
+  [core/repair]="core/mesh core/model core/io core/repair"
   [core/samples]="core/mesh core/samples"
   [core/paper]="core/mesh core/model core/operators core/decimate core/paper"
   [viewer/scene]="core viewer/scene"

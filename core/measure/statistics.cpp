@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/measure/normals.h"
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
 
@@ -156,26 +157,7 @@ Quality measure_quality(const Mesh& mesh) {
 }
 
 std::size_t count_flips(const TriangleTree& original, const Mesh& result) {
-  // Faces that share the nearest point are equally near, up to rounding of about this part of the size.
-  constexpr double equally_near = 1e-9;
-  const auto normal = [](const Triangle& t) { return area_normal(t[0], t[1], t[2]); };
-  const double size2 = original.diagonal2();
-  std::size_t flips = 0;
-  std::uint32_t hint = no_index;
-  for (const Triangle& t : triangles_of(result).corners) {
-    const glm::dvec3 own = normal(t);
-    if (!(glm::dot(own, own) > 0)) continue;
-    const auto nearest = original.nearest((t[0] + t[1] + t[2]) / 3.0, hint);
-    if (nearest.triangle == no_index) return 0;
-    hint = nearest.triangle;
-    bool agrees = glm::dot(own, normal(original.triangle(hint))) >= 0;
-    if (!agrees)
-      original.within(nearest.point, equally_near * equally_near * size2, [&](std::uint32_t n) {
-        agrees = agrees || glm::dot(own, normal(original.triangle(n))) > 0;
-      });
-    flips += !agrees;
-  }
-  return flips;
+  return measure_normals(original, result).flips;
 }
 
 }  // namespace aomd::measure

@@ -63,6 +63,37 @@ std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
   return maps;
 }
 
+void Mesh::keep_model_edges_only() {
+  if (journal_) throw std::logic_error("a journal is attached, and its records name the present edges");
+  constexpr std::pair<int, int> relations[] = {{0, 1}, {1, 2}, {1, 3}, {2, 1}, {3, 1}};
+  for (const auto& [i, j] : relations) {
+    if (representation_.demand(i, j).requests > 0)
+      throw std::logic_error("an algorithm has requested edges, and would lose them");
+    if (stored(i, j) && i > j && !stored(i, 0)) build_vertices(i);
+  }
+  for (const auto& [i, j] : relations) {
+    representation_.demand(i, j).user = false;
+    free_unwanted(i, j);
+  }
+  std::vector<std::uint32_t> new_index(capacity(1), no_index);
+  DownRows rows;
+  std::uint32_t kept = 0;
+  for (const Edge e : edges())
+    if (classification(e).dimension() <= 1) new_index[e.index] = kept++;
+  rows.allocate(kept, 2, false);
+  for (std::uint32_t id = 0; id < new_index.size(); ++id)
+    if (new_index[id] != no_index)
+      std::copy_n(representation_.down(1, 0).row(id), 2, rows.row(new_index[id]));
+  close_up(level(1).classes, new_index, kept);
+  attached_.compact(1, new_index, kept);
+  level(1).ids = IdPool();
+  level(1).ids.create_many(kept);
+  level(1).complete = false;
+  hash_of(1).release();
+  representation_.down(1, 0) = std::move(rows);
+  if (class_lists_) keep_class_lists(true);
+}
+
 DownRows Mesh::compact_rows(int i, int j, const std::array<std::vector<std::uint32_t>, 4>& maps) const {
   const DownRows& old = representation_.down(i, j);
   DownRows rows;

@@ -20,10 +20,14 @@ void require(bool condition, const std::string& what) {
   if (!condition) throw std::invalid_argument(what);
 }
 
+void require_alive(const Mesh& mesh, EntityRef e) {
+  if (!mesh.alive(e)) throw std::invalid_argument(label(e) + " does not exist");
+}
+
 void require_class(EntityRef e, ModelRef model) {
-  require(model.may_classify(e.dimension), std::string("a mesh ") + entity_name(e.dimension) +
-                                               " cannot be on a model " + entity_name(model.dimension() & 3) +
-                                               ": M^I on G^J only if J >= I");
+  if (model.may_classify(e.dimension)) return;
+  throw std::invalid_argument(std::string("a mesh ") + entity_name(e.dimension) + " cannot be on a model " +
+                              entity_name(model.dimension() & 3) + ": M^I on G^J only if J >= I");
 }
 
 }  // namespace
@@ -211,7 +215,7 @@ Face Mesh::create_face(std::span<const Edge> edges, ModelRef model) {
   std::array<Vertex, max_shape_vertices> vertices;
   const std::size_t n = edges.size();
   require(n >= 3 && n <= vertices.size(), "a face has three edges or more");
-  for (const Edge e : edges) require(alive(e), label(e) + " does not exist");
+  for (const Edge e : edges) require_alive(*this, e);
   for (std::size_t k = 0; k < n; ++k) {
     const auto [a, b] = edge_vertices(edges[k]);
     const auto before = edge_vertices(edges[(k + n - 1) % n]);
@@ -232,8 +236,7 @@ Region Mesh::create_region(Shape shape, std::span<const Vertex> vertices, ModelR
 }
 
 Region Mesh::create_region_of(Shape shape, int k, std::span<const std::uint32_t> sides, ModelRef model) {
-  for (const std::uint32_t s : sides)
-    require(alive(EntityRef(k, s)), label(EntityRef(k, s)) + " does not exist");
+  for (const std::uint32_t s : sides) require_alive(*this, EntityRef(k, s));
   VertexBuffer buffer;
   require(static_cast<std::size_t>(shape) < shape_count() &&
               shape_template(shape).count(k) == static_cast<int>(sides.size()) &&
@@ -278,7 +281,7 @@ std::vector<EntityRef> Mesh::users(EntityRef e) const {
 }
 
 void Mesh::destroy(EntityRef e) {
-  require(alive(e), label(e) + " does not exist");
+  require_alive(*this, e);
   if (const auto by = users(e); !by.empty()) {
     std::string text = label(e) + " is used by ";
     for (std::size_t k = 0; k < by.size() && k < 6; ++k) text += (k ? ", " : "") + label(by[k]);
@@ -298,7 +301,7 @@ void Mesh::destroy_unused(EntityRef e) {
 }
 
 void Mesh::destroy_with_users(EntityRef e) {
-  require(alive(e), label(e) + " does not exist");
+  require_alive(*this, e);
   const auto by = users(e);
   for (auto it = by.rbegin(); it != by.rend(); ++it) destroy_unused(*it);
   destroy_unused(e);
@@ -313,7 +316,7 @@ void Mesh::move(Vertex v, const glm::dvec3& position) {
 }
 
 void Mesh::set_classification(EntityRef e, ModelRef model) {
-  require(alive(e), label(e) + " does not exist");
+  require_alive(*this, e);
   require_class(e, model);
   const ModelRef present = classification(e);
   if (present == model) return;

@@ -1,6 +1,9 @@
 #include "core/operators/collapse.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
 
 #include "core/mesh/check.h"
 #include "core/mesh/journal.h"
@@ -10,17 +13,6 @@ namespace aomd {
 
 Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
   AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
-}
-
-void Collapser::gather(const Mesh& mesh, Vertex v, Star& star) {
-  constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
-  const Row<2> faces = mesh.row<2>(v);
-  star.resize(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const auto t = mesh.triangle(faces[i]);
-    const std::uint32_t slot = std::uint32_t{t[1] == v} + 2 * std::uint32_t{t[2] == v};
-    star[i] = {faces[i], slot, t[turn[slot + 1]], t[turn[slot + 2]]};
-  }
 }
 
 void Collapser::next_stamp(const Mesh& mesh) {
@@ -43,7 +35,7 @@ bool Collapser::gather_apexes(const Star& star, Vertex other_end) {
   apexes_.clear();
   for (const StarFace& f : star) {
     if (!f.uses(other_end)) continue;
-    const Vertex apex = f.next == other_end ? f.previous : f.next;
+    const Vertex apex = f.third(other_end);
     if (apex_bit(apex) != 0) return false;
     apexes_.push_back(apex);
   }
@@ -66,17 +58,10 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
   return true;
 }
 
-// True where the faces around a vertex do not close: in a closed ring every neighbour occurs twice.
-bool Collapser::is_open(const Star& star) {
-  std::uint32_t odd = 0;
-  for (const StarFace& f : star) odd ^= f.next.index ^ f.previous.index;
-  return odd != 0;
-}
-
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of
 // their faces, no two faces fall together, no pocket closes, and no edge loses its last face. A collapse then
 // takes one vertex, k faces and k + 1 edges: the Euler number stays.
-Verdict Collapser::judge_topology(const Mesh& mesh, Edge edge, const std::array<Vertex, 2>& ends) {
+Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::array<Vertex, 2>& ends) {
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
   if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
@@ -99,32 +84,37 @@ Verdict Collapser::judge_topology(const Mesh& mesh, Edge edge, const std::array<
   return {};
 }
 
-Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
-                                  const TurnLimit& limit) {
-  const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
+// The faces that stay when `moved` goes to `to`; those that also use `other` fall away.
+Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex moved, Vertex other,
+                                  const glm::dvec3& to, const CollapseRules& rules) {
+  const double narrow = rules.min_angle_deg > 0 ? std::cos(glm::radians(rules.min_angle_deg)) : 1;
+  const glm::dvec3 from = mesh.position(moved);
   for (const StarFace& f : star) {
-    if (f.uses(kept)) continue;
+    if (f.uses(other)) continue;
     const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
     if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
-    if (limit.allows(before, after) || is_flat(from, p, q, before)) continue;
-    return {Reason::Angle, f.face, cosine_between(before, after)};
+    if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
+      return {Reason::Angle, f.face, cosine_between(before, after)};
+    if (narrow == 1) continue;
+    const double cosine = smallest_angle_cosine(to, p, q);
+    if (cosine > narrow && cosine > smallest_angle_cosine(from, p, q)) return {Reason::Shape, f.face, cosine};
   }
   return {};
 }
 
 // The curve u - deleted - kept becomes u - kept: neither of its two old directions may turn too far.
-Verdict Collapser::judge_curve(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept,
+Verdict Collapser::judge_curve(const Mesh& mesh, const Star& star, ModelRef model, const Contraction& c,
                                const TurnLimit& limit) {
-  const ModelRef model = mesh.classification(edge);
-  const glm::dvec3 from = mesh.position(deleted), to = mesh.position(kept);
-  for (const Edge e : mesh.row<1>(deleted)) {
-    if (e == edge || mesh.classification(e) != model) continue;
-    const glm::dvec3 start = mesh.position(mesh.other_end(e, deleted));
-    for (const glm::dvec3& old : {from - start, to - from})
-      if (!limit.allows(old, to - start)) return {Reason::Angle, e, cosine_between(old, to - start)};
-  }
-  return {};
+  Verdict verdict;
+  const glm::dvec3 from = mesh.position(c.deleted);
+  for_edges_at(mesh, c.deleted, star, [&](Edge e, Vertex far) {
+    if (far == c.kept || mesh.classification(e) != model || !verdict.accepted()) return;
+    const glm::dvec3 start = mesh.position(far), now = c.position - start;
+    for (const glm::dvec3& old : {from - start, c.position - from})
+      if (!limit.allows(old, now)) verdict = {Reason::Angle, e, cosine_between(old, now)};
+  });
+  return verdict;
 }
 
 Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
@@ -145,9 +135,10 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
     if (const Verdict v = judge_topology(mesh, edge, ends); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
-    Verdict v = judge_geometry(mesh, stars_[i], ends[i], ends[1 - i], rules.max_turn);
+    const Contraction c{ends[i], ends[1 - i], mesh.position(ends[1 - i])};
+    Verdict v = judge_geometry(mesh, stars_[i], c.deleted, c.kept, c.position, rules);
     if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
-      v = judge_curve(mesh, edge, ends[i], ends[1 - i], rules.max_curve_turn);
+      v = judge_curve(mesh, stars_[i], model, c, rules.max_curve_turn);
     if (v.accepted()) {
       deleted = ends[i];
       return v;
@@ -162,39 +153,64 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
   return judge_either(mesh, edge, {first, !first}, rules, deleted);
 }
 
+// What the edge between two vertices lies on. Only model edges may be entities; every other edge lies on the
+// face around it.
+ModelRef Collapser::class_between(const Mesh& mesh, Vertex a, Vertex b) const {
+  for (const Vertex v : {a, b})
+    if (mesh.classification(v).dimension() >= 2) return mesh.classification(v);
+  if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
+  for (const StarFace& f : stars_[0])
+    if (f.uses(b)) return mesh.classification(f.face);
+  return {};
+}
+
+Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseRules& rules) {
+  gather(mesh, c.deleted, stars_[0]);
+  gather(mesh, c.kept, stars_[1]);
+  const ModelRef model = class_between(mesh, c.deleted, c.kept);
+  const bool moves = c.position != mesh.position(c.kept);
+  for (const Vertex v : {c.deleted, c.kept})
+    if (const ModelRef own = mesh.classification(v);
+        (v == c.deleted || moves) && (own != model || own.dimension() == 0))
+      return {Reason::Classification, v};
+  if (rules.topology == TopologyRule::Safe)
+    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}); !v.accepted()) return v;
+  Verdict v = judge_geometry(mesh, stars_[0], c.deleted, c.kept, c.position, rules);
+  if (v.accepted() && moves) v = judge_geometry(mesh, stars_[1], c.kept, c.deleted, c.position, rules);
+  if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
+    v = judge_curve(mesh, stars_[0], model, c, rules.max_curve_turn);
+  return v;
+}
+
 // By edges, not by faces as in judging: an edge without faces must find its twin too.
 void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
   next_stamp(mesh);
-  for (const Edge e : mesh.row<1>(kept)) {
-    const Vertex far = mesh.other_end(e, kept);
+  for_edges_at(mesh, kept, stars_[1], [&](Edge e, Vertex far) {
     mark_[far] = stamp_;
     edge_to_kept_[far] = e;
-  }
+  });
 }
 
 // Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at its end.
-void Collapser::plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
+void Collapser::plan(const Mesh& mesh, Vertex deleted, Vertex kept) {
   merges_.clear();
   rebindings_.clear();
-  const Row<1> edges = mesh.row<1>(deleted);
-  for (std::size_t i = edges.size(); i-- > 0;) {
-    const Edge e = edges[i];
-    if (e == edge) continue;
-    const auto [a, b] = mesh.edge_vertices(e);
-    const Vertex far = a == deleted ? b : a;
-    if (marked(far))
+  collapsed_ = {};
+  for_edges_at(mesh, deleted, stars_[0], [&](Edge e, Vertex far) {
+    if (far == kept)
+      collapsed_ = e;
+    else if (marked(far))
       merges_.push_back({e, edge_to_kept_[far]});
     else
-      rebindings_.push_back({e, a == deleted ? 0u : 1u, deleted, kept});
-  }
+      rebindings_.push_back({e, mesh.edge_vertices(e)[0] == deleted ? 0u : 1u, deleted, kept});
+  });
   bare_.clear();
   for (auto f = stars_[0].rbegin(); f != stars_[0].rend(); ++f) {
     if (!f->uses(kept)) {
       rebindings_.push_back({f->face, f->slot, deleted, kept});
       continue;
     }
-    const Vertex apex = f->next == kept ? f->previous : f->next;
-    if (leaves_bare_edge({deleted, kept}, apex)) bare_.push_back(apex);
+    if (const Vertex apex = f->third(kept); leaves_bare_edge({deleted, kept}, apex)) bare_.push_back(apex);
   }
 }
 
@@ -217,25 +233,32 @@ void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
   const Vertex kept = mesh.other_end(edge, deleted);
   gather(mesh, deleted, stars_[0]);
   gather(mesh, kept, stars_[1]);
-  make(mesh, edge, deleted, kept);
+  const JournalScope step(mesh, StepKind::Collapse, edge);
+  make(mesh, deleted, kept);
 }
 
 void Collapser::apply_accepted(Mesh& mesh, Edge edge, Vertex deleted) {
   const auto ends = mesh.edge_vertices(edge);
   if (deleted == ends[1]) std::swap(stars_[0], stars_[1]);
-  make(mesh, edge, deleted, deleted == ends[1] ? ends[0] : ends[1]);
+  const JournalScope step(mesh, StepKind::Collapse, edge);
+  make(mesh, deleted, deleted == ends[1] ? ends[0] : ends[1]);
 }
 
-void Collapser::make(Mesh& mesh, Edge edge, Vertex deleted, Vertex kept) {
-  const JournalScope step(mesh, StepKind::Collapse, edge);
+void Collapser::apply_accepted(Mesh& mesh, const Contraction& c) {
+  const JournalScope step(mesh, StepKind::Collapse, c.kept);
+  if (c.position != mesh.position(c.kept)) mesh.move(c.kept, c.position);
+  make(mesh, c.deleted, c.kept);
+}
+
+void Collapser::make(Mesh& mesh, Vertex deleted, Vertex kept) {
   mark_edges(mesh, kept);
-  plan(mesh, edge, deleted, kept);
+  plan(mesh, deleted, kept);
   for (const StarFace& f : stars_[0])
     if (f.uses(kept)) mesh.destroy_unused(f.face);
   mesh.rebind(rebindings_);
   merge_edges(mesh);
   destroy_bare_edges(mesh);
-  mesh.destroy_unused(edge);
+  if (collapsed_.valid()) mesh.destroy_unused(collapsed_);
   mesh.destroy_unused(deleted);
 }
 

@@ -18,6 +18,7 @@
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
+#include "core/operators/star.h"
 #include "core/operators/verdict.h"
 
 namespace aomd {
@@ -31,10 +32,18 @@ struct CollapseRules {
   /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop, so for
   /// Safe only. On a flat sheet no normal would ever stop a round hole from becoming a triangle.
   TurnLimit max_curve_turn{45.0};
+  double min_angle_deg = 0;  ///< no stretched face gets an angle below it, unless it had a smaller one
+};
+
+/// A collapse that may also move the vertex it keeps.
+struct Contraction {
+  Vertex deleted, kept;
+  glm::dvec3 position;  ///< where the kept one goes
 };
 
 /// Judges and applies edge collapses on one mesh; holds the scratch space, so that a sweep allocates nothing.
-/// The mesh must store T(0,1), T(0,2) and T(2,0), and hold triangles only.
+/// The mesh must store T(0,2) and T(2,0), and hold triangles only. T(0,1) must be stored too unless its edges
+/// are those on model edges and no others; judging and applying by an Edge needs T(0,1).
 class Collapser {
  public:
   explicit Collapser(const Mesh& mesh);
@@ -57,34 +66,35 @@ class Collapser {
   /// again.
   void apply_accepted(Mesh& mesh, Edge edge, Vertex deleted);
 
-  /// A face around an end of the edge, seen from that end.
-  struct StarFace {
-    Face face;
-    std::uint32_t slot = 0;  ///< where the end stands in the face
-    Vertex next, previous;   ///< the other two, in the face's order
-    [[nodiscard]] bool uses(Vertex v) const { return (next == v) | (previous == v); }
-  };
-  /// The faces around the vertex that the last apply() deleted, as they were before.
-  [[nodiscard]] const std::vector<StarFace>& star() const { return stars_[0]; }
+  /// Another look at an edge, by its ends and with a place for the kept one: `kept` moves to `position` and
+  /// the faces of both stretch. Classification: the edge lies on what the deleted end lies on, and on what
+  /// the kept one lies on if that moves. Then topology, flat faces, turned normals, and with Safe the turn of
+  /// a model edge. The edges of the mesh may be entities, or only those on model edges (see for_edges_at).
+  [[nodiscard]] Verdict judge(const Mesh& mesh, const Contraction& contraction, const CollapseRules& rules);
+
+  /// Makes it, right after judge() has accepted it on a mesh that has not changed since. One journal step.
+  void apply_accepted(Mesh& mesh, const Contraction& contraction);
+
+  /// The faces around the vertex that the last apply() deleted, as they were before; after judging a
+  /// contraction, those around the end that would go (0) and the end that would stay (1).
+  [[nodiscard]] const Star& star(std::size_t end = 0) const { return stars_[end]; }
 
  private:
-  using Star = std::vector<StarFace>;
-  static void gather(const Mesh& mesh, Vertex v, Star& star);
   void next_stamp(const Mesh& mesh);
   void mark_neighbours(Vertex kept, const Star& star);
   void mark_edges(const Mesh& mesh, Vertex kept);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
-  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, Edge edge, const std::array<Vertex, 2>& ends);
+  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge, const std::array<Vertex, 2>& ends);
   [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
-  [[nodiscard]] static bool is_open(const Star& star);
   [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
-  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex deleted, Vertex kept,
-                                              const TurnLimit& limit);
-  [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept,
-                                           const TurnLimit& limit);
-  void make(Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
-  void plan(const Mesh& mesh, Edge edge, Vertex deleted, Vertex kept);
+  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex moved, Vertex other,
+                                              const glm::dvec3& to, const CollapseRules& rules);
+  [[nodiscard]] ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b) const;
+  [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
+                                           const Contraction& contraction, const TurnLimit& limit);
+  void make(Mesh& mesh, Vertex deleted, Vertex kept);
+  void plan(const Mesh& mesh, Vertex deleted, Vertex kept);
   void merge_edges(Mesh& mesh);
   void destroy_bare_edges(Mesh& mesh);
 
@@ -96,6 +106,7 @@ class Collapser {
   struct Merge {
     Edge gone, survivor;
   };
+  Edge collapsed_;  ///< the edge between the ends, where it is an entity
   std::vector<Merge> merges_;
   std::vector<Rebinding> rebindings_;
   std::vector<Vertex> bare_;  ///< apexes whose merged edge is left without a face

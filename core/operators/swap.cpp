@@ -15,20 +15,18 @@ std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
 }
 
 // Fills the pair; false unless exactly two faces use the edge, in opposite directions.
-bool find_pair(const Mesh& mesh, Edge edge, EdgePair& pair) {
-  const auto [a, b] = mesh.edge_vertices(edge);
-  pair = {{}, {}, a, b, {}, {}};
-  for (const Face face : mesh.row<2>(a)) {
+bool find_faces(const Mesh& mesh, EdgePair& pair) {
+  for (const Face face : mesh.row<2>(pair.a)) {
     const auto t = mesh.triangle(face);
-    const std::uint32_t i = slot_of(t, b);
+    const std::uint32_t i = slot_of(t, pair.b);
     if (i == 3) continue;
-    const bool forward = t[(i + 2) % 3] == a;  // a before b
+    const bool forward = t[(i + 2) % 3] == pair.a;  // a before b
     Face& place = forward ? pair.f : pair.g;
     if (place.valid()) return false;
     place = face;
     (forward ? pair.c : pair.d) = forward ? t[(i + 1) % 3] : t[(i + 2) % 3];
   }
-  return pair.f.valid() && pair.g.valid();
+  return pair.f.valid() && pair.g.valid() && pair.c != pair.d;
 }
 
 Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit) {
@@ -49,9 +47,27 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
 
 }  // namespace
 
+Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
+  pair = {{}, {}, a, b, {}, {}};
+  if (!find_faces(mesh, pair)) return {Reason::Topology, a};
+  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, pair.f};
+  if (mesh.classification(a).dimension() > 1 || mesh.classification(b).dimension() > 1) return {};
+  const Edge edge = mesh.find_edge(a, b);
+  if (edge.valid() && mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
+  return {};
+}
+
+bool joined(const Mesh& mesh, Vertex a, Vertex b) {
+  for (const Face f : mesh.row<2>(a))
+    if (slot_of(mesh.triangle(f), b) != 3) return true;
+  return mesh.stored(0, 1) && mesh.find_edge(a, b).valid();
+}
+
 Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair) {
   if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
-  if (!find_pair(mesh, edge, pair) || pair.c == pair.d) return {Reason::Topology, edge};
+  const auto [a, b] = mesh.edge_vertices(edge);
+  pair = {{}, {}, a, b, {}, {}};
+  if (!find_faces(mesh, pair)) return {Reason::Topology, edge};
   if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, edge};
   if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
   if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, other};
@@ -59,12 +75,22 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
 }
 
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& e) {
-  const JournalScope step(mesh, StepKind::Swap, edge);
+  const JournalScope step(mesh, StepKind::Swap, edge.valid() ? EntityRef(edge) : EntityRef(e.f));
   const std::array<Rebinding, 4> items{{{edge, 0, e.a, e.c},
                                         {edge, 1, e.b, e.d},
                                         {e.f, slot_of(mesh.triangle(e.f), e.a), e.a, e.d},
                                         {e.g, slot_of(mesh.triangle(e.g), e.b), e.b, e.c}}};
-  mesh.rebind(items);
+  mesh.rebind(std::span(items).subspan(edge.valid() ? 0 : 2));
+}
+
+void apply_swap(Mesh& mesh, const EdgePair& e) {
+  Edge edge;
+  if (mesh.stored(0, 1)) edge = mesh.find_edge(e.a, e.b);
+  EdgePair pair = e;
+  if (edge.valid() &&
+      mesh.edge_vertices(edge)[0] != e.a)  // the edge runs the other way: name its ends as it does
+    pair = {e.g, e.f, e.b, e.a, e.d, e.c};
+  apply_swap(mesh, edge, pair);
 }
 
 }  // namespace aomd

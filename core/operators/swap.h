@@ -21,6 +21,15 @@ struct EdgePair {
   Vertex a, b, c, d;
 };
 
+/// Fills `pair` with the two triangles at the edge between two vertices. Refusals: Classification (the edge
+/// lies on a model edge, or its faces differ), Topology (not exactly two faces, oppositely oriented, or two
+/// faces on the same vertices). T(0,2) and T(2,0) must be stored; edges need not be entities (see
+/// for_edges_at). O(faces around a).
+[[nodiscard]] Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair);
+
+/// Whether an edge or a face joins two vertices already. T(0,2) and T(2,0) must be stored. O(faces around a).
+[[nodiscard]] bool joined(const Mesh& mesh, Vertex a, Vertex b);
+
 /// What swapping an edge would do. Accepted only where the smallest angle of the two triangles grows.
 /// Refusals: Classification (the edge is on a model edge, or its faces differ), Topology (not exactly two
 /// faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new normal further than
@@ -28,7 +37,8 @@ struct EdgePair {
 /// only. `pair` receives what was found.
 [[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair);
 
-/// Swaps: edge and both faces keep their ids. One journal step.
+/// Swaps: both faces keep their ids, and so does the edge where it is an entity. One journal step.
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair);
+void apply_swap(Mesh& mesh, const EdgePair& pair);
 
 }  // namespace aomd

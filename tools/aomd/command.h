@@ -42,6 +42,8 @@ void add_decimate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
 void add_classify(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_repair(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
 void add_image_diff(CLI::App& app, Action& action);

@@ -24,12 +24,14 @@ namespace {
 
 struct Options {
   std::string input, output, report, journal;
-  std::string strategy = "paper", topology = "safe", feature_angle = "20";
+  std::string strategy = "quality", topology = "safe", feature_angle = "20";
   std::string snap = "none", model;
+  std::optional<double> angle_deg;  ///< none: what suits the strategy
   DecimationOptions decimation;
   bool no_swap = false, no_smooth = false, quiet = false;
 
   [[nodiscard]] bool paper_topology() const { return topology == "paper"; }
+  [[nodiscard]] bool paper() const { return strategy == "paper"; }
 };
 
 /// One run, stage by stage; each fills its part of the report.
@@ -39,6 +41,8 @@ class Run {
       : options_(options), progress_(options.quiet), steps_(options.decimation) {
     steps_.swap = !options.no_swap;
     steps_.smooth = !options.no_smooth;
+    steps_.strategy = options.paper() ? Strategy::Paper : Strategy::Quality;
+    steps_.angle_deg = options.angle_deg.value_or(options.paper() || steps_.coarsest ? 10 : 60);
     steps_.topology = options.paper_topology() ? TopologyRule::Paper : TopologyRule::Safe;
     how_.feature_angle_deg = parse_number(options.feature_angle);  // nothing for "off"
     how_.nonmanifold_edges = !options.paper_topology();
@@ -72,6 +76,7 @@ class Run {
   void classify_mesh() {
     progress_.show("classifying");
     classify(mesh_, how_);
+    if (!options_.paper() && !model_ && !snaps()) mesh_.keep_model_edges_only();  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);
@@ -149,6 +154,8 @@ class Run {
 
   [[nodiscard]] Json options_json() const {
     return {{"strategy", options_.strategy},
+            {"regularity", steps_.regularity},
+            {"target_faces", steps_.target_faces},
             {"factor", steps_.coarsest ? Json(nullptr) : Json(steps_.factor)},
             {"coarsest", steps_.coarsest},
             {"angle_deg", steps_.angle_deg},
@@ -225,8 +232,15 @@ void add_decimate(CLI::App& app, Action& action) {
   command->add_option("IN", o->input, "The mesh")->required();
   command->add_option("OUT", o->output, "Where to write the result: .obj, .ply, .off or .stl")->required();
   command->add_option("--strategy", o->strategy, "How to choose what goes")
-      ->check(CLI::IsMember({"paper"}))
+      ->check(CLI::IsMember({"paper", "quality"}))
       ->capture_default_str();
+  command
+      ->add_option("--regularity", o->decimation.regularity,
+                   "For quality: 0 accuracy first .. 1 regular faces first")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--target-faces", o->decimation.target_faces, "Stops at this many faces")
+      ->check(CLI::PositiveNumber);
   CLI::Option* factor =
       command->add_option("--factor", o->decimation.factor, "Edges become this many times longer")
           ->check(positive_finite())
@@ -234,10 +248,10 @@ void add_decimate(CLI::App& app, Action& action) {
   command->add_flag("--coarsest", o->decimation.coarsest, "No limit on the length of edges")
       ->excludes(factor);
   command
-      ->add_option("--angle", o->decimation.angle_deg,
-                   "How far the normal of a face may turn in one operation")
-      ->check(angle_range())
-      ->capture_default_str();
+      ->add_option("--angle", o->angle_deg,
+                   "How far the normal of a face may turn in one operation; default 10 for paper and with "
+                   "--coarsest, else 60")
+      ->check(angle_range());
   command
       ->add_option("--feature-angle", o->feature_angle,
                    "Edges whose faces meet at more than this stay; or off")

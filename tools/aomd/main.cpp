@@ -59,8 +59,8 @@ int parse_and_run(int argc, char** argv) {
       "4 output not written, 5 out of memory or another limit, 130 cancelled.\n"
       "`aomd COMMAND --help` lists the options of a command.");
   Action action;
-  for (auto* add :
-       {add_info, add_decimate, add_check, add_classify, add_convert, add_replay, add_sample, add_image_diff})
+  for (auto* add : {add_info, add_decimate, add_check, add_classify, add_convert, add_compare, add_repair,
+                    add_replay, add_sample, add_image_diff})
     add(app, action);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1]))
     return fail("no command \"" + std::string(argv[1]) + "\" (aomd --help lists what there is)", wrong_usage);

@@ -34,6 +34,8 @@ int run(const Options& options) {
   const io::ReadResult read = read_mesh(options.model, options.quiet);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
+  if (file.start.counts[1] < mesh.count(1))
+    mesh.keep_model_edges_only();  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);
   stop_if_interrupted();
   file.journal.seek(mesh, step);

@@ -19,8 +19,10 @@ T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, 
 }  // namespace
 
 void color(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Coloring>, 2> choices = {
-      {{"classification", Coloring::Classification}, {"none", Coloring::None}}};
+  constexpr std::array<std::pair<std::string_view, Coloring>, 3> choices = {
+      {{"classification", Coloring::Classification},
+       {"spacing", Coloring::Spacing},
+       {"none", Coloring::None}}};
   session.view.coloring = choose(arguments, choices);
   arguments.end();
 }

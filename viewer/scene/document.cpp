@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "core/mesh/journal_scope.h"
 
@@ -18,6 +19,15 @@ std::string_view Document::hindrance() const {
   if (!loaded_ || !loaded_->skin) return {};
   const char* obstacle = decimation_obstacle(loaded_->mesh);
   return obstacle ? obstacle : "";
+}
+
+Column<Vertex, double> Document::wanted_lengths() const {
+  if (options_.coarsest || loaded_->skin)
+    return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
+  if (options_.spacing) return *options_.spacing;
+  Column<Vertex, double> lengths = loaded_->edge_lengths;
+  for (const Vertex v : mesh().vertices()) lengths[v] *= options_.factor;
+  return lengths;
 }
 
 const HistoryMark& Document::mark_of(std::size_t step) const {

@@ -43,6 +43,9 @@ class Document {
   [[nodiscard]] bool lies_on_model() const;
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
+  /// How long the present options want the edges at each vertex to be; infinite without a limit, or where the
+  /// mesh cannot be decimated; 0 at a vertex that has no edges as loaded. A mesh must be there.
+  [[nodiscard]] Column<Vertex, double> wanted_lengths() const;
   [[nodiscard]] HistoryPlace place() const;
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
   [[nodiscard]] bool can_undo() const { return loaded_ && journal().cursor() > 0; }

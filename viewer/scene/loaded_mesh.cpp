@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/decimate/spacing.h"
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 
@@ -74,11 +75,13 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   // Going through a volume takes its time and all its faces: only where the file says nothing.
   if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
   if (needs_skin(mesh)) loaded->skin.emplace(mesh);
+  if (!loaded->skin) loaded->edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   mesh.keep_class_lists(true);
   loaded->bounds = loaded->skin ? loaded->skin->bounds() : box_of(mesh);
   mesh.attach(&loaded->journal);
   return loaded;
 }
+
 std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample, request.classify);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/decimate/decimation.h"
+#include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_data.h"
@@ -47,6 +48,7 @@ struct LoadedMesh {
   Journal journal;
   ClassifyOptions classify_options;
   ClassifyResult classified;
+  Column<Vertex, double> edge_lengths;  ///< mean at each vertex as loaded; empty where there is a skin
   /// The file's own classification by level and id; empty where it has none. It wins over derived ones.
   std::array<std::vector<ModelRef>, 3> file_classes;
   /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they are.

@@ -1,5 +1,6 @@
 #include "viewer/scene/palette.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -53,6 +54,14 @@ glm::vec4 unpack_color(Color color) {
 
 Color mix_colors(Color a, Color b, float t) {
   return pack_color(glm::mix(unpack_color(a), unpack_color(b), t));
+}
+
+Color ramp_color(float t) {
+  constexpr std::array<Color, 8> stops = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e), rgb(0x1f9e89),
+                                          rgb(0x35b779), rgb(0x6ece58), rgb(0xb5de2b), rgb(0xfde725)};
+  const float at = std::clamp(t, 0.0f, 1.0f) * (stops.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  return mix_colors(stops[below], stops[below + 1], at - static_cast<float>(below));
 }
 
 Color color_of(ModelRef ref) {

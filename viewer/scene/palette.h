@@ -32,7 +32,13 @@ using Color = std::uint32_t;
 inline constexpr ModelRef unnamed_border{1, 0};
 /// Their colour, and that of all model edges where colours have no meaning.
 [[nodiscard]] constexpr Color plain_line_color() { return rgb(0x3a4656); }
+/// The colour of faces where colours have no meaning.
+[[nodiscard]] constexpr Color plain_face_color() { return rgb(0xc4cbd4); }
 /// The colour of what is not classified.
 [[nodiscard]] constexpr Color unclassified_color() { return rgb(0xc9ccd1); }
+
+/// The scale for numbers, 0 to 1 (clamped): dark blue over green to yellow. Lightness rises evenly, also for
+/// colour-blind eyes and in grey (viridis, without its darkest part, on which shading would not show).
+[[nodiscard]] Color ramp_color(float t);
 
 }  // namespace aomd::scene

@@ -121,13 +121,24 @@ void Session::refresh_skin() {
   } else {
     all.everything = false;
   }
+  refresh_field(all.everything);
   drawing_.update(skin_surface_->mesh, view, all);
+}
+
+void Session::refresh_field(bool anew) {
+  const bool wanted = view.coloring == Coloring::Spacing && !document.content().skin;
+  if (!anew && wanted == field_.has_value() && (!wanted || field_options_ == document.options())) return;
+  field_.reset();
+  if (wanted) field_ = make_vertex_field(document.mesh(), document.wanted_lengths());
+  field_options_ = document.options();
+  drawing_.set_vertex_colors(field_ ? field_->colors : nullptr);
 }
 
 void Session::refresh_surface() {
   const HistoryPlace place = document.place();
   const SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
   facts_.update(document.mesh(), found);
+  refresh_field(found.everything);
   drawing_.update(document.mesh(), view, found);
   const auto focus = view.operation ? document.focus() : std::nullopt;
   if (focus != drawn_focus_ || !found.nothing()) {

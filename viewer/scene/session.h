@@ -14,6 +14,7 @@
 #include "viewer/scene/mesh_facts.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_drawing.h"
+#include "viewer/scene/vertex_field.h"
 #include "viewer/scene/view.h"
 
 namespace aomd::scene {
@@ -54,6 +55,8 @@ class Session {
   [[nodiscard]] const MeshFacts& facts() const { return facts_.facts(); }
   /// The facts right after loading.
   [[nodiscard]] const MeshFacts& loaded_facts() const { return loaded_facts_; }
+  /// What the surface's colours show besides classification; null where they show none.
+  [[nodiscard]] const VertexField* field() const { return field_ ? &*field_ : nullptr; }
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
 
  private:
@@ -61,6 +64,7 @@ class Session {
   void advance_playing(double frame_s);
   void run_on(std::optional<std::chrono::microseconds> budget);
   void refresh_surface();
+  void refresh_field(bool anew);
   void refresh_skin();
 
   Loader loader_;
@@ -70,6 +74,8 @@ class Session {
   FactsKeeper facts_;
   MeshFacts loaded_facts_;
   SurfaceDrawing drawing_;
+  std::optional<VertexField> field_;
+  DecimationOptions field_options_;
   std::optional<SkinSurface> skin_surface_;  ///< of the present skin, where there is one
   SkinStyle skin_style_;
   HistoryPlace skin_place_;

@@ -13,7 +13,6 @@ constexpr float highlighted_vertex_px = 6.5f;
 constexpr float step_line_px = 2.6f;
 constexpr float step_disc_px = 5.0f;
 constexpr Color highlight_color = rgb(0xff2f92);
-constexpr Color plain_color = rgb(0xc4cbd4);
 
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
 float vertex_radius_px(const Mesh& mesh) {
@@ -73,7 +72,7 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
 
 void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
   const bool changed = !changes.nothing();
-  Style style{view.coloring, view.hidden, view.highlighted,
+  Style style{view.coloring, view.hidden, view.highlighted, vertex_colors_,
               changed ? vertex_radius_px(mesh) : style_.vertex_px};
   const bool restyled = style != style_;
   style_ = std::move(style);
@@ -87,7 +86,7 @@ void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceCha
 
 Color SurfaceDrawing::color(ModelRef ref) const {
   if (style_.coloring == Coloring::Classification) return color_of(ref);
-  return ref.dimension() < 2 ? plain_line_color() : plain_color;
+  return ref.dimension() < 2 ? plain_line_color() : plain_face_color();
 }
 
 void SurfaceDrawing::rebuild(const Mesh& mesh) {
@@ -129,8 +128,9 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
     Corner corner;
     if (alive) corner.normal = drawable_.corners[first + i].normal;
     if (drawn) {
-      corner.position = place(mesh, mesh.triangle(face)[i]);
-      corner.color = color(model);
+      const Vertex v = mesh.triangle(face)[i];
+      corner.position = place(mesh, v);
+      corner.color = color(model, v);
       corner.flags = flags;
     }
     if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);

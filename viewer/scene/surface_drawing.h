@@ -1,6 +1,7 @@
 #pragma once
 // Fills a Drawable from a mesh and keeps it in step, touching no more than what changed.
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -55,6 +56,10 @@ class SurfaceDrawing {
   void set_bounds(const Box& bounds);
   /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
   void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
+  /// A colour for each vertex instead of those of model faces; null: none. Drawn from the next update on.
+  void set_vertex_colors(std::shared_ptr<const Column<Vertex, Color>> colors) {
+    vertex_colors_ = std::move(colors);
+  }
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
   /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
@@ -71,6 +76,7 @@ class SurfaceDrawing {
     Coloring coloring = Coloring::Classification;
     std::set<ModelRef> hidden;
     std::optional<ModelRef> highlighted;
+    std::shared_ptr<const Column<Vertex, Color>> vertex_colors;
     float vertex_px = 0;  ///< radius of model vertices: smaller where there are very many
     friend bool operator==(const Style&, const Style&) = default;
   };
@@ -84,11 +90,15 @@ class SurfaceDrawing {
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
   [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
   [[nodiscard]] Color color(ModelRef ref) const;
+  [[nodiscard]] Color color(ModelRef face, Vertex corner) const {
+    return style_.vertex_colors ? (*style_.vertex_colors)[corner] : color(face);
+  }
   [[nodiscard]] glm::vec3 place(const Mesh& mesh, Vertex v) const {
     return glm::vec3(mesh.position(v) - drawable_.origin);
   }
 
   std::vector<std::uint32_t> face_flags_;
+  std::shared_ptr<const Column<Vertex, Color>> vertex_colors_;
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

@@ -46,4 +46,10 @@ std::string short_number(double value, int digits) {
   return result;
 }
 
+std::string significant(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 }  // namespace aomd::scene

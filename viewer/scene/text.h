@@ -23,4 +23,7 @@ namespace aomd::scene {
 /// The shortest text with at most `digits` after the point: "10", "2.5".
 [[nodiscard]] std::string short_number(double value, int digits = 3);
 
+/// Three significant digits: "0.00144", "12.3", "4.5e-07".
+[[nodiscard]] std::string significant(double value);
+
 }  // namespace aomd::scene

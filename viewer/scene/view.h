@@ -10,7 +10,8 @@
 
 namespace aomd::scene {
 
-enum class Coloring { Classification, None };
+/// Spacing: the wanted length of edges, on surfaces that can be decimated.
+enum class Coloring { Classification, Spacing, None };
 enum class Theme { Light, Dark };
 enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About };
 

@@ -90,6 +90,9 @@ void view_menu(Frame& frame) {
   ImGui::Separator();
   command_item(frame, "Colour by classification", "color classification",
                view.coloring == scene::Coloring::Classification);
+  command_item(frame, "Colour by wanted edge length", "color spacing",
+               view.coloring == scene::Coloring::Spacing,
+               frame.has_mesh() && !frame.document().content().skin);
   command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);

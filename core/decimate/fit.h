@@ -1,0 +1,60 @@
+#pragma once
+// Improvement against the original surface: vertices go where the original's points want their faces, and
+// edges are swapped where that brings the surface closer or its triangles into better shape.
+
+#include <vector>
+
+#include "core/decimate/original_surface.h"
+#include "core/model/model.h"
+#include "core/operators/star.h"
+#include "core/operators/swap.h"
+
+namespace aomd {
+
+/// Weights of one energy: sum over the original's points of weight * distance^2, plus for each face
+/// `face_energy` * `shape` * (1 / quality - 1), where quality is 4 sqrt(3) area / (sum of squared sides).
+struct FitRules {
+  double shape = 1;        ///< what a misshapen face costs, in multiples of face_energy
+  double pull = 0.01;      ///< how strongly the neighbourhood's centre pulls along the surface
+  double stay = 0.1;       ///< how strongly a vertex keeps to the plane of the nearest point of the original
+  double face_energy = 0;  ///< the error of an average face, set from the present state
+  double mean_square = 1;  ///< the squared distance of an average point, set from the present state
+  TurnLimit max_turn{
+      30.0};  ///< of a face against what it was; after a swap, against the two old ones together
+  TurnLimit max_away{60.0};  ///< of a face against the original under it
+  double min_angle_deg = 0;
+  const Model* model = nullptr;  ///< vertices go to its nearest point instead; none: where the fit puts them
+};
+
+/// 4 sqrt(3) area / (sum of squared sides): 1 for an equilateral triangle, 0 for one without area.
+[[nodiscard]] double triangle_quality(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+class Fitter {
+ public:
+  Fitter(const Mesh& mesh, OriginalSurface& original) : mesh_(mesh), original_(original) {}
+
+  /// Where a vertex inside a model face would go: the least-squares place for the points on the faces around
+  /// it, each seen as a plane through its face, pulled along the surface towards the neighbourhood's centre.
+  /// Half or a quarter of the way where all of it goes too far. Refusals: Classification, Flat (no area
+  /// around it), Angle.
+  [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, glm::dvec3& target);
+
+  /// Whether swapping the edge between a and b lowers the energy. Refusals: those of find_pair, Topology (the
+  /// other diagonal exists), Flat, Angle (a new face against the two old ones together), Quality (no gain).
+  [[nodiscard]] Verdict judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& pair);
+  /// Gives the points of the two faces to those that they are nearest to. Call right before apply_swap().
+  void swapped(const EdgePair& pair);
+
+ private:
+  [[nodiscard]] Verdict judge_target(Vertex v, const glm::dvec3& target, const FitRules& rules) const;
+  [[nodiscard]] bool least_squares(Vertex v, const FitRules& rules, glm::dvec3& target) const;
+  [[nodiscard]] bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
+                                const FitRules& rules) const;
+  [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
+
+  const Mesh& mesh_;
+  OriginalSurface& original_;
+  Star star_;
+};
+
+}  // namespace aomd

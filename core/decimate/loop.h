@@ -1,0 +1,62 @@
+#pragma once
+// What the strategies of a decimation have in common: a loop that advances by one candidate at a time.
+
+#include <vector>
+
+#include "core/decimate/options.h"
+
+namespace aomd {
+
+/// One strategy at work on one mesh. Stops between two operations only; the mesh must not change otherwise,
+/// except through invalidate().
+class Loop {
+ public:
+  Loop(Mesh& mesh, const DecimationOptions& options) : mesh_(mesh), options_(options) {}
+  virtual ~Loop() = default;
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  /// Looks at one candidate; true when that led to an operation (last()).
+  virtual bool advance() = 0;
+  /// New options, or a mesh that was changed from outside: forgets what it knows and starts again.
+  virtual void restart(const DecimationOptions& options) = 0;
+  /// One pass of swaps, or of smoothing, now, whatever the phase. Returns how many operations it made.
+  virtual std::uint32_t swap_pass() = 0;
+  virtual std::uint32_t smooth_pass() = 0;
+  /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
+  [[nodiscard]] virtual Verdict judge(Edge edge, Vertex& deleted) = 0;
+  /// Why an edge was not collapsed when it was last judged (None: not judged yet).
+  [[nodiscard]] virtual Reason last_refusal(Edge e) const = 0;
+  /// The wanted length at a vertex; infinite where nothing limits it.
+  [[nodiscard]] virtual double spacing(Vertex v) const = 0;
+  /// A guess in [0,1].
+  [[nodiscard]] virtual double progress() const = 0;
+
+  [[nodiscard]] const DecimationOptions& options() const { return options_; }
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] bool done() const { return phase_ == Phase::Done; }
+  [[nodiscard]] const Operation& last() const { return last_; }
+  [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const { return sweeps_; }
+
+ protected:
+  /// Opens the statistics of a new sweep, unless the present ones are still empty.
+  void open_sweep() {
+    const bool unused = !sweeps_.empty() && sweeps_.back() == SweepStatistics{};
+    if (unused) return;
+    if (!sweeps_.empty()) sweeps_.back().faces = mesh_.count(2);
+    sweeps_.emplace_back();
+  }
+  void made(StepKind kind, EntityRef entity) {
+    SweepStatistics& s = sweeps_.back();
+    ++(kind == StepKind::Collapse ? s.collapses : kind == StepKind::Swap ? s.swaps : s.smooths);
+    last_ = {kind, entity};
+  }
+
+  Mesh& mesh_;
+  DecimationOptions options_;
+  Phase phase_ = Phase::Collapse;
+  std::vector<SweepStatistics> sweeps_;
+  Operation last_;
+};
+
+}  // namespace aomd

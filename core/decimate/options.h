@@ -1,0 +1,67 @@
+#pragma once
+// What a decimation is told, and what it says it did.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "core/mesh/column.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/mesh.h"
+#include "core/model/model.h"
+#include "core/operators/collapse.h"
+#include "core/operators/verdict.h"
+
+namespace aomd {
+
+/// Paper: the printed loop. Quality: collapses in the order of the error they make, the kept vertex placed,
+/// then swaps and a fit to the original surface (docs/QUALITY.md).
+enum class Strategy : std::uint8_t { Paper, Quality };
+
+struct DecimationOptions {
+  Strategy strategy = Strategy::Paper;
+  double factor = 4;      ///< how many times longer edges become where the angle does not bind
+  bool coarsest = false;  ///< no limit on length; `factor` is then ignored
+  /// Wanted length of edges by vertex, in the mesh's units, instead of factor times the average; none:
+  /// factor.
+  std::shared_ptr<const Column<Vertex, double>> spacing = {};
+  std::uint32_t target_faces = 0;  ///< stop at this many faces; 0: nothing but spacing and limits stop it
+  double angle_deg = 10;           ///< how far the normal of a face may turn in one operation, degrees
+  double min_angle_deg = 0;        ///< no face gets an angle below it unless it had a smaller one, degrees
+  double regularity = 0.5;         ///< Quality: 0 accuracy first .. 1 regular faces first
+  TopologyRule topology = TopologyRule::Safe;
+  int improve_passes = 2;  ///< Paper: sweeps that are followed by swaps and smoothing
+  bool swap = true;
+  bool smooth = true;
+  /// Vertices (nonzero) that stay where they are; none: all may go.
+  std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
+  /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the mesh lies
+  /// on (check_against) and outlive the decimation.
+  const Model* model = nullptr;
+
+  friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
+
+  [[nodiscard]] bool kept(Vertex v) const { return keep && v.index < keep->size() && (*keep)[v] != 0; }
+};
+
+/// What one sweep and the improvement after it did. `refused` counts the edges that the sweep left, by
+/// reason.
+struct SweepStatistics {
+  std::uint32_t collapses = 0, swaps = 0, smooths = 0;
+  std::uint32_t faces = 0;  ///< after it
+  std::array<std::uint32_t, reason_count> refused{};
+
+  friend bool operator==(const SweepStatistics&, const SweepStatistics&) = default;
+};
+
+enum class Phase : std::uint8_t { Collapse, Swap, Smooth, Done };
+[[nodiscard]] const char* phase_name(Phase phase);
+
+/// The last operation made: what step() returns.
+struct Operation {
+  StepKind kind = StepKind::Edit;
+  EntityRef entity;
+};
+
+}  // namespace aomd

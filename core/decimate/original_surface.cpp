@@ -1,0 +1,178 @@
+#include "core/decimate/original_surface.h"
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "core/mesh/geometry.h"
+#include "core/model/box.h"
+#include "core/model/triangle_tree.h"
+
+namespace aomd {
+
+double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                           glm::dvec3& at) {
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  const auto along = [](double from, double to, int k, int l) {  // between corners k and l
+    const double t = from / (from - to);
+    glm::dvec3 place(0.0);
+    place[k] = 1 - t, place[l] = t;
+    return place;
+  };
+  if (d1 <= 0 && d2 <= 0)
+    at = {1, 0, 0};
+  else if (d3 >= 0 && d4 <= d3)
+    at = {0, 1, 0};
+  else if (d6 >= 0 && d5 <= d6)
+    at = {0, 0, 1};
+  else if (vc <= 0 && d1 >= 0 && d3 <= 0)
+    at = along(d1, d3, 0, 1);
+  else if (vb <= 0 && d2 >= 0 && d6 <= 0)
+    at = along(d2, d6, 0, 2);
+  else if (va <= 0 && d4 >= d3 && d5 >= d6)
+    at = along(d4 - d3, d6 - d5, 1, 2);
+  else
+    at = glm::dvec3(va, vb, vc) / (va + vb + vc);
+  const glm::dvec3 d = ap - at.y * ab - at.z * ac;
+  return glm::dot(d, d);
+}
+
+OriginalSurface::OriginalSurface(const Mesh& mesh) : taken_by_(mesh.capacity(0)) {
+  std::vector<std::uint32_t> point_of(mesh.capacity(0), no_index);
+  Box box;
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 normal = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const double area = glm::length(normal) / 2;
+    area_ += area;
+    for (const Vertex v : t) {
+      if (point_of[v.index] == no_index) {
+        point_of[v.index] = static_cast<std::uint32_t>(points_.size());
+        points_.push_back({.position = mesh.position(v)});
+        vertex_of_.push_back(v);
+        box.add(mesh.position(v));
+      }
+      OriginalPoint& p = points_[point_of[v.index]];
+      p.normal += glm::vec3(normal);
+      p.weight += static_cast<float>(area / 3);
+    }
+  }
+  diagonal_ = box.diagonal();
+  for (OriginalPoint& p : points_)
+    if (const float length = glm::length(p.normal); length > 0) p.normal /= length;
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+}
+
+Vertex OriginalSurface::taken_by(Vertex v) {
+  Vertex last = v;
+  while (taken_by_[last] != last) last = taken_by_[last];
+  while (taken_by_[v] != last) v = std::exchange(taken_by_[v], last);
+  return last;
+}
+
+void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const {
+  double best = std::numeric_limits<double>::infinity();
+  p.face = no_index;
+  for (const Face f : mesh.row<2>(v)) {
+    const auto t = mesh.triangle(f);
+    glm::dvec3 at;
+    const double d =
+        nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), at);
+    if (d >= best) continue;
+    best = d;
+    p.face = f.index;
+    p.barycentric = at;
+  }
+  p.distance2 = static_cast<float>(best);
+}
+
+// To the best face around those corners of the present one that the nearest place lies next to; only faces
+// that look the way the original did count, so that no point goes through a thin wall.
+bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
+  const Face from(p.face);
+  const auto corners = mesh.triangle(from);
+  const glm::vec3 at = p.barycentric;
+  bool moved = false;
+  for (int k = 0; k < 3; ++k) {
+    if (at[k] <= 0) continue;
+    for (const Face f : mesh.row<2>(corners[static_cast<std::size_t>(k)])) {
+      if (f == from || f.index == p.face) continue;
+      const auto t = mesh.triangle(f);
+      const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+      glm::dvec3 place;
+      const double d = nearest_barycentric(p.position, a, b, c, place);
+      if (d >= p.distance2 * 0.999999 || glm::dot(area_normal(a, b, c), glm::dvec3(p.normal)) <= 0) continue;
+      p.distance2 = static_cast<float>(d);
+      p.face = f.index;
+      p.barycentric = place;
+      moved = true;
+    }
+  }
+  return moved;
+}
+
+void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) const {
+  constexpr int most_steps = 10;
+  for (int step = 0; step < most_steps; ++step) {
+    const glm::vec3& at = p.barycentric;
+    if (at.x > 0 && at.y > 0 && at.z > 0) return;  // the nearest place is inside the face
+    if (!walk_once(mesh, p)) return;
+  }
+}
+
+void OriginalSurface::locate(const Mesh& mesh) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    OriginalPoint& p = points_[i];
+    if (p.face != no_index && mesh.alive(Face(p.face))) {
+      const auto t = mesh.triangle(Face(p.face));
+      glm::dvec3 at;
+      p.distance2 = static_cast<float>(
+          nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), at));
+      p.barycentric = at;
+    } else {
+      start_at_vertex(mesh, p, taken_by(vertex_of_[i]));
+    }
+    if (p.face != no_index) find_face(mesh, p);
+  }
+  link_points(mesh);
+}
+
+void OriginalSurface::locate_anywhere(const Mesh& mesh) {
+  taken_by_.resize(mesh.capacity(0));
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+  const Triangles triangles = triangles_of(mesh);
+  const TriangleTree tree(triangles.corners);
+  std::uint32_t hint = no_index;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    OriginalPoint& p = points_[i];
+    const TriangleTree::Nearest nearest = tree.nearest(p.position, hint);
+    hint = nearest.triangle;
+    p.face = hint == no_index ? no_index : triangles.faces[tree.source(hint)].index;
+    if (p.face != no_index) vertex_of_[i] = mesh.triangle(Face(p.face))[0];
+  }
+  locate(mesh);
+}
+
+void OriginalSurface::link_points(const Mesh& mesh) {
+  first_.assign(mesh.capacity(2), no_index);
+  normal_.assign(mesh.capacity(2), glm::vec3(0.0f));
+  for (std::uint32_t i = static_cast<std::uint32_t>(points_.size()); i-- > 0;) {
+    OriginalPoint& p = points_[i];
+    if (p.face == no_index) continue;
+    p.next = first_[Face(p.face)];
+    first_[Face(p.face)] = i;
+    normal_[Face(p.face)] += p.weight * p.normal;
+  }
+}
+
+double OriginalSurface::error() const {
+  double sum = 0;
+  for (const OriginalPoint& p : points_)
+    if (p.face != no_index) sum += double(p.weight) * double(p.distance2);
+  return sum;
+}
+
+}  // namespace aomd

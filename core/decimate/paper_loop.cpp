@@ -1,0 +1,185 @@
+#include "core/decimate/paper_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/decimate/spacing.h"
+#include "core/operators/smooth.h"
+
+namespace aomd {
+namespace {
+
+constexpr double first_reach = 1.5;  // towards a target: the factor that the first sweeps follow
+
+}  // namespace
+
+PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
+    : Loop(mesh, options),
+      limit_(options.angle_deg),
+      collapser_(mesh),
+      changed_(mesh.capacity(0), 1),
+      judged_(mesh.capacity(1), 0),
+      refusal_(mesh.capacity(1), Reason::None) {
+  fill_spacing();
+  begin_sweep();
+}
+
+void PaperLoop::fill_spacing() {
+  reach_ = aims() ? first_reach : options_.factor;
+  average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+}
+
+double PaperLoop::spacing(Vertex v) const {
+  if (options_.spacing) return v.index < options_.spacing->size() ? (*options_.spacing)[v] : 0;
+  if (options_.coarsest) return std::numeric_limits<double>::infinity();
+  return v.index < average_length_.size() ? average_length_[v] * reach_ : 0;
+}
+
+CollapseRules PaperLoop::rules() const {
+  return {.max_turn = limit_, .topology = options_.topology, .min_angle_deg = options_.min_angle_deg};
+}
+
+void PaperLoop::restart(const DecimationOptions& options) {
+  options_ = options;
+  limit_ = TurnLimit(options.angle_deg);
+  reach_ = aims() ? first_reach : options_.factor;
+  forget();
+  improved_ = 0;
+  begin_sweep();
+}
+
+void PaperLoop::forget() {
+  judged_.assign(mesh_.capacity(1), 0);
+  refusal_.assign(mesh_.capacity(1), Reason::None);
+  changed_.assign(mesh_.capacity(0), ++now_);
+}
+
+void PaperLoop::begin_sweep() {
+  phase_ = Phase::Collapse;
+  cursor_ = 0;
+  open_sweep();
+}
+
+// A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
+Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
+  const auto ends = mesh_.edge_vertices(edge);
+  const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
+  std::array<bool, 2> may_go{0.5 * spacing(ends[0]) > length, 0.5 * spacing(ends[1]) > length};
+  if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
+  for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
+  if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[options_.kept(ends[0]) ? 0 : 1]};
+  return collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
+}
+
+bool PaperLoop::unchanged_since(Edge e) const {
+  const auto [a, b] = mesh_.edge_vertices(e);
+  return std::max(changed_[a], changed_[b]) <= judged_[e];
+}
+
+bool PaperLoop::try_collapse(Edge edge) {
+  if (unchanged_since(edge)) {
+    ++sweeps_.back().refused[static_cast<std::size_t>(refusal_[edge])];
+    return false;
+  }
+  Vertex deleted;
+  const Verdict verdict = judge(edge, deleted);
+  if (!verdict.accepted()) {
+    judged_[edge] = now_;
+    refusal_[edge] = verdict.reason;
+    ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
+    return false;
+  }
+  ++now_;
+  collapser_.apply_accepted(mesh_, edge, deleted);
+  for (const StarFace& f : collapser_.star()) touch(f.next), touch(f.previous);
+  made(StepKind::Collapse, edge);
+  return true;
+}
+
+bool PaperLoop::try_swap(Edge edge) {
+  EdgePair pair;
+  if (!judge_swap(mesh_, edge, limit_, pair).accepted()) return false;
+  ++now_;
+  apply_swap(mesh_, edge, pair);
+  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
+  made(StepKind::Swap, edge);
+  return true;
+}
+
+bool PaperLoop::try_smooth(Vertex v) {
+  glm::dvec3 target;
+  if (options_.kept(v) || !judge_smooth(mesh_, v, {limit_, options_.model}, target).accepted()) return false;
+  ++now_;
+  apply_smooth(mesh_, v, target);
+  for (const Edge e : mesh_.row<1>(v))
+    for (const Vertex u : mesh_.edge_vertices(e)) touch(u);
+  made(StepKind::Smooth, v);
+  return true;
+}
+
+std::uint32_t PaperLoop::end_of_phase() const { return mesh_.capacity(phase_ == Phase::Smooth ? 0 : 1); }
+
+bool PaperLoop::at_target() const { return aims() && mesh_.count(2) <= options_.target_faces; }
+
+bool PaperLoop::advance() {
+  if (phase_ == Phase::Done) return false;
+  if (cursor_ >= end_of_phase() || (phase_ == Phase::Collapse && at_target())) {
+    next_phase();
+    return false;
+  }
+  const std::uint32_t id = mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).next_alive(cursor_);
+  cursor_ = id + 1;
+  if (id >= end_of_phase()) return false;
+  if (phase_ == Phase::Collapse) return try_collapse(Edge(id));
+  return phase_ == Phase::Swap ? try_swap(Edge(id)) : try_smooth(Vertex(id));
+}
+
+void PaperLoop::next_phase() {
+  cursor_ = 0;
+  const bool improving = improved_ < options_.improve_passes;
+  if (phase_ == Phase::Collapse && improving && options_.swap)
+    phase_ = Phase::Swap;
+  else if (phase_ != Phase::Smooth && improving && options_.smooth)
+    phase_ = Phase::Smooth;
+  else
+    end_sweep();
+}
+
+// Towards a target the spacing grows whenever nothing shorter is left to collapse.
+void PaperLoop::end_sweep() {
+  constexpr double growth = 1.1, most = 1e6;
+  SweepStatistics& sweep = sweeps_.back();
+  sweep.faces = mesh_.count(2);
+  ++improved_;
+  const bool more = aims() && !at_target() && reach_ < most;
+  if (sweep.collapses > 0 && !at_target()) return begin_sweep();
+  if (!more) {
+    phase_ = Phase::Done;
+    return;
+  }
+  reach_ *= growth;
+  forget();
+  begin_sweep();
+}
+
+std::uint32_t PaperLoop::swap_pass() {
+  std::uint32_t made = 0;
+  for (const Edge e : mesh_.edges()) made += try_swap(e);
+  return made;
+}
+
+std::uint32_t PaperLoop::smooth_pass() {
+  std::uint32_t made = 0;
+  for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
+  return made;
+}
+
+double PaperLoop::progress() const {
+  if (done()) return 1;
+  const double share = end_of_phase() ? double(cursor_) / end_of_phase() : 1;
+  const double part = (static_cast<double>(phase_) + share) / 3;
+  return 1 - std::pow(0.5, static_cast<double>(sweeps_.size()) - 1 + part);
+}
+
+}  // namespace aomd

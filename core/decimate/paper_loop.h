@@ -1,0 +1,55 @@
+#pragma once
+// The printed strategy (paper, section 3 and figure 7): sweeps over all edges in the order of their ids,
+// swaps and smoothing after the first sweeps, until nothing more collapses.
+
+#include <array>
+
+#include "core/decimate/loop.h"
+#include "core/operators/swap.h"
+
+namespace aomd {
+
+class PaperLoop final : public Loop {
+ public:
+  /// T(0,1), T(0,2) and T(2,0) must be stored.
+  PaperLoop(Mesh& mesh, const DecimationOptions& options);
+
+  bool advance() override;
+  void restart(const DecimationOptions& options) override;
+  std::uint32_t swap_pass() override;
+  std::uint32_t smooth_pass() override;
+  [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] Reason last_refusal(Edge e) const override { return refusal_[e]; }
+  [[nodiscard]] double spacing(Vertex v) const override;
+  [[nodiscard]] double progress() const override;
+
+ private:
+  [[nodiscard]] CollapseRules rules() const;
+  void fill_spacing();
+  bool try_collapse(Edge edge);
+  bool try_swap(Edge edge);
+  bool try_smooth(Vertex v);
+  void touch(Vertex v) { changed_[v] = now_; }
+  [[nodiscard]] bool unchanged_since(Edge e) const;
+  /// A number of faces is the aim, and no given spacing bounds the way there.
+  [[nodiscard]] bool aims() const { return options_.target_faces > 0; }
+  [[nodiscard]] bool at_target() const;
+  void forget();
+  void begin_sweep();
+  void end_sweep();
+  void next_phase();
+  [[nodiscard]] std::uint32_t end_of_phase() const;
+
+  TurnLimit limit_;
+  Collapser collapser_;
+  Column<Vertex, double> average_length_;  ///< of the edges at a vertex, at the start
+  double reach_ = 1;                       ///< how many times longer edges become; grows towards a target
+  Column<Vertex, std::uint32_t> changed_;  ///< value of now_ when the vertex's surroundings last changed
+  Column<Edge, std::uint32_t> judged_;     ///< value of now_ when the edge was last refused
+  Column<Edge, Reason> refusal_;
+  std::uint32_t now_ = 1;
+  std::uint32_t cursor_ = 0;
+  int improved_ = 0;
+};
+
+}  // namespace aomd

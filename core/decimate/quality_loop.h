@@ -1,0 +1,109 @@
+#pragma once
+// The quality strategy: collapses in the order of the error they make, the kept vertex placed where that
+// error is least, improvement against the original surface, and a second approach to the target with the
+// errors measured anew (docs/QUALITY.md has each idea with its source and its effect).
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/decimate/fit.h"
+#include "core/decimate/loop.h"
+#include "core/decimate/original_surface.h"
+#include "core/decimate/quadric.h"
+#include "core/decimate/vertex_queue.h"
+
+namespace aomd {
+
+class QualityLoop final : public Loop {
+ public:
+  /// T(2,0) and T(0,2) must be stored; T(0,1) too unless the edges of the mesh are those on model edges only.
+  QualityLoop(Mesh& mesh, const DecimationOptions& options);
+
+  bool advance() override;
+  void restart(const DecimationOptions& options) override;
+  std::uint32_t swap_pass() override;
+  std::uint32_t smooth_pass() override;
+  [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] Reason last_refusal(Edge e) const override;
+  [[nodiscard]] double spacing(Vertex v) const override;
+  [[nodiscard]] double progress() const override;
+
+ private:
+  /// An edge that could collapse: what would go where, and at what cost.
+  struct Candidate {
+    Contraction contraction;
+    double cost = 0;
+  };
+
+  /// What the strategy knows of a vertex, together because it is read together.
+  struct State {
+    Quadric quadric;
+    glm::vec3 normal{0.0f};  ///< of the original faces that it took in, times their areas
+    float area = 0;          ///< of the surface that it took in
+    float reach = 0;         ///< edges shorter than it may go
+    Vertex partner;          ///< the other end of its cheapest candidate; invalid: not known
+    float cost = std::numeric_limits<float>::infinity();    ///< of that; where not known, a bound from below
+    float second = std::numeric_limits<float>::infinity();  ///< a bound from below for all its others
+  };
+
+  // Collapses (quality_loop.cpp)
+  bool advance_collapse();
+  template <typename Visit>
+  void for_neighbours(Vertex v, Visit&& visit);
+  void find_candidates(Vertex v);
+  [[nodiscard]] std::optional<Candidate> candidate(Vertex v, Vertex w) const;
+  [[nodiscard]] bool short_enough(Vertex v, Vertex w) const;
+  bool try_others(Vertex v);
+  bool collapse(const Candidate& candidate);
+  static void offer(State& state, Vertex partner, float cost);
+  void update(Vertex v, Vertex kept, float cost);
+  void dequeue(Vertex v);
+  void refresh_around(Vertex kept);
+  void fill_queue();
+  [[nodiscard]] Verdict judge(const Contraction& contraction);
+  [[nodiscard]] Verdict judge_facing(const Star& star, const Contraction& contraction) const;
+
+  // Stages and improvement (quality_stages.cpp)
+  void start(const DecimationOptions& options);
+  void begin_stage();
+  void begin_improvement();
+  bool advance_swap();
+  bool advance_smooth();
+  bool try_swap(Vertex a, Vertex b);
+  bool try_smooth(Vertex v);
+  void end_phase();
+  void end_round();
+  [[nodiscard]] bool last_stage() const { return stage_ + 1 == goals_.size(); }
+  [[nodiscard]] int rounds() const { return last_stage() ? 5 : 2; }
+  void set_goals();
+  void set_rules();
+  void fill_spacing();
+
+  // Quadrics (quality_quadrics.cpp)
+  void quadrics_of_faces();
+  void quadrics_of_points();
+  void quadrics_of_model_edges();
+
+  OriginalSurface original_;
+  Collapser collapser_;
+  Fitter fitter_;
+  CollapseRules rules_;
+  FitRules fit_;
+  double edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
+  double scale_ = 1;        ///< makes costs independent of the mesh's units
+
+  Column<Vertex, State> state_;
+  VertexQueue queue_;
+  std::vector<Candidate> found_;  ///< scratch: the candidates at one vertex, cheapest first
+  Star star_;
+  Column<Edge, Reason> refusal_;
+
+  std::vector<std::uint32_t> goals_;  ///< faces at which each stage ends; 0: when nothing more collapses
+  std::size_t stage_ = 0;
+  int round_ = 0;
+  std::uint32_t cursor_ = 0, corner_ = 0;
+  std::uint32_t start_faces_ = 0;
+};
+
+}  // namespace aomd

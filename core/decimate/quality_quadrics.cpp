@@ -1,0 +1,64 @@
+// The quadrics of the quality strategy: what the surface around each vertex is.
+
+#include "core/decimate/quality_loop.h"
+#include "core/mesh/geometry.h"
+
+namespace aomd {
+
+// Every face is a plane to its three vertices, by its area (Garland, Heckbert 1997).
+void QualityLoop::quadrics_of_faces() {
+  for (const Face f : mesh_.faces()) {
+    const auto t = mesh_.triangle(f);
+    const glm::dvec3 normal = area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
+    const double length = glm::length(normal), share = length / 6;
+    if (!(length > 0)) continue;
+    const glm::dvec3 unit = normal / length;
+    const double d = -glm::dot(unit, mesh_.position(t[0]));
+    for (const Vertex v : t) {
+      state_[v].quadric.add_plane(unit, d, share);
+      state_[v].area += static_cast<float>(share);
+      state_[v].normal += glm::vec3(share * unit);
+    }
+  }
+}
+
+// Every point of the original is a plane to the vertices of the face that it lies on, by its barycentric
+// coordinates: what many collapses have added up is measured anew.
+void QualityLoop::quadrics_of_points() {
+  for (const OriginalPoint& p : original_.points()) {
+    if (p.face == no_index) continue;
+    const auto t = mesh_.triangle(Face(p.face));
+    const glm::dvec3 unit = p.normal;
+    const double d = -glm::dot(unit, p.position);
+    for (int k = 0; k < 3; ++k) {
+      const Vertex v = t[static_cast<std::size_t>(k)];
+      const double share = double(p.weight) * double(p.barycentric[k]);
+      state_[v].quadric.add_plane(unit, d, share);
+      state_[v].area += static_cast<float>(share);
+      state_[v].normal += glm::vec3(share * unit);
+    }
+  }
+}
+
+// A model edge is a plane at right angles to each face beside it, by the square of its length.
+void QualityLoop::quadrics_of_model_edges() {
+  for (const Edge e : mesh_.edges()) {
+    if (mesh_.classification(e).dimension() > 1) continue;
+    const auto [a, b] = mesh_.edge_vertices(e);
+    const glm::dvec3 along = mesh_.position(b) - mesh_.position(a);
+    gather(mesh_, a, star_);
+    for (const StarFace& f : star_) {
+      if (!f.uses(b)) continue;
+      const glm::dvec3 normal =
+          area_normal(mesh_.position(a), mesh_.position(f.next), mesh_.position(f.previous));
+      const glm::dvec3 across = glm::cross(along, normal);
+      const double length = glm::length(across);
+      if (!(length > 0)) continue;
+      for (const Vertex v : {a, b})
+        state_[v].quadric.add_plane(across / length, -glm::dot(across / length, mesh_.position(a)),
+                                    glm::dot(along, along) * 3);
+    }
+  }
+}
+
+}  // namespace aomd

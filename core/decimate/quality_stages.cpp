@@ -1,0 +1,216 @@
+// The stages of the quality strategy: down to a little above the target, improve, measure anew, down to the
+// target, improve.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/decimate/quality_loop.h"
+#include "core/decimate/spacing.h"
+#include "core/operators/smooth.h"
+
+namespace aomd {
+namespace {
+
+// A weight that is given at regularity 0, 1/2 and 1, and follows powers between.
+double between(double regularity, double at_0, double at_half, double at_1) {
+  const double w = std::clamp(regularity, 0.0, 1.0);
+  const double low = w < 0.5 ? at_0 : at_half, high = w < 0.5 ? at_half : at_1;
+  return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
+}
+
+}  // namespace
+
+QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
+    : Loop(mesh, options), original_(mesh), collapser_(mesh), fitter_(mesh, original_) {
+  start(options);
+}
+
+void QualityLoop::set_rules() {
+  const double w = options_.regularity;
+  const double least_angle_deg =
+      std::max(options_.min_angle_deg, between(w, 6, 12, 12));  // but where it was smaller
+  rules_.max_turn = TurnLimit(options_.angle_deg);
+  rules_.topology = options_.topology;
+  rules_.min_angle_deg = least_angle_deg;
+  fit_.shape = between(w, 0.2, 1.2, 3);
+  fit_.pull = between(w, 0.001, 0.016, 0.05);
+  fit_.min_angle_deg = least_angle_deg;
+  fit_.model = options_.model;
+  edge_weight_ = between(w, 3e-4, 3e-4, 3e-3);
+  const double size = original_.diagonal() * original_.diagonal() * original_.area();
+  scale_ = size > 0 ? 1 / size : 1;
+}
+
+// A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
+void QualityLoop::fill_spacing() {
+  Column<Vertex, double> wanted;
+  if (!options_.spacing && !options_.coarsest && options_.target_faces == 0)
+    wanted = evaluate_spacing(mesh_, {SpacingByFactor{options_.factor}, {}});
+  const Column<Vertex, double>* given = options_.spacing ? options_.spacing.get()
+                                        : wanted.size()  ? &wanted
+                                                         : nullptr;
+  for (const Vertex v : mesh_.vertices()) {
+    const bool known = given && v.index < given->size();
+    state_[v].reach = given ? (known ? static_cast<float>(0.5 * (*given)[v]) : 0.0f)
+                            : std::numeric_limits<float>::infinity();
+  }
+}
+
+// Without a target the first stage goes as far as spacing and limits let it, and the second takes what
+// improvement has made possible.
+void QualityLoop::set_goals() {
+  constexpr double above = 1.3;
+  const std::uint32_t target = options_.target_faces;
+  goals_ = {static_cast<std::uint32_t>(std::min<double>(above * target, mesh_.count(2))), target};
+  start_faces_ = mesh_.count(2);
+}
+
+void QualityLoop::restart(const DecimationOptions& options) {
+  original_.locate_anywhere(mesh_);
+  start(options);
+}
+
+void QualityLoop::start(const DecimationOptions& options) {
+  options_ = options;
+  set_rules();
+  set_goals();
+  state_.assign(mesh_.capacity(0), {});
+  fill_spacing();
+  stage_ = 0;
+  begin_stage();
+}
+
+void QualityLoop::begin_stage() {
+  for (const Vertex v : mesh_.vertices()) {
+    State fresh;
+    fresh.reach = state_[v].reach;
+    state_[v] = fresh;
+  }
+  if (stage_ == 0)
+    quadrics_of_faces();
+  else
+    quadrics_of_points();
+  quadrics_of_model_edges();
+  fill_queue();
+  refusal_.assign(mesh_.capacity(1), Reason::None);
+  round_ = 0;
+  phase_ = Phase::Collapse;
+  open_sweep();
+}
+
+void QualityLoop::begin_improvement() {
+  original_.locate(mesh_);
+  const double faces = std::max<double>(1, mesh_.count(2));
+  const double least = 1e-4 * std::sqrt(original_.area() / faces);  // flat meshes have shape to care for only
+  fit_.face_energy = std::max(original_.error() / faces, least * least * original_.area() / faces);
+  fit_.mean_square = fit_.face_energy * faces / original_.area();
+  cursor_ = corner_ = 0;
+  phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+}
+
+bool QualityLoop::advance_swap() {
+  const std::uint32_t id = mesh_.ids(2).next_alive(cursor_);
+  if (id >= mesh_.capacity(2)) {
+    end_phase();
+    return false;
+  }
+  if (id != cursor_) corner_ = 0;
+  cursor_ = corner_ == 2 ? id + 1 : id;
+  const auto t = mesh_.triangle(Face(id));
+  const Vertex a = t[corner_], b = t[(corner_ + 1) % 3];
+  corner_ = (corner_ + 1) % 3;
+  return a < b && try_swap(a, b);
+}
+
+bool QualityLoop::try_swap(Vertex a, Vertex b) {
+  EdgePair pair;
+  if (!fitter_.judge_swap(a, b, fit_, pair).accepted()) return false;
+  fitter_.swapped(pair);
+  apply_swap(mesh_, pair);
+  made(StepKind::Swap, pair.f);
+  return true;
+}
+
+bool QualityLoop::advance_smooth() {
+  const std::uint32_t id = mesh_.ids(0).next_alive(cursor_);
+  if (id >= mesh_.capacity(0)) {
+    end_phase();
+    return false;
+  }
+  cursor_ = id + 1;
+  return try_smooth(Vertex(id));
+}
+
+bool QualityLoop::try_smooth(Vertex v) {
+  glm::dvec3 target;
+  if (options_.kept(v) || !fitter_.judge_move(v, fit_, target).accepted()) return false;
+  apply_smooth(mesh_, v, target);
+  made(StepKind::Smooth, v);
+  return true;
+}
+
+void QualityLoop::end_phase() {
+  cursor_ = corner_ = 0;
+  if (phase_ == Phase::Swap && options_.smooth)
+    phase_ = Phase::Smooth;
+  else
+    end_round();
+}
+
+void QualityLoop::end_round() {
+  original_.locate(mesh_);
+  if (++round_ < rounds()) {
+    open_sweep();
+    phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+  } else if (!last_stage()) {
+    ++stage_;
+    begin_stage();
+  } else {
+    sweeps_.back().faces = mesh_.count(2);
+    phase_ = Phase::Done;
+  }
+}
+
+bool QualityLoop::advance() {
+  switch (phase_) {
+    case Phase::Collapse:
+      return advance_collapse();
+    case Phase::Swap:
+      return advance_swap();
+    case Phase::Smooth:
+      return advance_smooth();
+    case Phase::Done:
+      break;
+  }
+  return false;
+}
+
+std::uint32_t QualityLoop::swap_pass() {
+  std::uint32_t made = 0;
+  original_.locate(mesh_);
+  for (const Face f : mesh_.faces())
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto t = mesh_.triangle(f);
+      if (t[k] < t[(k + 1) % 3]) made += try_swap(t[k], t[(k + 1) % 3]);
+    }
+  return made;
+}
+
+std::uint32_t QualityLoop::smooth_pass() {
+  std::uint32_t made = 0;
+  original_.locate(mesh_);
+  for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
+  return made;
+}
+
+double QualityLoop::progress() const {
+  if (done()) return 1;
+  const double share = static_cast<double>(stage_) / static_cast<double>(goals_.size());
+  if (phase_ != Phase::Collapse) return share + 0.5 * (0.8 + 0.2 * round_ / rounds());
+  const double goal = goals_[stage_];
+  const double part = start_faces_ > goal ? (start_faces_ - mesh_.count(2)) / (start_faces_ - goal) : 1;
+  return share + 0.4 * std::clamp(part, 0.0, 1.0);
+}
+
+}  // namespace aomd

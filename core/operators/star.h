@@ -1,0 +1,62 @@
+#pragma once
+// The faces around a vertex, and the model edges there, as the operators look at them.
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace aomd {
+
+/// A triangle around a vertex, seen from it.
+struct StarFace {
+  Face face;
+  std::uint32_t slot = 0;  ///< where the vertex stands in the face
+  Vertex next, previous;   ///< the other two, in the face's order
+  [[nodiscard]] bool uses(Vertex v) const { return (next == v) | (previous == v); }
+  [[nodiscard]] Vertex third(Vertex v) const { return next == v ? previous : next; }
+};
+using Star = std::vector<StarFace>;
+
+/// Fills `star` with the faces around `v`, in ascending order. T(0,2) and T(2,0) must be stored, all faces be
+/// triangles. O(faces around v).
+inline void gather(const Mesh& mesh, Vertex v, Star& star) {
+  constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
+  const Row<2> faces = mesh.row<2>(v);
+  star.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto t = mesh.triangle(faces[i]);
+    const std::uint32_t slot = std::uint32_t{t[1] == v} + 2 * std::uint32_t{t[2] == v};
+    star[i] = {faces[i], slot, t[turn[slot + 1]], t[turn[slot + 2]]};
+  }
+}
+
+/// True where the faces around a vertex do not close: in a closed ring every neighbour occurs twice.
+[[nodiscard]] inline bool is_open(const Star& star) {
+  std::uint32_t odd = 0;
+  for (const StarFace& f : star) odd ^= f.next.index ^ f.previous.index;
+  return odd != 0;
+}
+
+/// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else the mesh
+/// lists model edges only, and those are found by existence queries between vertices on model edges.
+template <typename Visit>
+void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
+  if (mesh.stored(0, 1)) {
+    const Row<1> edges = mesh.row<1>(v);
+    for (std::size_t i = edges.size(); i-- > 0;) visit(edges[i], mesh.other_end(edges[i], v));
+    return;
+  }
+  if (mesh.count(1) == 0 || mesh.classification(v).dimension() > 1) return;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    for (const Vertex far : {star[i].next, star[i].previous}) {
+      if (mesh.classification(far).dimension() > 1) continue;
+      bool seen = far == star[i].previous && far == star[i].next;
+      for (std::size_t k = 0; k < i && !seen; ++k) seen = star[k].uses(far);
+      if (seen) continue;
+      if (const Edge e = mesh.find_edge(v, far); e.valid()) visit(e, far);
+    }
+  }
+}
+
+}  // namespace aomd

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/repair/stages.h"
+
+namespace aomd::repair_detail {
+namespace {
+
+class ListedEdges {
+ public:
+  ListedEdges(Surface& surface, const std::vector<std::uint32_t>& before, const Weld& weld)
+      : surface_(surface), edges_(surface.data().edges), before_(before), weld_(weld) {}
+
+  void follow() {
+    find_parts();
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+      if (const auto own = key(e); is_part(e, own)) listed_.insert(own);
+    const auto given = static_cast<std::uint32_t>(edges_.size());
+    for (std::uint32_t e = 0; e < given; ++e)
+      if (!parts_[base(e)].empty() && !is_part(e, key(e))) move(e);
+    for (std::uint32_t e = 0; e < given; ++e)
+      for (const std::uint64_t part : parts_[base(e)])
+        if (listed_.insert(part).second) append(e, part);
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t key(std::uint32_t e) const {
+    return edge_key(edges_.vertices[2 * e], edges_.vertices[2 * e + 1]);
+  }
+  // The edge before its faces came apart. Copies do not occur: no list knew them then.
+  [[nodiscard]] std::uint64_t base(std::uint32_t e) const { return bases_[e]; }
+  [[nodiscard]] bool is_part(std::uint32_t e, std::uint64_t own) {
+    const auto& parts = parts_[base(e)];
+    return std::find(parts.begin(), parts.end(), own) != parts.end();
+  }
+
+  // What each listed edge is now.
+  void find_parts() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      bases_.push_back(edge_key(weld_.base(edges_.vertices[2 * e]), weld_.base(edges_.vertices[2 * e + 1])));
+      parts_[bases_.back()];
+    }
+    surface_.each_corner([&](std::uint32_t c) {
+      const std::uint32_t n = surface_.next(c);
+      const auto it = parts_.find(edge_key(before_[c], before_[n]));
+      if (it == parts_.end()) return;
+      const std::uint64_t now = edge_key(surface_.vertex(c), surface_.vertex(n));
+      if (std::find(it->second.begin(), it->second.end(), now) == it->second.end()) it->second.push_back(now);
+    });
+  }
+
+  // To a part that is not listed yet, if there is one.
+  void move(std::uint32_t e) {
+    const auto& parts = parts_[base(e)];
+    const auto free = std::find_if(parts.begin(), parts.end(), [&](auto p) { return !listed_.contains(p); });
+    const std::uint64_t part = free == parts.end() ? parts.front() : *free;
+    listed_.insert(part);
+    edges_.vertices[2 * e] = static_cast<std::uint32_t>(part >> 32);
+    edges_.vertices[2 * e + 1] = static_cast<std::uint32_t>(part);
+  }
+
+  void append(std::uint32_t e, std::uint64_t part) {
+    edges_.shapes.push_back(Shape::Line);
+    edges_.vertices.insert(edges_.vertices.end(),
+                           {static_cast<std::uint32_t>(part >> 32), static_cast<std::uint32_t>(part)});
+    if (!edges_.classes.empty()) edges_.classes.push_back(ModelRef(edges_.classes[e]));
+    for (Attribute& a : surface_.data().attributes) {
+      const auto n = static_cast<std::size_t>(a.components);
+      for (std::size_t k = 0; a.dimension == 1 && k < n; ++k) a.values.push_back(double{a.values[e * n + k]});
+    }
+  }
+
+  Surface& surface_;
+  EntityList& edges_;
+  const std::vector<std::uint32_t>& before_;
+  const Weld& weld_;
+  std::vector<std::uint64_t> bases_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint64_t>> parts_;
+  std::unordered_set<std::uint64_t> listed_;
+};
+
+}  // namespace
+
+void follow_faces(Surface& surface, const std::vector<std::uint32_t>& before, const Weld& weld) {
+  if (!surface.data().edges.empty()) ListedEdges(surface, before, weld).follow();
+}
+
+}  // namespace aomd::repair_detail

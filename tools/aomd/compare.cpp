@@ -1,0 +1,225 @@
+// aomd compare: distances, normals and topology between two surfaces; a check for scripts when limits are
+// given.
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "core/measure/distance.h"
+#include "core/measure/intersections.h"
+#include "core/measure/normals.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/interrupt.h"
+#include "tools/aomd/progress.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string original, result;
+  bool json = false, same_topology = false;
+  std::size_t samples = 500'000;
+  std::optional<double> max_distance, max_rms;
+  std::optional<std::size_t> max_flips, max_intersections;
+};
+
+/// One of the two surfaces, by itself.
+struct Side {
+  std::string file;
+  Mesh mesh;
+  measure::Counts counts;
+  measure::Quality quality;
+  std::size_t self_intersections = 0;
+};
+
+struct Comparison {
+  Side original, result;
+  double diagonal = 0;
+  measure::MutualDistance distance;
+  measure::NormalDeviation normals;
+
+  /// A length in percent of the original's diagonal; infinite where that is a point.
+  [[nodiscard]] double percent(double length) const { return length > 0 ? 100 * length / diagonal : 0; }
+};
+
+Side read_side(const std::string& file, Progress& progress) {
+  progress.show("reading " + file);
+  Side side{file, Mesh(read_mesh(file).mesh), {}, {}, 0};
+  if (side.mesh.count(2) == 0) throw io::ReadError(file, {}, "has no faces to compare");
+  progress.show("measuring " + file);
+  side.counts = measure::count_entities(side.mesh);
+  side.quality = measure::measure_quality(side.mesh);
+  side.self_intersections = measure::self_intersections(side.mesh).size();
+  stop_if_interrupted();
+  return side;
+}
+
+Comparison compare(const Options& options) {
+  Progress progress(false);
+  Comparison c{read_side(options.original, progress), read_side(options.result, progress), 0, {}, {}};
+  progress.show("measuring distances");
+  const measure::Surface original(c.original.mesh), result(c.result.mesh);
+  c.diagonal = original.tree().box().diagonal();
+  c.distance = measure::mutual_distance(original, result, options.samples);
+  stop_if_interrupted();
+  c.normals = measure::measure_normals(original.tree(), c.result.mesh);
+  return c;
+}
+
+bool same_topology(const measure::Counts& a, const measure::Counts& b) {
+  return a.euler == b.euler && a.components == b.components && a.nonmanifold_edges == b.nonmanifold_edges &&
+         (a.boundary_edges > 0) == (b.boundary_edges > 0);
+}
+
+/// What goes beyond the limits that were given, one sentence each.
+std::vector<std::string> objections(const Comparison& c, const Options& options) {
+  std::vector<std::string> list;
+  const auto limit = [&list](const auto& largest, auto value, const char* what, const char* unit) {
+    if (!largest || value <= *largest) return;
+    std::ostringstream text;
+    text << what << " " << value << unit << " is above the limit of " << *largest << unit;
+    list.push_back(text.str());
+  };
+  limit(options.max_distance, c.percent(c.distance.max()), "largest distance", " %");
+  limit(options.max_rms, c.percent(c.distance.rms()), "rms distance", " %");
+  limit(options.max_flips, c.normals.flips, "number of flips", "");
+  limit(options.max_intersections, c.result.self_intersections, "number of self-intersections", "");
+  if (options.same_topology && !same_topology(c.original.counts, c.result.counts))
+    list.push_back("the topology differs");
+  return list;
+}
+
+// ------------------------------------------------------------------------------------------------- JSON --
+
+Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+Json distance_json(const Comparison& c, const measure::Distance& d) {
+  return {{"hausdorff_pct", c.percent(d.max)},  {"rms_pct", c.percent(d.rms)},
+          {"mean_pct", c.percent(d.mean)},      {"samples", d.samples},
+          {"worst_point", point_json(d.worst)}, {"nearest_point", point_json(d.nearest)}};
+}
+
+Json side_json(const Side& side) {
+  Json json = counts_json(side.file, side.counts);
+  json["self_intersections"] = side.self_intersections;
+  json["quality"] = quality_json(side.quality);
+  return json;
+}
+
+Json comparison_json(const Comparison& c, const std::vector<std::string>& objections) {
+  const measure::NormalDeviation& n = c.normals;
+  return {{"schema", 1},
+          {"hausdorff_pct", c.percent(c.distance.max())},
+          {"rms_pct", c.percent(c.distance.rms())},
+          {"mean_pct", c.percent(c.distance.mean())},
+          {"normal_dev_gt10_pct", n.percent(n.above_10deg)},
+          {"normal_dev_gt60_pct", n.percent(n.above_60deg)},
+          {"flips", n.flips},
+          {"self_intersections", c.result.self_intersections},
+          {"euler", c.result.counts.euler},
+          {"min_angle_mean_deg", c.result.quality.min_angle_mean_deg},
+          {"faces_below_10deg_pct", c.result.quality.faces_below_10deg_pct},
+          {"diagonal", c.diagonal},
+          {"original_to_result", distance_json(c, c.distance.to_result)},
+          {"result_to_original", distance_json(c, c.distance.to_original)},
+          {"original", side_json(c.original)},
+          {"result", side_json(c.result)},
+          {"objections", objections}};
+}
+
+// ------------------------------------------------------------------------------------------------- text --
+
+template <typename... Values>
+void row(const char* label, const Values&... values) {
+  std::cout << "  " << std::left << std::setw(24) << label << std::right;
+  ((std::cout << std::setw(14) << values), ...) << '\n';
+}
+
+/// One line of the part that shows both surfaces.
+template <typename Value>
+void sides(const char* label, const Comparison& c, Value&& value) {
+  row(label, value(c.original), value(c.result));
+}
+
+void print_distances(const Comparison& c) {
+  const auto line = [&c](const char* label, const auto& distance) {
+    row(label, c.percent(distance.max), c.percent(distance.rms), c.percent(distance.mean));
+  };
+  const measure::MutualDistance& d = c.distance;
+  std::cout << std::setprecision(4);
+  row("distance, % of diagonal", "max", "rms", "mean");
+  line("  original to result", d.to_result);
+  line("  result to original", d.to_original);
+  row("  the larger", c.percent(d.max()), c.percent(d.rms()), c.percent(d.mean()));
+  const auto& worst = d.to_result.max >= d.to_original.max ? d.to_result.worst : d.to_original.worst;
+  std::cout << std::defaultfloat << std::setprecision(6) << "    max is at (" << worst.x << ", " << worst.y
+            << ", " << worst.z << "); the diagonal is " << c.diagonal << " long\n"
+            << std::fixed;
+}
+
+void print(const Comparison& c) {
+  std::cout << c.original.file << " and " << c.result.file << '\n' << std::fixed;
+  print_distances(c);
+  std::cout << std::setprecision(2);
+  row("normals turned by more", "than 10 deg", "than 60 deg", "than 90 deg");
+  row("  faces", c.normals.above_10deg, c.normals.above_60deg, c.normals.flips);
+  row("  % of the result", c.normals.percent(c.normals.above_10deg), c.normals.percent(c.normals.above_60deg),
+      c.normals.percent(c.normals.flips));
+  row("", "original", "result");
+  sides("vertices in use", c, [](const Side& s) { return s.counts.vertices - s.counts.unused_vertices; });
+  sides("faces", c, [](const Side& s) { return s.counts.faces; });
+  sides("Euler number", c, [](const Side& s) { return s.counts.euler; });
+  sides("components", c, [](const Side& s) { return s.counts.components; });
+  sides("boundary edges", c, [](const Side& s) { return s.counts.boundary_edges; });
+  sides("non-manifold edges", c, [](const Side& s) { return s.counts.nonmanifold_edges; });
+  sides("self-intersections", c, [](const Side& s) { return s.self_intersections; });
+  sides("smallest angle, mean", c, [](const Side& s) { return s.quality.min_angle_mean_deg; });
+  sides("smallest angle, worst", c, [](const Side& s) { return s.quality.min_angle_worst_deg; });
+  sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
+}
+
+int run(const Options& options) {
+  const Comparison c = compare(options);
+  const std::vector<std::string> list = objections(c, options);
+  if (options.json) {
+    std::cout << text_of(comparison_json(c, list));
+  } else {
+    print(c);
+    for (const std::string& objection : list) std::cout << "no: " << objection << '\n';
+  }
+  return list.empty() ? done : says_no;
+}
+
+void add_limits(CLI::App* command, Options& options) {
+  const auto limit = [command](const char* name, auto& value, const char* text) {
+    command->add_option(name, value, text)->check(CLI::NonNegativeNumber)->group("Exit code 1 when exceeded");
+  };
+  limit("--max-distance", options.max_distance, "Largest distance either way, % of the diagonal");
+  limit("--max-rms", options.max_rms, "Root mean square distance either way, % of the diagonal");
+  limit("--max-flips", options.max_flips, "Faces whose normal turned by more than 90 degrees");
+  limit("--max-intersections", options.max_intersections, "Self-intersections of RESULT");
+  command
+      ->add_flag("--same-topology", options.same_topology,
+                 "Euler number, components and non-manifold edges must be the same, and both closed or both "
+                 "open")
+      ->group("Exit code 1 when exceeded");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "Distances, normals and topology between two surfaces; exit code 1 beyond given limits");
+  const auto options = std::make_shared<Options>();
+  command->add_option("ORIGINAL", options->original, "The surface that is the measure")->required();
+  command->add_option("RESULT", options->result, "The surface that should be like it")->required();
+  command->add_flag("--json", options->json, "As JSON");
+  command->add_option("--samples", options->samples, "Points on each surface, besides all vertices")
+      ->check(CLI::Range(1, 1'000'000'000))
+      ->capture_default_str();
+  add_limits(command, *options);
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli

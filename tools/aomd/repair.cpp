@@ -1,0 +1,105 @@
+// aomd repair: mends what is safe to mend in a dirty surface.
+
+#include <iostream>
+#include <memory>
+
+#include "core/repair/repair.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/interrupt.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+namespace {
+
+struct Options {
+  std::string input, output;
+  RepairOptions repair;
+  bool json = false, quiet = false;
+};
+
+// Edges have no numbers of their own: one of their faces is named.
+std::string where(const RepairItem& item) {
+  std::string text = item.dimension == 1 ? "at face" : entity_name(item.dimension);
+  if (item.first.size() > 1) text = item.dimension == 0 ? "vertices" : text + "s";
+  for (std::size_t i = 0; i < item.first.size(); ++i)
+    text += (i == 0 ? " " : ", ") + std::to_string(item.first[i]);
+  return text + (item.count > item.first.size() ? ", ..." : "");
+}
+
+void print(const std::string& file, const std::vector<RepairItem>& items) {
+  for (const RepairItem& item : items) std::cout << file << ": " << item.text << " (" << where(item) << ")\n";
+}
+
+Json items_json(const std::vector<RepairItem>& items) {
+  Json list = Json::array();
+  for (const RepairItem& item : items)
+    list.push_back({{"name", item.name},
+                    {"count", item.count},
+                    {"entity", entity_name(item.dimension)},
+                    {item.dimension == 0 ? "first_vertices" : "first_faces", item.first},
+                    {"text", item.text}});
+  return list;
+}
+
+int run(const Options& options) {
+  static_cast<void>(io::format_for_writing(options.output));  // complain before the work, not after it
+  Stopwatch watch;
+  io::ReadResult read = read_mesh(options.input, options.quiet || options.json);
+  if (!read.mesh.regions.empty())
+    throw io::LimitError(options.input, {}, "Repair mends surfaces; this mesh has regions");
+  const double reading = watch.lap();
+  const measure::Counts before = options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
+  watch.lap();
+  const RepairReport report = repair(read.mesh, options.repair);
+  const double repairing = watch.lap();
+  stop_if_interrupted();
+  io::write(options.output, read.mesh);
+  if (options.json) {
+    std::cout << text_of({{"schema", 1},
+                          {"input", counts_json(options.input, before)},
+                          {"output", counts_json(options.output, measure::count_entities(Mesh(read.mesh)))},
+                          {"done", items_json(report.done)},
+                          {"left", items_json(report.left)},
+                          {"seconds", {{"read", reading}, {"repair", repairing}}}});
+  } else if (!options.quiet) {
+    print(options.output, report.done);
+    print(options.output, report.left);
+    if (report.done.empty()) std::cout << options.output << ": nothing to mend\n";
+  }
+  return done;
+}
+
+void add_switches(CLI::App& command, RepairOptions& repair) {
+  command.add_flag("--weld", repair.weld, "Joins vertices at the same position");
+  command.add_flag("!--no-repeated-vertices", repair.repeated_vertices,
+                   "Keeps faces that name a vertex twice");
+  command.add_flag("!--no-repeated-faces", repair.repeated_faces,
+                   "Keeps all of the faces on the same vertices");
+  command.add_flag("!--no-opposite-faces", repair.opposite_faces,
+                   "Keeps pairs of faces that lie on each other, back to back");
+  command.add_flag("!--no-orient", repair.orient, "Keeps the directions of the faces");
+  command.add_flag("!--no-split", repair.split,
+                   "Keeps edges of three or more faces and vertices of several fans");
+  command.add_flag("!--no-zero-area", repair.zero_area, "Keeps triangles without area");
+  command
+      .add_option("--min-piece", repair.min_piece_pct,
+                  "Removes pieces smaller than this, percent of the diagonal")
+      ->check(CLI::Range(0.0, 100.0));
+  command.add_flag("--drop-unused", repair.drop_unused, "Drops vertices that nothing uses");
+}
+
+}  // namespace
+
+void add_repair(CLI::App& app, Action& action) {
+  CLI::App* command =
+      app.add_subcommand("repair", "Mends what is safe to mend in a dirty surface, and says what it did");
+  const auto options = std::make_shared<Options>();
+  command->add_option("IN", options->input, "The mesh")->required();
+  command->add_option("OUT", options->output, "Where to write it")->required();
+  add_switches(*command, options->repair);
+  command->add_flag("--json", options->json, "Prints what was done as JSON");
+  command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace aomd::cli
