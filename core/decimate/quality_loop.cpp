@@ -39,8 +39,14 @@ std::optional<QualityLoop::Candidate> QualityLoop::candidate(Vertex v, Vertex w)
     if (!q.minimum(middle, steady * q.trace(), x) || glm::dot(x - middle, x - middle) > 4 * length2)
       x = middle;
   }
-  c.cost = scale_ * (std::max(0.0, q(x)) + edge_weight_ * double(at_v.area + at_w.area) * length2);
+  const double area = double(at_v.area + at_w.area);
+  c.cost = scale_ * (third_power(std::max(0.0, q(x)), area) + edge_weight_ * area * length2);
   return c;
+}
+
+// Squared distances become third powers, nearly: few large errors count more than many small ones.
+double QualityLoop::third_power(double squares, double area) const {
+  return area > 0 ? squares * std::sqrt(squares / area) / typical_ : squares;
 }
 
 bool QualityLoop::short_enough(Vertex v, Vertex w) const {

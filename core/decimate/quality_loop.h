@@ -53,6 +53,7 @@ class QualityLoop final : public Loop {
   void for_neighbours(Vertex v, Visit&& visit);
   void find_candidates(Vertex v);
   [[nodiscard]] std::optional<Candidate> candidate(Vertex v, Vertex w) const;
+  [[nodiscard]] double third_power(double squares, double area) const;
   [[nodiscard]] bool short_enough(Vertex v, Vertex w) const;
   bool try_others(Vertex v);
   bool collapse(const Candidate& candidate);
@@ -75,7 +76,7 @@ class QualityLoop final : public Loop {
   void end_phase();
   void end_round();
   [[nodiscard]] bool last_stage() const { return stage_ + 1 == goals_.size(); }
-  [[nodiscard]] int rounds() const { return last_stage() ? 5 : 2; }
+  [[nodiscard]] int rounds() const { return last_stage() ? 3 : 1; }
   void set_goals();
   void set_rules();
   void fill_spacing();
@@ -92,6 +93,7 @@ class QualityLoop final : public Loop {
   FitRules fit_;
   double edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
   double scale_ = 1;        ///< makes costs independent of the mesh's units
+  double typical_ = 1;      ///< the distance at which a third power is as large as a square
 
   Column<Vertex, State> state_;
   VertexQueue queue_;

@@ -33,13 +33,14 @@ void QualityLoop::set_rules() {
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
   rules_.min_angle_deg = least_angle_deg;
-  fit_.shape = between(w, 0.2, 1.2, 3);
-  fit_.pull = between(w, 0.001, 0.016, 0.05);
+  fit_.shape = between(w, 0.25, 1.3, 4);
+  fit_.pull = between(w, 0.001, 0.02, 0.07);
   fit_.min_angle_deg = least_angle_deg;
   fit_.model = options_.model;
-  edge_weight_ = between(w, 3e-4, 3e-4, 3e-3);
+  edge_weight_ = between(w, 3e-4, 3e-4, 5e-3);
   const double size = original_.diagonal() * original_.diagonal() * original_.area();
   scale_ = size > 0 ? 1 / size : 1;
+  typical_ = 1e-3 * original_.diagonal();
 }
 
 // A collapse removes what is shorter than half the wanted length: edges then end up at about that length.

@@ -7,8 +7,8 @@
 namespace aomd {
 
 const char* reason_name(Reason reason) {
-  constexpr const char* names[] = {"None",  "Spacing", "Classification", "Topology", "Flat",
-                                   "Angle", "Quality", "Kept",           "Shape",    "Distance"};
+  constexpr const char* names[] = {"None",    "Spacing", "Classification", "Topology", "Flat",        "Angle",
+                                   "Quality", "Kept",    "Shape",          "Distance", "Intersection"};
   return names[static_cast<int>(reason)];
 }
 

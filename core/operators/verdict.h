@@ -16,12 +16,13 @@ enum class Reason : std::uint8_t {
   Topology,        ///< the link condition: the surface would be pinched, doubled or torn
   Flat,            ///< a face would have no area
   Angle,           ///< a face normal would turn too far; number: degrees
-  Quality,   ///< the shape would not get better; number: the smallest angle that would result, in degrees
-  Kept,      ///< the user wants the vertex to stay where it is
-  Shape,     ///< a face would get an angle below the limit; number: that angle in degrees
-  Distance,  ///< the surface would leave the original by more than the limit; number: the distance
+  Quality,       ///< the shape would not get better; number: the smallest angle that would result, in degrees
+  Kept,          ///< the user wants the vertex to stay where it is
+  Shape,         ///< a face would get an angle below the limit; number: that angle in degrees
+  Distance,      ///< the surface would leave the original by more than the limit; number: the distance
+  Intersection,  ///< the surface would cut itself where it did not
 };
-inline constexpr int reason_count = 10;
+inline constexpr int reason_count = 11;
 
 /// "Classification" and so on: the keys of reports.
 [[nodiscard]] const char* reason_name(Reason reason);

@@ -90,13 +90,15 @@ draw() {
   "$viewer" "$1" --headless --no-ui --theme light --size 480x360 --script "$work/script" --screenshot "$3"
 }
 
+# draw_figure FOLDER MODEL FIGURE VERTICES EDGES FACES [OPTION...]: FOLDER/figure-FIGURE.png of the mesh as read, or one
+# picture for each strategy.
 draw_figure() {
-  local folder=$2 model=$3 figure=$4 camera way
+  local folder=$1 model=$2 figure=$3 camera way
   case "$model" in
     bunny) camera="front" ;;
     dragon) camera="front" ;;
   esac
-  if [ $# -eq 7 ]; then
+  if [ $# -eq 6 ]; then
     draw "$data/$model.ply" "$camera" "$folder/figure-$figure.png"
     return
   fi
