@@ -12,31 +12,30 @@ namespace aomd {
 
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                            glm::dvec3& at) {
-  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac);
+  const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;  // the same seen from b and from c
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  const auto along = [](double from, double to, int k, int l) {  // between corners k and l
-    const double t = from / (from - to);
-    glm::dvec3 place(0.0);
-    place[k] = 1 - t, place[l] = t;
-    return place;
-  };
-  if (d1 <= 0 && d2 <= 0)
-    at = {1, 0, 0};
-  else if (d3 >= 0 && d4 <= d3)
-    at = {0, 1, 0};
-  else if (d6 >= 0 && d5 <= d6)
-    at = {0, 0, 1};
-  else if (vc <= 0 && d1 >= 0 && d3 <= 0)
-    at = along(d1, d3, 0, 1);
-  else if (vb <= 0 && d2 >= 0 && d6 <= 0)
-    at = along(d2, d6, 0, 2);
-  else if (va <= 0 && d4 >= d3 && d5 >= d6)
-    at = along(d4 - d3, d6 - d5, 1, 2);
-  else
-    at = glm::dvec3(va, vb, vc) / (va + vb + vc);
-  const glm::dvec3 d = ap - at.y * ab - at.z * ac;
+  double y, z;  // of b and c
+  if (va > 0 && vb > 0 && vc > 0) {
+    const double scale = 1 / (va + vb + vc);
+    y = vb * scale, z = vc * scale;
+  } else if (d1 <= 0 && d2 <= 0) {
+    y = z = 0;
+  } else if (d3 >= 0 && d4 <= d3) {
+    y = 1, z = 0;
+  } else if (d6 >= 0 && d5 <= d6) {
+    y = 0, z = 1;
+  } else if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    y = d1 / (d1 - d3), z = 0;
+  } else if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    y = 0, z = d2 / (d2 - d6);
+  } else {
+    z = (d4 - d3) / ((d4 - d3) + (d5 - d6)), y = 1 - z;
+  }
+  at = {z == 1 || y == 1 || y + z == 1 ? 0.0 : 1 - y - z, y, z};
+  const glm::dvec3 d = ap - y * ab - z * ac;
   return glm::dot(d, d);
 }
 
@@ -89,27 +88,27 @@ void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex
   p.distance2 = static_cast<float>(best);
 }
 
-// To the best face around those corners of the present one that the nearest place lies next to; only faces
-// that look the way the original did count, so that no point goes through a thin wall.
+// To the better one of the faces that the nearest place also lies on: across its edge, or around its corner;
+// only faces that look the way the original did count, so that no point goes through a thin wall.
 bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
   const Face from(p.face);
   const auto corners = mesh.triangle(from);
   const glm::vec3 at = p.barycentric;
+  const std::size_t k = at.x > 0 ? 0 : at.y > 0 ? 1 : 2;
+  const bool on_edge = (at.x > 0) + (at.y > 0) + (at.z > 0) > 1;
+  const Vertex other = corners[k == 0 && at.y > 0 ? 1 : 2];
   bool moved = false;
-  for (int k = 0; k < 3; ++k) {
-    if (at[k] <= 0) continue;
-    for (const Face f : mesh.row<2>(corners[static_cast<std::size_t>(k)])) {
-      if (f == from || f.index == p.face) continue;
-      const auto t = mesh.triangle(f);
-      const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
-      glm::dvec3 place;
-      const double d = nearest_barycentric(p.position, a, b, c, place);
-      if (d >= p.distance2 * 0.999999 || glm::dot(area_normal(a, b, c), glm::dvec3(p.normal)) <= 0) continue;
-      p.distance2 = static_cast<float>(d);
-      p.face = f.index;
-      p.barycentric = place;
-      moved = true;
-    }
+  for (const Face f : mesh.row<2>(corners[k])) {
+    const auto t = mesh.triangle(f);
+    if (f == from || (on_edge && t[0] != other && t[1] != other && t[2] != other)) continue;
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    glm::dvec3 place;
+    const double d = nearest_barycentric(p.position, a, b, c, place);
+    if (d >= p.distance2 * 0.999999 || glm::dot(area_normal(a, b, c), glm::dvec3(p.normal)) <= 0) continue;
+    p.distance2 = static_cast<float>(d);
+    p.face = f.index;
+    p.barycentric = place;
+    moved = true;
   }
   return moved;
 }

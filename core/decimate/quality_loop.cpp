@@ -7,58 +7,73 @@
 namespace aomd {
 namespace {
 
-constexpr float unlimited = std::numeric_limits<float>::infinity();
+// Neighbours are fetched together, so that the wait for memory is one and not six.
+void prefetch(const void* place) { __builtin_prefetch(place); }
+
+constexpr float inverse_typical =
+    1e3f;  // of the distance, by the diagonal, whose third power is as large as its square
 
 }  // namespace
 
 // Where an end lies on a model edge or vertex only the rest of the model edge may follow it; the surface
 // beside it gives way.
-std::optional<QualityLoop::Candidate> QualityLoop::candidate(Vertex v, Vertex w) const {
-  const ModelRef on_v = mesh_.classification(v), on_w = mesh_.classification(w);
-  const int dim_v = on_v.dimension(), dim_w = on_w.dimension();
-  if (dim_v == 0 && dim_w == 0) return {};
-  if (dim_v == dim_w && on_v != on_w) return {};
-  if (!short_enough(v, w)) return {};
-  const bool v_stays = options_.kept(v), w_stays = options_.kept(w);
-  if (v_stays && w_stays) return {};
-  Candidate c{{v, w, mesh_.position(w)}, 0};
-  if (dim_w > dim_v || (v_stays && dim_v == dim_w)) c.contraction = {w, v, mesh_.position(v)};
-  if (options_.kept(c.contraction.deleted)) return {};
+bool QualityLoop::may_collapse(Vertex v, Vertex w, double length2) const {
   const State &at_v = state_[v], &at_w = state_[w];
-  Quadric q = at_v.quadric;
+  const int dim_v = at_v.model.dimension(), dim_w = at_w.model.dimension();
+  if (dim_v == dim_w && (dim_v == 0 || at_v.model != at_w.model)) return false;
+  const double reach = std::max(at_v.reach, at_w.reach);
+  return length2 < reach * reach;
+}
+
+// What the collapse of an edge costs, and which end goes where; infinite where it is out of the question.
+float QualityLoop::cost(Vertex v, Vertex w, Contraction& c) const {
+  const State &at_v = state_[v], &at_w = state_[w];
+  const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
+  const glm::vec3 along(from - to);
+  const float length2 = glm::dot(along, along);
+  if (!may_collapse(v, w, double(length2))) return unlimited;
+  const Freedom freedom = freedom_of(v, w);
+  if (freedom == Freedom::None) return unlimited;
+  LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
   q += at_w.quadric;
-  const glm::dvec3 along = mesh_.position(v) - mesh_.position(w);
-  const double length2 = glm::dot(along, along);
-  glm::dvec3& x = c.contraction.position;
-  if (dim_v == dim_w && !v_stays && !w_stays &&
-      options_.model) {  // on the model no place between is as good as one on it
-    if (q(mesh_.position(v)) < q(x)) c.contraction = {w, v, mesh_.position(v)};
-  } else if (dim_v == dim_w && !v_stays && !w_stays) {
-    constexpr double steady = 1e-3;  // of the quadric's trace: flat places leave the minimum open otherwise
-    const glm::dvec3 middle = 0.5 * (mesh_.position(v) + mesh_.position(w));
-    if (!q.minimum(middle, steady * q.trace(), x) || glm::dot(x - middle, x - middle) > 4 * length2)
+  glm::vec3 x(0.0f);
+  c = {v, w, to};
+  if (freedom == Freedom::OntoFirst) {
+    c = {w, v, from};
+    x = along;
+  } else if (freedom == Freedom::Any) {
+    constexpr float steady = 1e-3f;  // of the quadric's trace: flat places leave the minimum open otherwise
+    const glm::vec3 middle = 0.5f * along;
+    if (!q.minimum(middle, steady * q.trace(), x) || !(glm::dot(x - middle, x - middle) <= 4 * length2))
       x = middle;
+    c.position = to + glm::dvec3(x);
   }
-  const double area = double(at_v.area + at_w.area);
-  c.cost = scale_ * (third_power(std::max(0.0, q(x)), area) + edge_weight_ * area * length2);
-  return c;
+  // Squared distances become third powers, nearly: few large errors count more than many small ones.
+  const float area = at_v.area + at_w.area, squares = std::max(0.0f, q(x) * scale_);
+  const float cubes = area > 0 ? squares * std::sqrt(squares / area) * inverse_typical : squares;
+  return cubes + edge_weight_ * area * length2 * scale_;
 }
 
-// Squared distances become third powers, nearly: few large errors count more than many small ones.
-double QualityLoop::third_power(double squares, double area) const {
-  return area > 0 ? squares * std::sqrt(squares / area) / typical_ : squares;
-}
-
-bool QualityLoop::short_enough(Vertex v, Vertex w) const {
-  const float reach = std::max(state_[v].reach, state_[w].reach);
-  if (reach == std::numeric_limits<float>::infinity()) return true;
-  return glm::length(mesh_.position(v) - mesh_.position(w)) < double(reach);
+// Whether the place is free, or one of the ends stays where it is: on a lower model entity, by the user's
+// wish, or on the model, where no place between is as good as one on it.
+QualityLoop::Freedom QualityLoop::freedom_of(Vertex v, Vertex w) const {
+  const int dim_v = state_[v].model.dimension(), dim_w = state_[w].model.dimension();
+  const bool v_stays = dim_v < dim_w || options_.kept(v), w_stays = dim_w < dim_v || options_.kept(w);
+  if (v_stays && w_stays) return Freedom::None;
+  if (v_stays) return Freedom::OntoFirst;
+  if (w_stays) return Freedom::OntoSecond;
+  if (!options_.model) return Freedom::Any;
+  return state_[v].area > state_[w].area ? Freedom::OntoFirst : Freedom::OntoSecond;
 }
 
 // Each neighbour once: as the next one around, or at the end of an open ring as the previous one.
 template <typename Visit>
 void QualityLoop::for_neighbours(Vertex v, Visit&& visit) {
   gather(mesh_, v, star_);
+  for (const StarFace& f : star_) {
+    prefetch(&state_[f.next]);
+    prefetch(&mesh_.position(f.next));
+  }
   const bool open = is_open(star_);
   for (const StarFace& f : star_) {
     visit(f.next);
@@ -68,11 +83,14 @@ void QualityLoop::for_neighbours(Vertex v, Visit&& visit) {
   }
 }
 
-// All candidates at a vertex, cheapest first.
+// All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller id.
 void QualityLoop::find_candidates(Vertex v) {
   found_.clear();
   for_neighbours(v, [&](Vertex w) {
-    if (const auto c = candidate(v, w)) found_.push_back(*c);
+    if (w < v) return;
+    Candidate c;
+    c.cost = cost(v, w, c.contraction);
+    if (c.cost < unlimited) found_.push_back(c);
   });
   std::sort(found_.begin(), found_.end(),
             [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
@@ -101,10 +119,8 @@ void QualityLoop::fill_queue() {
   for (const Vertex v : mesh_.vertices())
     for_neighbours(v, [&](Vertex w) {
       if (w < v) return;
-      const auto c = candidate(v, w);
-      if (!c) return;
-      offer(state_[v], w, static_cast<float>(c->cost));
-      offer(state_[w], v, static_cast<float>(c->cost));
+      Contraction c;
+      offer(state_[v], w, cost(v, w, c));
     });
   for (const Vertex v : mesh_.vertices())
     if (state_[v].partner.valid()) queue_.put(v, state_[v].cost);
@@ -119,7 +135,7 @@ bool QualityLoop::advance_collapse() {
     return false;
   }
   if (const Vertex partner = state_[v].partner; partner.valid())
-    if (const auto c = candidate(v, partner); c && collapse(*c)) return true;
+    if (Contraction c; cost(v, partner, c) < unlimited && collapse(c)) return true;
   return try_others(v);
 }
 
@@ -129,14 +145,14 @@ bool QualityLoop::try_others(Vertex v) {
   find_candidates(v);
   dequeue(v);
   for (std::size_t i = 0; i < found_.size(); ++i) {
-    const Candidate c = found_[i];
-    const float cost = static_cast<float>(c.cost);
-    if (cost > known && !queue_.is_next(cost)) {
+    const Contraction c = found_[i].contraction;
+    const float present = found_[i].cost;
+    if (present > known && !queue_.is_next(present)) {
       State& s = state_[v];
-      s.partner = c.contraction.kept == v ? c.contraction.deleted : c.contraction.kept;
-      s.cost = cost;
-      s.second = i + 1 < found_.size() ? static_cast<float>(found_[i + 1].cost) : unlimited;
-      queue_.put(v, cost);
+      s.partner = c.kept == v ? c.deleted : c.kept;
+      s.cost = present;
+      s.second = i + 1 < found_.size() ? found_[i + 1].cost : unlimited;
+      queue_.put(v, present);
       return false;
     }
     if (collapse(c)) return true;
@@ -144,28 +160,9 @@ bool QualityLoop::try_others(Vertex v) {
   return false;
 }
 
-Verdict QualityLoop::judge(const Contraction& c) {
-  Verdict verdict = collapser_.judge(mesh_, c, rules_);
-  for (std::size_t end = 0; end < 2 && verdict.accepted(); ++end)
-    verdict = judge_facing(collapser_.star(end), c);
-  return verdict;
-}
+Verdict QualityLoop::judge(const Contraction& c) { return collapser_.judge(mesh_, c, rules_); }
 
-// Small turns add up; so every face is also held against what the original looked like around its corners.
-Verdict QualityLoop::judge_facing(const Star& star, const Contraction& c) const {
-  static const TurnLimit most(60);
-  const glm::vec3 own = state_[c.deleted].normal + state_[c.kept].normal;
-  for (const StarFace& f : star) {
-    if (f.uses(c.kept) || f.uses(c.deleted)) continue;
-    const glm::dvec3 original(own + state_[f.next].normal + state_[f.previous].normal);
-    const glm::dvec3 now = area_normal(c.position, mesh_.position(f.next), mesh_.position(f.previous));
-    if (!most.allows(original, now)) return {Reason::Angle, f.face, cosine_between(original, now)};
-  }
-  return {};
-}
-
-bool QualityLoop::collapse(const Candidate& candidate) {
-  const Contraction& c = candidate.contraction;
+bool QualityLoop::collapse(const Contraction& c) {
   const Verdict verdict = judge(c);
   if (!verdict.accepted()) {
     ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
@@ -175,9 +172,12 @@ bool QualityLoop::collapse(const Candidate& candidate) {
     return false;
   }
   dequeue(c.deleted);
-  state_[c.kept].quadric += state_[c.deleted].quadric;
-  state_[c.kept].area += state_[c.deleted].area;
-  state_[c.kept].normal += state_[c.deleted].normal;
+  State& kept = state_[c.kept];
+  const LocalQuadric stays = kept.quadric.about(glm::vec3(c.position - mesh_.position(c.kept)));
+  kept.quadric = state_[c.deleted].quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
+  kept.quadric += stays;
+  kept.area += state_[c.deleted].area;
+  normal_[c.kept] += normal_[c.deleted];
   original_.merged(c.deleted, c.kept);
   collapser_.apply_accepted(mesh_, c);
   refresh_around(c.kept);
@@ -212,22 +212,24 @@ void QualityLoop::update(Vertex v, Vertex kept, float cost) {
 void QualityLoop::refresh_around(Vertex kept) {
   dequeue(kept);
   for_neighbours(kept, [&](Vertex w) {
-    const auto c = candidate(kept, w);
-    const float cost = c ? static_cast<float>(c->cost) : unlimited;
-    if (c) offer(state_[kept], w, cost);
-    update(w, kept, cost);
+    Contraction c;
+    const float known = cost(kept, w, c);
+    if (kept < w) offer(state_[kept], w, known);
+    update(w, kept, w < kept ? known : unlimited);
   });
   if (state_[kept].partner.valid()) queue_.put(kept, state_[kept].cost);
 }
 
 Verdict QualityLoop::judge(Edge edge, Vertex& deleted) {
   const auto [a, b] = mesh_.edge_vertices(edge);
-  if (!short_enough(a, b)) return {Reason::Spacing, edge, glm::length(mesh_.position(a) - mesh_.position(b))};
+  const double length = glm::length(mesh_.position(a) - mesh_.position(b));
+  if (!(length < double(std::max(state_[a].reach, state_[b].reach)))) return {Reason::Spacing, edge, length};
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
-  const auto c = candidate(a, b);
-  if (!c) return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
-  deleted = c->contraction.deleted;
-  return judge(c->contraction);
+  Contraction c;
+  if (!(cost(a, b, c) < unlimited))
+    return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
+  deleted = c.deleted;
+  return judge(c);
 }
 
 Reason QualityLoop::last_refusal(Edge e) const {

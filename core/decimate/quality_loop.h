@@ -33,18 +33,19 @@ class QualityLoop final : public Loop {
   /// An edge that could collapse: what would go where, and at what cost.
   struct Candidate {
     Contraction contraction;
-    double cost = 0;
+    float cost = 0;
   };
 
-  /// What the strategy knows of a vertex, together because it is read together.
-  struct State {
-    Quadric quadric;
-    glm::vec3 normal{0.0f};  ///< of the original faces that it took in, times their areas
-    float area = 0;          ///< of the surface that it took in
-    float reach = 0;         ///< edges shorter than it may go
-    Vertex partner;          ///< the other end of its cheapest candidate; invalid: not known
-    float cost = std::numeric_limits<float>::infinity();    ///< of that; where not known, a bound from below
-    float second = std::numeric_limits<float>::infinity();  ///< a bound from below for all its others
+  static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for memory.
+  struct alignas(64) State {
+    LocalQuadric quadric;      ///< about the vertex
+    ModelRef model;            ///< what the vertex lies on
+    float area = 0;            ///< of the surface that it took in
+    float reach = 0;           ///< edges shorter than it may go
+    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
+    float cost = unlimited;    ///< of that; where not known, a bound from below
+    float second = unlimited;  ///< a bound from below for all its others
   };
 
   // Collapses (quality_loop.cpp)
@@ -52,18 +53,18 @@ class QualityLoop final : public Loop {
   template <typename Visit>
   void for_neighbours(Vertex v, Visit&& visit);
   void find_candidates(Vertex v);
-  [[nodiscard]] std::optional<Candidate> candidate(Vertex v, Vertex w) const;
-  [[nodiscard]] double third_power(double squares, double area) const;
-  [[nodiscard]] bool short_enough(Vertex v, Vertex w) const;
+  [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
+  enum class Freedom { None, OntoFirst, OntoSecond, Any };
+  [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
+  [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
   bool try_others(Vertex v);
-  bool collapse(const Candidate& candidate);
+  bool collapse(const Contraction& contraction);
   static void offer(State& state, Vertex partner, float cost);
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction);
-  [[nodiscard]] Verdict judge_facing(const Star& star, const Contraction& contraction) const;
 
   // Stages and improvement (quality_stages.cpp)
   void start(const DecimationOptions& options);
@@ -91,11 +92,12 @@ class QualityLoop final : public Loop {
   Fitter fitter_;
   CollapseRules rules_;
   FitRules fit_;
-  double edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
-  double scale_ = 1;        ///< makes costs independent of the mesh's units
-  double typical_ = 1;      ///< the distance at which a third power is as large as a square
+  float edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
+  float scale_ = 1;        ///< makes costs independent of the mesh's units
+  double unit_area_ = 1;   ///< areas are counted in it: numbers stay near 1
 
   Column<Vertex, State> state_;
+  Column<Vertex, glm::vec3> normal_;  ///< of the original faces that a vertex took in, times their areas
   VertexQueue queue_;
   std::vector<Candidate> found_;  ///< scratch: the candidates at one vertex, cheapest first
   Star star_;

@@ -10,14 +10,14 @@ void QualityLoop::quadrics_of_faces() {
   for (const Face f : mesh_.faces()) {
     const auto t = mesh_.triangle(f);
     const glm::dvec3 normal = area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
-    const double length = glm::length(normal), share = length / 6;
+    const double length = glm::length(normal);
     if (!(length > 0)) continue;
-    const glm::dvec3 unit = normal / length;
-    const double d = -glm::dot(unit, mesh_.position(t[0]));
+    const glm::vec3 unit(normal / length);
+    const float share = static_cast<float>(length / (6 * unit_area_));
     for (const Vertex v : t) {
-      state_[v].quadric.add_plane(unit, d, share);
-      state_[v].area += static_cast<float>(share);
-      state_[v].normal += glm::vec3(share * unit);
+      state_[v].quadric.add_plane(unit, 0, share);
+      state_[v].area += share;
+      normal_[v] += share * unit;
     }
   }
 }
@@ -28,14 +28,13 @@ void QualityLoop::quadrics_of_points() {
   for (const OriginalPoint& p : original_.points()) {
     if (p.face == no_index) continue;
     const auto t = mesh_.triangle(Face(p.face));
-    const glm::dvec3 unit = p.normal;
-    const double d = -glm::dot(unit, p.position);
     for (int k = 0; k < 3; ++k) {
       const Vertex v = t[static_cast<std::size_t>(k)];
-      const double share = double(p.weight) * double(p.barycentric[k]);
-      state_[v].quadric.add_plane(unit, d, share);
-      state_[v].area += static_cast<float>(share);
-      state_[v].normal += glm::vec3(share * unit);
+      const float share = p.weight * p.barycentric[k] / static_cast<float>(unit_area_);
+      const glm::vec3 off(mesh_.position(v) - p.position);
+      state_[v].quadric.add_plane(p.normal, glm::dot(p.normal, off), share);
+      state_[v].area += share;
+      normal_[v] += share * p.normal;
     }
   }
 }
@@ -55,8 +54,8 @@ void QualityLoop::quadrics_of_model_edges() {
       const double length = glm::length(across);
       if (!(length > 0)) continue;
       for (const Vertex v : {a, b})
-        state_[v].quadric.add_plane(across / length, -glm::dot(across / length, mesh_.position(a)),
-                                    glm::dot(along, along) * 3);
+        state_[v].quadric.add_plane(glm::vec3(across / length), 0,
+                                    static_cast<float>(3 * glm::dot(along, along) / unit_area_));
     }
   }
 }

@@ -32,15 +32,16 @@ void QualityLoop::set_rules() {
       std::max(options_.min_angle_deg, between(w, 6, 12, 12));  // but where it was smaller
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
+  rules_.original_normals = &normal_;
   rules_.min_angle_deg = least_angle_deg;
   fit_.shape = between(w, 0.25, 1.3, 4);
   fit_.pull = between(w, 0.001, 0.02, 0.07);
   fit_.min_angle_deg = least_angle_deg;
   fit_.model = options_.model;
-  edge_weight_ = between(w, 3e-4, 3e-4, 5e-3);
-  const double size = original_.diagonal() * original_.diagonal() * original_.area();
-  scale_ = size > 0 ? 1 / size : 1;
-  typical_ = 1e-3 * original_.diagonal();
+  edge_weight_ = static_cast<float>(between(w, 3e-4, 3e-4, 5e-3));
+  const double diagonal = original_.diagonal(), points = static_cast<double>(original_.points().size());
+  unit_area_ = original_.area() > 0 ? original_.area() / points : 1;
+  scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;
 }
 
 // A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
@@ -53,8 +54,7 @@ void QualityLoop::fill_spacing() {
                                                          : nullptr;
   for (const Vertex v : mesh_.vertices()) {
     const bool known = given && v.index < given->size();
-    state_[v].reach = given ? (known ? static_cast<float>(0.5 * (*given)[v]) : 0.0f)
-                            : std::numeric_limits<float>::infinity();
+    state_[v].reach = given ? (known ? static_cast<float>(0.5 * (*given)[v]) : 0.0f) : unlimited;
   }
 }
 
@@ -86,8 +86,10 @@ void QualityLoop::begin_stage() {
   for (const Vertex v : mesh_.vertices()) {
     State fresh;
     fresh.reach = state_[v].reach;
+    fresh.model = mesh_.classification(v);
     state_[v] = fresh;
   }
+  normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
   if (stage_ == 0)
     quadrics_of_faces();
   else

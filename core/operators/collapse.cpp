@@ -85,17 +85,24 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::a
 }
 
 // The faces that stay when `moved` goes to `to`; those that also use `other` fall away.
-Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, Vertex moved, Vertex other,
-                                  const glm::dvec3& to, const CollapseRules& rules) {
+Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
+                                  const CollapseRules& rules) {
   const double narrow = rules.min_angle_deg > 0 ? std::cos(glm::radians(rules.min_angle_deg)) : 1;
-  const glm::dvec3 from = mesh.position(moved);
+  const glm::dvec3 from = mesh.position(move.vertex), to = move.to;
   for (const StarFace& f : star) {
-    if (f.uses(other)) continue;
+    if (f.uses(move.other)) continue;
     const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
     if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
     if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
       return {Reason::Angle, f.face, cosine_between(before, after)};
+    if (rules.original_normals) {
+      const Column<Vertex, glm::vec3>& normals = *rules.original_normals;
+      const glm::dvec3 original(normals[move.vertex] + normals[move.other] + normals[f.next] +
+                                normals[f.previous]);
+      if (!rules.max_away.allows(original, after))
+        return {Reason::Angle, f.face, cosine_between(original, after)};
+    }
     if (narrow == 1) continue;
     const double cosine = smallest_angle_cosine(to, p, q);
     if (cosine > narrow && cosine > smallest_angle_cosine(from, p, q)) return {Reason::Shape, f.face, cosine};
@@ -136,7 +143,7 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
     const Contraction c{ends[i], ends[1 - i], mesh.position(ends[1 - i])};
-    Verdict v = judge_geometry(mesh, stars_[i], c.deleted, c.kept, c.position, rules);
+    Verdict v = judge_geometry(mesh, stars_[i], {c.deleted, c.kept, c.position}, rules);
     if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
       v = judge_curve(mesh, stars_[i], model, c, rules.max_curve_turn);
     if (v.accepted()) {
@@ -175,8 +182,8 @@ Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseR
       return {Reason::Classification, v};
   if (rules.topology == TopologyRule::Safe)
     if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}); !v.accepted()) return v;
-  Verdict v = judge_geometry(mesh, stars_[0], c.deleted, c.kept, c.position, rules);
-  if (v.accepted() && moves) v = judge_geometry(mesh, stars_[1], c.kept, c.deleted, c.position, rules);
+  Verdict v = judge_geometry(mesh, stars_[0], {c.deleted, c.kept, c.position}, rules);
+  if (v.accepted() && moves) v = judge_geometry(mesh, stars_[1], {c.kept, c.deleted, c.position}, rules);
   if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
     v = judge_curve(mesh, stars_[0], model, c, rules.max_curve_turn);
   return v;

@@ -32,6 +32,10 @@ struct CollapseRules {
   /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop, so for
   /// Safe only. On a flat sheet no normal would ever stop a round hole from becoming a triangle.
   TurnLimit max_curve_turn{45.0};
+  /// By vertex, what the original surface around it looked like, any length; where given, contractions hold
+  /// the faces that they stretch against the sum at their corners too: small turns add up.
+  const Column<Vertex, glm::vec3>* original_normals = nullptr;
+  TurnLimit max_away{60.0};  ///< from that sum
   double min_angle_deg = 0;  ///< no stretched face gets an angle below it, unless it had a smaller one
 };
 
@@ -88,8 +92,13 @@ class Collapser {
   [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
   [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
-  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, Vertex moved, Vertex other,
-                                              const glm::dvec3& to, const CollapseRules& rules);
+  /// One end of the edge on its way; the faces that also use the other end fall away.
+  struct Move {
+    Vertex vertex, other;
+    glm::dvec3 to;
+  };
+  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
+                                              const CollapseRules& rules);
   [[nodiscard]] ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b) const;
   [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
                                            const Contraction& contraction, const TurnLimit& limit);
