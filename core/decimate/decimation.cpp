@@ -12,6 +12,11 @@ const char* phase_name(Phase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
+const char* idea_name(Idea idea) {
+  constexpr const char* names[] = {"placement", "third-powers", "facing", "second-stage", "far-points"};
+  return names[static_cast<std::size_t>(idea)];
+}
+
 const char* decimation_obstacle(const Mesh& mesh) {
   if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
   for (const Face f : mesh.faces())

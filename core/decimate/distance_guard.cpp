@@ -4,10 +4,29 @@
 #include <limits>
 #include <map>
 
+#include "core/mesh/check.h"
+
 namespace aomd {
 
+namespace {
+
+Envelope envelope_of(const Mesh& mesh, double distance) {
+  const Triangles all = triangles_of(mesh);
+  AOMD_CHECK(all.faces.size() == mesh.count(2));  // quads would be two
+  std::vector<std::array<std::uint32_t, 3>> vertices;
+  vertices.reserve(all.faces.size());
+  VertexBuffer buffer;
+  for (const Face f : all.faces) {
+    const auto v = mesh.vertices_of(f, buffer);
+    vertices.push_back({v[0], v[1], v[2]});
+  }
+  return Envelope(all.corners, distance, vertices);
+}
+
+}  // namespace
+
 DistanceGuard::DistanceGuard(const Mesh& original, double distance)
-    : surface_(triangles_of(original).corners, distance), hints_(original.capacity(0), no_index) {
+    : surface_(envelope_of(original, distance)), hints_(original.capacity(0), no_index) {
   std::map<ModelRef, std::vector<Triangle>> pieces;
   for (const Edge e : original.edges()) {
     if (original.classification(e).dimension() != 1) continue;

@@ -34,38 +34,59 @@ std::size_t longest_side(const Triangle& t) {
 
 }  // namespace
 
-Envelope::Envelope(std::span<const Triangle> triangles, double distance)
+Envelope::Envelope(std::span<const Triangle> triangles, double distance,
+                   std::span<const std::array<std::uint32_t, 3>> vertices)
     : tree_(triangles),
       distance_(distance),
       reach_(std::max(0.0, distance - rounding(tree_))),
-      reach2_(reach_ * reach_) {}
+      reach2_(reach_ * reach_),
+      patches_(tree_, vertices, reach_) {}
 
-bool Envelope::near_one(const Triangle& t, std::uint32_t n) const {
+// In one convex set whose points are all near: over a patch, or around one triangle. The patch, if there is
+// one already, is asked first: that is less to compute.
+bool Envelope::near(const Triangle& t, std::uint32_t n) {
+  const auto over = [&](const Patch& patch) {
+    return patch.contains(t[0]) && patch.contains(t[1]) && patch.contains(t[2]);
+  };
+  const bool known = patches_.known(n);
+  if (known && over(patches_.around(tree_, n))) return true;
   const Triangle& one = tree_.triangle(n);
-  return square(nearest_point(one, t[0]) - t[0]) <= reach2_ &&
-         square(nearest_point(one, t[1]) - t[1]) <= reach2_ &&
-         square(nearest_point(one, t[2]) - t[2]) <= reach2_;
+  const auto close = [&](const dvec3& p) { return square(nearest_point(one, p) - p) <= reach2_; };
+  return (close(t[0]) && close(t[1]) && close(t[2])) || (!known && over(patches_.around(tree_, n)));
+}
+
+// A triangle that may be near: by a walk from the last one, or by a search where that leads to none that is
+// near enough, or where it must be the nearest.
+double Envelope::locate(const dvec3& p, bool surely, std::uint32_t& near) const {
+  double distance2 = 0;
+  if (near != no_index) near = patches_.walk(tree_, p, near, distance2);
+  if (near != no_index && !surely && 4 * distance2 <= reach2_) return distance2;
+  const TriangleTree::Nearest nearest = tree_.nearest(p, near);
+  near = nearest.triangle;
+  return nearest.distance2;
 }
 
 Envelope::Answer Envelope::contains(const Triangle& t, std::uint32_t& hint) {
-  if (hint != no_index && near_one(t, hint)) return {true, 0};
+  if (hint != no_index && near(t, hint)) return {true, 0};
   parts_.clear();
   parts_.push_back({t, hint});
   for (int seen = 1; !parts_.empty(); ++seen) {
     Part part = parts_.back();
     parts_.pop_back();
     const Triangle& p = part.corners;
-    if (seen > 1 && near_one(p, part.hint)) continue;
-    const TriangleTree::Nearest nearest = tree_.nearest((p[0] + p[1] + p[2]) / 3.0, part.hint);
-    const bool news = nearest.triangle != part.hint;
-    hint = part.hint = nearest.triangle;
-    if (!(nearest.distance2 <= reach2_)) return {false, std::sqrt(nearest.distance2)};
-    if (news && near_one(p, hint)) continue;
+    if (seen > 1 && near(p, part.hint)) continue;
+    const std::uint32_t before = part.hint;
     const std::size_t k = longest_side(p);
     const double longest2 = square(p[(k + 1) % 3] - p[k]);
-    if (seen > most_parts || longest2 <= least_part * least_part * reach2_)
-      return {false, std::sqrt(nearest.distance2)};
-    if (!cut_along_sides(part, nearest.distance2)) bisect(part);
+    const bool last = seen > most_parts || longest2 <= least_part * least_part * reach2_;
+    const double distance2 = locate((p[0] + p[1] + p[2]) / 3.0, last, part.hint);
+    hint = part.hint;
+    if (!(distance2 <= reach2_)) return {false, std::sqrt(distance2)};
+    if (hint != before && near(p, hint)) continue;
+    if (last) return {false, std::sqrt(distance2)};
+    const bool flat =
+        16 * patches_.around(tree_, hint).radius2 > longest2;  // halves will soon fit in patches
+    if (flat || !cut_along_sides(part, distance2)) bisect(part);
   }
   return {true, 0};
 }

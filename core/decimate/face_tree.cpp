@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "core/mesh/check.h"
+#include "core/model/triangle_intersection.h"
+
 namespace aomd {
 namespace {
 
 Box box_of(const Triangle& t) {
   Box box;
+  if (without_area(t)) return box;
   for (const glm::dvec3& p : t) box.add(p);
   return box;
 }
@@ -76,20 +80,20 @@ void FaceTree::refit(std::uint32_t id) {
   }
 }
 
-void FaceTree::remove(Face f) {
+void FaceTree::put(Face f, const Box& box) {
+  AOMD_CHECK(f.index < place_.size() && place_[f] != no_index);
   Item& item = items_[place_[f]];
-  if (item.box.empty()) return;
-  item.box = {};
-  --present_;
+  present_ += item.box.empty();
+  present_ -= box.empty();
+  item.box = box;
   refit(leaf_[place_[f]]);
 }
 
+void FaceTree::remove(Face f) { put(f, Box()); }
+
 void FaceTree::put(Face f, const Triangle& corners) {
-  Item& item = items_[place_[f]];
-  present_ += item.box.empty();
-  item.corners = corners;
-  item.box = box_of(corners);
-  refit(leaf_[place_[f]]);
+  put(f, box_of(corners));
+  items_[place_[f]].corners = corners;
 }
 
 void FaceTree::tidy() {

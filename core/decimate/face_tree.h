@@ -16,7 +16,7 @@ namespace aomd {
 /// gone, the tree is built anew: faces of any sizes mix, and they grow as a decimation goes on.
 class FaceTree {
  public:
-  /// A face, its corners and their box; the box of one that is gone is empty.
+  /// A face, its corners and their box; the box of one that is gone or has no area is empty.
   struct Item {
     Box box;
     Triangle corners;
@@ -47,6 +47,7 @@ class FaceTree {
   };
   static constexpr std::uint32_t leaf_size = 4, depth = 40;  // halves each time: below 32
 
+  void put(Face f, const Box& box);
   void build();
   void build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
   void refit(std::uint32_t node);

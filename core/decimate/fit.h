@@ -18,6 +18,7 @@ struct FitRules {
   double pull = 0.01;      ///< how strongly the neighbourhood's centre pulls along the surface
   double stay = 0.1;       ///< how strongly a vertex keeps to the plane of the nearest point of the original
   double face_energy = 0;  ///< the error of an average face, set from the present state
+  double far = 1;          ///< how much more points count that are further off than the average
   double mean_square = 1;  ///< the squared distance of an average point, set from the present state
   TurnLimit max_turn{
       30.0};  ///< of a face against what it was; after a swap, against the two old ones together
@@ -38,6 +39,9 @@ class Fitter {
   /// Half or a quarter of the way where all of it goes too far. Refusals: Classification, Flat (no area
   /// around it), Angle.
   [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, glm::dvec3& target);
+
+  /// The faces around the vertex that judge_move() looked at last.
+  [[nodiscard]] const Star& star() const { return star_; }
 
   /// Whether swapping the edge between a and b lowers the energy. Refusals: those of find_pair, Topology (the
   /// other diagonal exists), Flat, Angle (a new face against the two old ones together), Quality (no gain).

@@ -10,9 +10,13 @@ void IntersectionGuard::take(Face face, const Triangle& corners) {
   for (const glm::dvec3& p : corners) piece.box.add(p);
 }
 
-void IntersectionGuard::find_others(const Change& change) {
+void IntersectionGuard::mark(std::span<const Face> faces) {
   if (++stamp_ == 0) stamps_.assign(stamps_.size(), 0), stamp_ = 1;
-  for (const Face f : change.replaced) stamps_[f] = stamp_;
+  for (const Face f : faces) stamps_[f] = stamp_;
+}
+
+void IntersectionGuard::find_others(const Change& change) {
+  mark(change.replaced);
   Box all;
   for (const Piece& p : pieces_) all.add(p.box);
   others_.clear();
@@ -32,9 +36,7 @@ std::size_t IntersectionGuard::cuts(std::size_t limit, Face& cut) const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
     for (const FaceTree::Item* other : others_)
-      if (p.box.touches(other->box) && !without_area(other->corners) &&
-          meet(p.corners, other->corners, other->face))
-        return found;
+      if (p.box.touches(other->box) && meet(p.corners, other->corners, other->face)) return found;
     for (std::size_t k = 0; k < i; ++k)
       if (p.box.touches(pieces_[k].box) && meet(p.corners, pieces_[k].corners, pieces_[k].face)) return found;
   }
@@ -64,8 +66,13 @@ Verdict IntersectionGuard::judge(const Change& change) {
 }
 
 void IntersectionGuard::applied(const Change& change) {
-  for (const Face f : change.replaced) tree_.remove(f);
-  for (const NewFace& f : change.created) tree_.put(f.face, f.corners);
+  mark(change.replaced);
+  for (const NewFace& f : change.created) {
+    stamps_[f.face] = 0;
+    tree_.put(f.face, f.corners);
+  }
+  for (const Face f : change.replaced)
+    if (stamps_[f] == stamp_) tree_.remove(f);
   tree_.tidy();
 }
 

@@ -2,6 +2,7 @@
 // The guarantee that a decimation lets the surface cut itself nowhere.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/decimate/change.h"
@@ -34,6 +35,7 @@ class IntersectionGuard {
     Face face;
   };
   void take(Face face, const Triangle& corners);
+  void mark(std::span<const Face> faces);
   void find_others(const Change& change);
   [[nodiscard]] std::size_t cuts(std::size_t limit, Face& cut) const;
   [[nodiscard]] std::size_t cuts_now(const Change& change);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/decimate/guards.h"
 #include "core/decimate/options.h"
 
 namespace aomd {
@@ -11,7 +12,8 @@ namespace aomd {
 /// except through invalidate().
 class Loop {
  public:
-  Loop(Mesh& mesh, const DecimationOptions& options) : mesh_(mesh), options_(options) {}
+  Loop(Mesh& mesh, const DecimationOptions& options)
+      : mesh_(mesh), options_(options), guards_(mesh, options) {}
   virtual ~Loop() = default;
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -46,14 +48,17 @@ class Loop {
     if (!sweeps_.empty()) sweeps_.back().faces = mesh_.count(2);
     sweeps_.emplace_back();
   }
+  /// Counts an operation that was judged and made.
   void made(StepKind kind, EntityRef entity) {
     SweepStatistics& s = sweeps_.back();
     ++(kind == StepKind::Collapse ? s.collapses : kind == StepKind::Swap ? s.swaps : s.smooths);
     last_ = {kind, entity};
+    guards_.applied();
   }
 
   Mesh& mesh_;
   DecimationOptions options_;
+  Guards guards_;
   Phase phase_ = Phase::Collapse;
   std::vector<SweepStatistics> sweeps_;
   Operation last_;

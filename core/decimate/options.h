@@ -19,6 +19,19 @@ namespace aomd {
 /// then swaps and a fit to the original surface (docs/QUALITY.md).
 enum class Strategy : std::uint8_t { Paper, Quality };
 
+/// What the quality strategy does beyond plain ordered collapses, swaps and smoothing; each can be left out,
+/// to see what it is worth (tools/bench/quality_ideas.sh).
+enum class Idea : std::uint8_t {
+  Placement,    ///< the kept vertex goes where the error is least
+  ThirdPowers,  ///< few large errors count more than many small ones
+  Facing,       ///< no face looks away from the original around its corners
+  SecondStage,  ///< the last collapses follow errors that were measured anew
+  FarPoints,    ///< the fit cares more for points that are far off
+};
+inline constexpr int idea_count = 5;
+/// "placement", "third-powers", "facing", "second-stage", "far-points".
+[[nodiscard]] const char* idea_name(Idea idea);
+
 struct DecimationOptions {
   Strategy strategy = Strategy::Paper;
   double factor = 4;      ///< how many times longer edges become where the angle does not bind
@@ -30,8 +43,13 @@ struct DecimationOptions {
   double angle_deg = 10;           ///< how far the normal of a face may turn in one operation, degrees
   double min_angle_deg = 0;        ///< no face gets an angle below it unless it had a smaller one, degrees
   double regularity = 0.5;         ///< Quality: 0 accuracy first .. 1 regular faces first
+  std::uint32_t without = 0;       ///< Quality: bit i leaves out Idea i
+  /// Every point of the result within it of the original, and every point of a model edge within it of that
+  /// model edge, in the mesh's units; 0: no such guarantee.
+  double max_distance = 0;
+  bool no_intersections = false;  ///< no operation adds a pair of faces that cut each other
   TopologyRule topology = TopologyRule::Safe;
-  int improve_passes = 2;  ///< Paper: sweeps that are followed by swaps and smoothing
+  int improve_passes = 4;  ///< Paper: sweeps that are followed by swaps and smoothing
   bool swap = true;
   bool smooth = true;
   /// Vertices (nonzero) that stay where they are; none: all may go.
@@ -42,6 +60,7 @@ struct DecimationOptions {
 
   friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
 
+  [[nodiscard]] bool has(Idea idea) const { return !(without >> static_cast<int>(idea) & 1u); }
   [[nodiscard]] bool kept(Vertex v) const { return keep && v.index < keep->size() && (*keep)[v] != 0; }
 };
 

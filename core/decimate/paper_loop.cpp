@@ -42,6 +42,7 @@ CollapseRules PaperLoop::rules() const {
 
 void PaperLoop::restart(const DecimationOptions& options) {
   options_ = options;
+  guards_.restart(mesh_, options);
   limit_ = TurnLimit(options.angle_deg);
   reach_ = aims() ? first_reach : options_.factor;
   forget();
@@ -69,7 +70,11 @@ Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
   if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[options_.kept(ends[0]) ? 0 : 1]};
-  return collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
+  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
+  if (!verdict.accepted()) return verdict;
+  const std::size_t end = deleted == ends[0] ? 0 : 1;
+  const Contraction contraction{deleted, ends[1 - end], mesh_.position(ends[1 - end])};
+  return guards_.judge(mesh_, contraction, collapser_.star(end), collapser_.star(1 - end));
 }
 
 bool PaperLoop::unchanged_since(Edge e) const {
@@ -99,7 +104,8 @@ bool PaperLoop::try_collapse(Edge edge) {
 
 bool PaperLoop::try_swap(Edge edge) {
   EdgePair pair;
-  if (!judge_swap(mesh_, edge, limit_, pair).accepted()) return false;
+  if (!judge_swap(mesh_, edge, limit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
+    return false;
   ++now_;
   apply_swap(mesh_, edge, pair);
   for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
@@ -110,6 +116,10 @@ bool PaperLoop::try_swap(Edge edge) {
 bool PaperLoop::try_smooth(Vertex v) {
   glm::dvec3 target;
   if (options_.kept(v) || !judge_smooth(mesh_, v, {limit_, options_.model}, target).accepted()) return false;
+  if (guards_.any()) {
+    gather(mesh_, v, star_);
+    if (!guards_.judge(mesh_, v, star_, target).accepted()) return false;
+  }
   ++now_;
   apply_smooth(mesh_, v, target);
   for (const Edge e : mesh_.row<1>(v))

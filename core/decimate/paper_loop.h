@@ -42,6 +42,7 @@ class PaperLoop final : public Loop {
 
   TurnLimit limit_;
   Collapser collapser_;
+  Star star_;
   Column<Vertex, double> average_length_;  ///< of the edges at a vertex, at the start
   double reach_ = 1;                       ///< how many times longer edges become; grows towards a target
   Column<Vertex, std::uint32_t> changed_;  ///< value of now_ when the vertex's surroundings last changed

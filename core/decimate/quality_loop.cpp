@@ -50,8 +50,8 @@ float QualityLoop::cost(Vertex v, Vertex w, Contraction& c) const {
   }
   // Squared distances become third powers, nearly: few large errors count more than many small ones.
   const float area = at_v.area + at_w.area, squares = std::max(0.0f, q(x) * scale_);
-  const float cubes = area > 0 ? squares * std::sqrt(squares / area) * inverse_typical : squares;
-  return cubes + edge_weight_ * area * length2 * scale_;
+  const float error = cubes_ && area > 0 ? squares * std::sqrt(squares / area) * inverse_typical : squares;
+  return error + edge_weight_ * area * length2 * scale_;
 }
 
 // Whether the place is free, or one of the ends stays where it is: on a lower model entity, by the user's
@@ -62,7 +62,7 @@ QualityLoop::Freedom QualityLoop::freedom_of(Vertex v, Vertex w) const {
   if (v_stays && w_stays) return Freedom::None;
   if (v_stays) return Freedom::OntoFirst;
   if (w_stays) return Freedom::OntoSecond;
-  if (!options_.model) return Freedom::Any;
+  if (!options_.model && places_) return Freedom::Any;
   return state_[v].area > state_[w].area ? Freedom::OntoFirst : Freedom::OntoSecond;
 }
 
@@ -160,7 +160,10 @@ bool QualityLoop::try_others(Vertex v) {
   return false;
 }
 
-Verdict QualityLoop::judge(const Contraction& c) { return collapser_.judge(mesh_, c, rules_); }
+Verdict QualityLoop::judge(const Contraction& c) {
+  const Verdict verdict = collapser_.judge(mesh_, c, rules_);
+  return verdict.accepted() ? guards_.judge(mesh_, c, collapser_.star(0), collapser_.star(1)) : verdict;
+}
 
 bool QualityLoop::collapse(const Contraction& c) {
   const Verdict verdict = judge(c);

@@ -92,9 +92,10 @@ class QualityLoop final : public Loop {
   Fitter fitter_;
   CollapseRules rules_;
   FitRules fit_;
-  float edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
-  float scale_ = 1;        ///< makes costs independent of the mesh's units
-  double unit_area_ = 1;   ///< areas are counted in it: numbers stay near 1
+  float edge_weight_ = 0;              ///< what a squared edge length costs, by the area it stands for
+  float scale_ = 1;                    ///< makes costs independent of the mesh's units
+  bool cubes_ = true, places_ = true;  ///< the ideas of these names are in force
+  double unit_area_ = 1;               ///< areas are counted in it: numbers stay near 1
 
   Column<Vertex, State> state_;
   Column<Vertex, glm::vec3> normal_;  ///< of the original faces that a vertex took in, times their areas

@@ -29,13 +29,17 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
 void QualityLoop::set_rules() {
   const double w = options_.regularity;
   const double least_angle_deg =
-      std::max(options_.min_angle_deg, between(w, 6, 12, 12));  // but where it was smaller
+      std::max(options_.min_angle_deg, between(w, 8, 12, 12));  // but where it was smaller
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
-  rules_.original_normals = &normal_;
+  rules_.original_normals = options_.has(Idea::Facing) ? &normal_ : nullptr;
+  fit_.max_away = TurnLimit(options_.has(Idea::Facing) ? 60 : 179);
+  fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
+  cubes_ = options_.has(Idea::ThirdPowers);
+  places_ = options_.has(Idea::Placement);
   rules_.min_angle_deg = least_angle_deg;
-  fit_.shape = between(w, 0.25, 1.3, 4);
-  fit_.pull = between(w, 0.001, 0.02, 0.07);
+  fit_.shape = between(w, 0.3, 1.5, 4);
+  fit_.pull = between(w, 0.001, 0.022, 0.07);
   fit_.min_angle_deg = least_angle_deg;
   fit_.model = options_.model;
   edge_weight_ = static_cast<float>(between(w, 3e-4, 3e-4, 5e-3));
@@ -63,12 +67,16 @@ void QualityLoop::fill_spacing() {
 void QualityLoop::set_goals() {
   constexpr double above = 1.3;
   const std::uint32_t target = options_.target_faces;
-  goals_ = {static_cast<std::uint32_t>(std::min<double>(above * target, mesh_.count(2))), target};
+  goals_ = {target};
+  if (options_.has(Idea::SecondStage))
+    goals_.insert(goals_.begin(),
+                  static_cast<std::uint32_t>(std::min<double>(above * target, mesh_.count(2))));
   start_faces_ = mesh_.count(2);
 }
 
 void QualityLoop::restart(const DecimationOptions& options) {
   original_.locate_anywhere(mesh_);
+  guards_.restart(mesh_, options);
   start(options);
 }
 
@@ -128,7 +136,8 @@ bool QualityLoop::advance_swap() {
 
 bool QualityLoop::try_swap(Vertex a, Vertex b) {
   EdgePair pair;
-  if (!fitter_.judge_swap(a, b, fit_, pair).accepted()) return false;
+  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
+    return false;
   fitter_.swapped(pair);
   apply_swap(mesh_, pair);
   made(StepKind::Swap, pair.f);
@@ -147,7 +156,8 @@ bool QualityLoop::advance_smooth() {
 
 bool QualityLoop::try_smooth(Vertex v) {
   glm::dvec3 target;
-  if (options_.kept(v) || !fitter_.judge_move(v, fit_, target).accepted()) return false;
+  if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, target).accepted()) return false;
+  if (!guards_.judge(mesh_, v, fitter_.star(), target).accepted()) return false;
   apply_smooth(mesh_, v, target);
   made(StepKind::Smooth, v);
   return true;

@@ -87,6 +87,7 @@ bool sectors_apart(const dvec3& v, const std::array<dvec3, 2>& s, const std::arr
     return side(direction, v, s[0]) > 0 && side(direction, v, s[1]) > 0 && side(direction, v, t[0]) < 0 &&
            side(direction, v, t[1]) < 0;
   };
+  if (splits(s[0] + s[1] - t[0] - t[1])) return true;  // enough where sides are about as long: no roots
   const dvec3 a = glm::normalize(s[0] - v), b = glm::normalize(s[1] - v);
   const dvec3 c = glm::normalize(t[0] - v), d = glm::normalize(t[1] - v);
   return splits(a + b - c - d) || splits(a - c) || splits(a - d) || splits(b - c) || splits(b - d);

@@ -13,7 +13,7 @@ import sys
 
 WAYS = ["paper-safe", "paper-paper", "quality-safe", "quality-paper"]
 HEADS = ["figure", "options", "vertices", "used", "edges", "faces", "boundary edges", "2E - 3F", "Euler", "ms", "ratio",
-         "T, MB", "peak, MB"]
+         "T(I,J), MB", "peak, MB"]
 TITLES = {"bunny": "Table 1: the bunny", "dragon": "Table 2: the dragon"}
 BEGIN, END = "<!-- tables: begin -->", "<!-- tables: end -->"
 
@@ -30,13 +30,17 @@ def seconds(report):
     return report["seconds"]["adjacency"] + report["seconds"]["decimate"]
 
 
-def paper_row(figure, words, unused):
-    """The paper counts no boundary edges; without edges of more than two faces they are 2E - 3F."""
+def paper_row(figure, words, original):
+    """What the paper says, and what follows from it when it keeps the unused vertices and edges stay of two faces."""
+    head = [f"**{figure}**", "the paper"]
     if not all(word.isdigit() for word in words):
-        return row(f"**{figure}**", "the paper", *(w.replace("~", "about ") for w in words[:1]), "", *(w.replace("~", "about ") for w in words[1:]))
+        vertices, edges, faces = (word.replace("~", "about ") for word in words)
+        return row(*head, vertices, "", edges, faces)
     v, e, f = map(int, words)
-    derived = ["", grouped(2 * e - 3 * f), str(v - unused - e + f)] if e else []
-    return row(f"**{figure}**", "the paper", grouped(v), grouped(v - unused), grouped(e), grouped(f), *derived)
+    used, balance = v - original["unused_vertices"], grouped(2 * e - 3 * f)
+    boundary = "" if original["nonmanifold_edges"] else balance
+    derived = [boundary, balance, grouped(used - e + f)] if e else []
+    return row(*head, *map(grouped, (v, used, e, f)), *derived)
 
 
 def counts(c):
@@ -59,7 +63,7 @@ def read(*path):
 
 
 def figure_rows(folder, figure, runs, original):
-    lines = [paper_row(figure, read(folder, "paper").split(), original["unused_vertices"])]
+    lines = [paper_row(figure, read(folder, "paper").split(), original)]
     if not os.path.exists(os.path.join(folder, f"{WAYS[0]}.options")):
         return lines + [row("", "as read", *counts(original))]
     reports = {way: [json.loads(read(folder, f"{way}-{run}.json")) for run in range(runs)] for way in WAYS}

@@ -4,17 +4,17 @@
 #   -n RUNS          times are medians of so many runs, in turns (3)
 #   --pictures DIR   also draws Figures 8 to 17 there: the paper's strategy and ours, all from one place a model
 #   --update-docs    puts the tables between the markers of docs/PAPER.md instead of printing them, and draws the
-#                    pictures of docs/pictures/paper anew
+#                    pictures that it shows (docs/pictures/paper) anew
 #   AOMD, AOMD_VIEW  the programs (build/bin/aomd, build/bin/aomd-view)
 #   AOMD_DATA        the folder of bunny.ply and dragon.ply (../shared/data); a model that is not there is left out
-# Needs python3.
+# Needs python3, and ImageMagick for pictures.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$(dirname "$here")")
 program=${AOMD:-$root/build/bin/aomd}
 viewer=${AOMD_VIEW:-$root/build/bin/aomd-view}
 data=${AOMD_DATA:-$root/../shared/data}
-docs=$root/docs/PAPER.md docs_pictures=$root/docs/pictures/paper
+docs=$root/docs/PAPER.md
 runs=3 pictures="" update=""
 
 # What the paper says of each figure: vertices, edges and faces (Tables 1 and 2; rounded, in the caption of Figure 17;
@@ -55,8 +55,10 @@ while [ $# -gt 0 ]; do
 done
 [[ $runs =~ ^[1-9][0-9]*$ ]] || wrong
 [ -x "$program" ] || { echo "paper_tables: no $program; build first (tools/test.sh)" >&2; exit 2; }
-[ -z "$pictures$update" ] || [ -x "$viewer" ] ||
-  { echo "paper_tables: no $viewer; build first (tools/view.sh)" >&2; exit 2; }
+if [ -n "$pictures$update" ]; then
+  [ -x "$viewer" ] || { echo "paper_tables: no $viewer; build first (tools/view.sh)" >&2; exit 2; }
+  command -v convert >/dev/null || { echo "paper_tables: convert (ImageMagick) is missing" >&2; exit 2; }
+fi
 
 # options_of WAY FACES OPTION...: how `aomd decimate` makes the mesh of a figure. With ours, whose angle does not bind at
 # these sizes, factors have other meanings than the paper's: it is told how many faces the paper ended with.
@@ -84,26 +86,32 @@ make_figure() {
   done
 }
 
-# draw MESH CAMERA PICTURE: faces and edges in one colour, as the paper shows them.
+# draw MESH CAMERA PICTURE: faces and edges in one colour, as the paper shows them. Drawn larger, since the viewer leaves
+# out the edges of triangles of a few pixels.
 draw() {
+  if grep -aq -m 1 '^element face 0$' "$1"; then
+    echo "paper_tables: no $(basename "$3"): no face is left" >&2
+    return
+  fi
   printf '%s\n' "camera $2" "color none" "show model-edges off" "show model-vertices off" >"$work/script"
-  "$viewer" "$1" --headless --no-ui --theme light --size 480x360 --script "$work/script" --screenshot "$3"
+  "$viewer" "$1" --headless --no-ui --theme light --size 1440x1080 --script "$work/script" --screenshot "$work/large.png"
+  convert "$work/large.png" -resize 480x360 -colorspace Gray +dither -colors 48 "PNG8:$3"
 }
 
 # draw_figure FOLDER MODEL FIGURE VERTICES EDGES FACES [OPTION...]: FOLDER/figure-FIGURE.png of the mesh as read, or one
 # picture for each strategy.
 draw_figure() {
-  local folder=$1 model=$2 figure=$3 camera way
+  local folder=$1 model=$2 figure=$3 camera strategy
   case "$model" in
-    bunny) camera="front" ;;
-    dragon) camera="front" ;;
+    bunny) camera="front fov=30 distance=0.34 target=-0.017,0.110,0" ;;
+    dragon) camera="front fov=30 distance=0.335 target=-0.006,0.125,0" ;;
   esac
   if [ $# -eq 6 ]; then
     draw "$data/$model.ply" "$camera" "$folder/figure-$figure.png"
     return
   fi
-  for way in paper-paper quality-safe; do
-    draw "$work/$model/$figure/$way.ply" "$camera" "$folder/figure-$figure-${way%-*}.png"
+  for strategy in paper quality; do
+    draw "$work/$model/$figure/$strategy-safe.ply" "$camera" "$folder/figure-$figure-$strategy.png"
   done
 }
 
@@ -136,6 +144,6 @@ if [ -z "$update" ]; then
 fi
 [ ${#models[@]} -eq 2 ] || { echo "paper_tables: docs/PAPER.md shows both models; left as it is" >&2; exit 1; }
 python3 "$here/paper_tables.py" --into "$docs" "$work/tables.md"
-for picture in "$docs_pictures"/*.png; do
-  [ ! -e "$picture" ] || cp "$pictures/$(basename "$picture")" "$picture"
+grep -o 'pictures/paper/[a-z0-9-]*\.png' "$docs" | while read -r picture; do
+  cp "$pictures/$(basename "$picture")" "$root/docs/$picture"
 done
