@@ -4,6 +4,7 @@ if(NOT AOMD_BUILD_VIEWER)
 endif()
 
 aomd_test(document_test aomd_scene)
+aomd_test(document_options_test aomd_scene)
 aomd_test(model_view_test aomd_scene)
 aomd_test(drawing_test aomd_scene)
 aomd_test(skin_test aomd_scene)

@@ -1,5 +1,6 @@
 #include "core/decimate/decimation.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/decimate/paper_loop.h"
@@ -17,6 +18,10 @@ const char* idea_name(Idea idea) {
   return names[static_cast<std::size_t>(idea)];
 }
 
+double usual_angle_deg(Strategy strategy, bool coarsest) {
+  return strategy == Strategy::Paper || coarsest ? 10 : 60;
+}
+
 const char* decimation_obstacle(const Mesh& mesh) {
   if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
   for (const Face f : mesh.faces())
@@ -32,11 +37,20 @@ Mesh& decimable(Mesh& mesh) {
   return mesh;
 }
 
-// Then nothing needs the edges inside model faces: they need not be entities.
+// Then nothing needs the edges inside model faces: they need not be entities. A model edge without a face
+// could not be found without T(0,1).
 bool lists_model_edges_only(const Mesh& mesh) {
   if (mesh.complete(1)) return false;
-  for (const Edge e : mesh.edges())
+  for (const Edge e : mesh.edges()) {
     if (mesh.classification(e).dimension() > 1) return false;
+    const auto [a, b] = mesh.edge_vertices(e);
+    const Row<2> faces = mesh.row<2>(a);
+    const auto has_b = [&, other = b](Face f) {
+      const auto t = mesh.triangle(f);
+      return t[0] == other || t[1] == other || t[2] == other;
+    };
+    if (std::none_of(faces.begin(), faces.end(), has_b)) return false;
+  }
   return true;
 }
 
@@ -50,8 +64,8 @@ void Decimation::begin(const DecimationOptions& options) {
   const bool paper = options.strategy == Strategy::Paper;
   std::vector<Request> needs;
   needs.push_back(mesh_.request(2, 0));
-  if (paper || !lists_model_edges_only(mesh_)) needs.push_back(mesh_.request(0, 1));
   needs.push_back(mesh_.request(0, 2));
+  if (paper || !lists_model_edges_only(mesh_)) needs.push_back(mesh_.request(0, 1));
   needs_ = std::move(needs);
   if (paper)
     loop_ = std::make_unique<PaperLoop>(mesh_, options);

@@ -17,7 +17,7 @@ namespace aomd {
 class DistanceGuard {
  public:
   /// Copies the original: its triangles, and its edges that lie on model edges. `distance` is a length, at
-  /// least 0. O(n log n); about 180 bytes a face.
+  /// least 0. O(n log n); about 220 bytes a face.
   DistanceGuard(const Mesh& original, double distance);
 
   [[nodiscard]] double distance() const { return surface_.distance(); }
@@ -25,7 +25,8 @@ class DistanceGuard {
   /// Accepts where every point of every created face, and of every changed piece of a model edge, certainly
   /// lies within the distance, up to rounding of the coordinates. Else Reason::Distance with the face (or
   /// the vertex, for a model edge) and the distance of a point that is too far; where the guard cannot tell,
-  /// of one that is nearly so (see Envelope). A few microseconds.
+  /// of one that is nearly so (see Envelope). 5 to 20 us where the distance is well above what the
+  /// operations need, 100 us where it decides.
   [[nodiscard]] Verdict judge(const Change& change);
 
  private:

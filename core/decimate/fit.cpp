@@ -142,6 +142,10 @@ Verdict Fitter::judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& 
     if (looks_away(original, now, rules)) return {Reason::Angle, pair.f, cosine_between(original, now)};
   }
   const double worst = std::max(smallest_angle_cosine(pd, pb, pc), smallest_angle_cosine(pc, pa, pd));
+  const double narrow = std::cos(rules.min_angle_deg * std::numbers::pi / 180);
+  if (worst > narrow &&
+      worst > std::max(smallest_angle_cosine(pa, pb, pc), smallest_angle_cosine(pb, pa, pd)))
+    return {Reason::Shape, pair.f, worst};
   if (!(swap_gain(pair, rules) > least_gain * rules.face_energy)) return {Reason::Quality, pair.f, worst};
   if (joined(mesh_, pair.c, pair.d)) return {Reason::Topology, pair.c};
   return {};

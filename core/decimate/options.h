@@ -32,6 +32,10 @@ inline constexpr int idea_count = 5;
 /// "placement", "third-powers", "facing", "second-stage", "far-points".
 [[nodiscard]] const char* idea_name(Idea idea);
 
+/// The angle that suits a strategy: 10 degrees where it is what limits, 60 for quality, whose faces are held
+/// against the original too.
+[[nodiscard]] double usual_angle_deg(Strategy strategy, bool coarsest);
+
 struct DecimationOptions {
   Strategy strategy = Strategy::Paper;
   double factor = 4;      ///< how many times longer edges become where the angle does not bind

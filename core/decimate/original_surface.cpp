@@ -10,38 +10,14 @@
 
 namespace aomd {
 
-double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                           glm::dvec3& at) {
-  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac);
-  const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;  // the same seen from b and from c
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  double y, z;  // of b and c
-  if (va > 0 && vb > 0 && vc > 0) {
-    const double scale = 1 / (va + vb + vc);
-    y = vb * scale, z = vc * scale;
-  } else if (d1 <= 0 && d2 <= 0) {
-    y = z = 0;
-  } else if (d3 >= 0 && d4 <= d3) {
-    y = 1, z = 0;
-  } else if (d6 >= 0 && d5 <= d6) {
-    y = 0, z = 1;
-  } else if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-    y = d1 / (d1 - d3), z = 0;
-  } else if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-    y = 0, z = d2 / (d2 - d6);
-  } else {
-    z = (d4 - d3) / ((d4 - d3) + (d5 - d6)), y = 1 - z;
-  }
-  at = {z == 1 || y == 1 || y + z == 1 ? 0.0 : 1 - y - z, y, z};
-  const glm::dvec3 d = ap - y * ab - z * ac;
-  return glm::dot(d, d);
-}
-
 OriginalSurface::OriginalSurface(const Mesh& mesh) : taken_by_(mesh.capacity(0)) {
   std::vector<std::uint32_t> point_of(mesh.capacity(0), no_index);
   Box box;
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f)) box.add(mesh.position(v));
+  diagonal_ = box.diagonal();
+  const double scale =
+      diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
   for (const Face f : mesh.faces()) {
     const auto t = mesh.triangle(f);
     const glm::dvec3 normal = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
@@ -52,16 +28,15 @@ OriginalSurface::OriginalSurface(const Mesh& mesh) : taken_by_(mesh.capacity(0))
         point_of[v.index] = static_cast<std::uint32_t>(points_.size());
         points_.push_back({.position = mesh.position(v)});
         vertex_of_.push_back(v);
-        box.add(mesh.position(v));
       }
       OriginalPoint& p = points_[point_of[v.index]];
-      p.normal += glm::vec3(normal);
+      p.normal += glm::vec3(scale * normal);
       p.weight += static_cast<float>(area / 3);
     }
   }
-  diagonal_ = box.diagonal();
   for (OriginalPoint& p : points_)
-    if (const float length = glm::length(p.normal); length > 0) p.normal /= length;
+    if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
+      p.normal = glm::vec3(glm::dvec3(p.normal) / length);
   for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
+#include "core/model/triangle_tree.h"
 
 namespace aomd {
 
@@ -76,11 +77,6 @@ class OriginalSurface {
   Column<Face, glm::vec3> normal_;     ///< by face: see normal_under()
   double diagonal_ = 0, area_ = 0;
 };
-
-/// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time Collision
-/// Detection, section 5.1.5). Returns the squared distance.
-double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                           glm::dvec3& barycentric);
 
 template <typename Where>
 void OriginalSurface::redistribute(Face f, Face g, Where&& goes_to_f) {

@@ -130,7 +130,9 @@ bool PaperLoop::try_smooth(Vertex v) {
 
 std::uint32_t PaperLoop::end_of_phase() const { return mesh_.capacity(phase_ == Phase::Smooth ? 0 : 1); }
 
-bool PaperLoop::at_target() const { return aims() && mesh_.count(2) <= options_.target_faces; }
+bool PaperLoop::at_target() const {
+  return options_.target_faces > 0 && mesh_.count(2) <= options_.target_faces;
+}
 
 bool PaperLoop::advance() {
   if (phase_ == Phase::Done) return false;
@@ -156,15 +158,15 @@ void PaperLoop::next_phase() {
     end_sweep();
 }
 
-// Towards a target the spacing grows whenever nothing shorter is left to collapse.
+// Towards a target the spacing grows whenever nothing shorter is left to collapse, as long as it is what
+// refuses.
 void PaperLoop::end_sweep() {
-  constexpr double growth = 1.1, most = 1e6;
+  constexpr double growth = 1.2;
   SweepStatistics& sweep = sweeps_.back();
   sweep.faces = mesh_.count(2);
   ++improved_;
-  const bool more = aims() && !at_target() && reach_ < most;
   if (sweep.collapses > 0 && !at_target()) return begin_sweep();
-  if (!more) {
+  if (!aims() || at_target() || sweep.refused[static_cast<std::size_t>(Reason::Spacing)] == 0) {
     phase_ = Phase::Done;
     return;
   }

@@ -31,8 +31,10 @@ class PaperLoop final : public Loop {
   bool try_smooth(Vertex v);
   void touch(Vertex v) { changed_[v] = now_; }
   [[nodiscard]] bool unchanged_since(Edge e) const;
-  /// A number of faces is the aim, and no given spacing bounds the way there.
-  [[nodiscard]] bool aims() const { return options_.target_faces > 0; }
+  /// A number of faces is the aim, and the spacing may grow on the way there.
+  [[nodiscard]] bool aims() const {
+    return options_.target_faces > 0 && !options_.coarsest && !options_.spacing;
+  }
   [[nodiscard]] bool at_target() const;
   void forget();
   void begin_sweep();

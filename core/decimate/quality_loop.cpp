@@ -66,27 +66,20 @@ QualityLoop::Freedom QualityLoop::freedom_of(Vertex v, Vertex w) const {
   return state_[v].area > state_[w].area ? Freedom::OntoFirst : Freedom::OntoSecond;
 }
 
-// Each neighbour once: as the next one around, or at the end of an open ring as the previous one.
 template <typename Visit>
-void QualityLoop::for_neighbours(Vertex v, Visit&& visit) {
+void QualityLoop::look_around(Vertex v, Visit&& visit) {
   gather(mesh_, v, star_);
   for (const StarFace& f : star_) {
     prefetch(&state_[f.next]);
     prefetch(&mesh_.position(f.next));
   }
-  const bool open = is_open(star_);
-  for (const StarFace& f : star_) {
-    visit(f.next);
-    if (open &&
-        std::none_of(star_.begin(), star_.end(), [&](const StarFace& g) { return g.next == f.previous; }))
-      visit(f.previous);
-  }
+  for_neighbours(star_, visit);
 }
 
 // All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller id.
 void QualityLoop::find_candidates(Vertex v) {
   found_.clear();
-  for_neighbours(v, [&](Vertex w) {
+  look_around(v, [&](Vertex w) {
     if (w < v) return;
     Candidate c;
     c.cost = cost(v, w, c.contraction);
@@ -117,7 +110,7 @@ void QualityLoop::dequeue(Vertex v) {
 void QualityLoop::fill_queue() {
   queue_.reset(mesh_.capacity(0));
   for (const Vertex v : mesh_.vertices())
-    for_neighbours(v, [&](Vertex w) {
+    look_around(v, [&](Vertex w) {
       if (w < v) return;
       Contraction c;
       offer(state_[v], w, cost(v, w, c));
@@ -214,7 +207,7 @@ void QualityLoop::update(Vertex v, Vertex kept, float cost) {
 
 void QualityLoop::refresh_around(Vertex kept) {
   dequeue(kept);
-  for_neighbours(kept, [&](Vertex w) {
+  look_around(kept, [&](Vertex w) {
     Contraction c;
     const float known = cost(kept, w, c);
     if (kept < w) offer(state_[kept], w, known);

@@ -51,7 +51,7 @@ class QualityLoop final : public Loop {
   // Collapses (quality_loop.cpp)
   bool advance_collapse();
   template <typename Visit>
-  void for_neighbours(Vertex v, Visit&& visit);
+  void look_around(Vertex v, Visit&& visit);
   void find_candidates(Vertex v);
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
@@ -69,6 +69,9 @@ class QualityLoop final : public Loop {
   // Stages and improvement (quality_stages.cpp)
   void start(const DecimationOptions& options);
   void begin_stage();
+  void measure_vertices(bool by_points);
+  void measure_energy();
+  std::uint32_t pass_done(std::uint32_t made);
   void begin_improvement();
   bool advance_swap();
   bool advance_smooth();
@@ -106,6 +109,8 @@ class QualityLoop final : public Loop {
 
   std::vector<std::uint32_t> goals_;  ///< faces at which each stage ends; 0: when nothing more collapses
   std::size_t stage_ = 0;
+  Column<Vertex, double>
+      average_length_;  ///< of the edges at a vertex, at the start; empty until it is asked for
   int round_ = 0;
   std::uint32_t cursor_ = 0, corner_ = 0;
   std::uint32_t start_faces_ = 0;

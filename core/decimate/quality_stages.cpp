@@ -38,6 +38,7 @@ void QualityLoop::set_rules() {
   cubes_ = options_.has(Idea::ThirdPowers);
   places_ = options_.has(Idea::Placement);
   rules_.min_angle_deg = least_angle_deg;
+  fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   fit_.shape = between(w, 0.3, 1.5, 4);
   fit_.pull = between(w, 0.001, 0.022, 0.07);
   fit_.min_angle_deg = least_angle_deg;
@@ -50,15 +51,14 @@ void QualityLoop::set_rules() {
 
 // A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
 void QualityLoop::fill_spacing() {
-  Column<Vertex, double> wanted;
-  if (!options_.spacing && !options_.coarsest && options_.target_faces == 0)
-    wanted = evaluate_spacing(mesh_, {SpacingByFactor{options_.factor}, {}});
-  const Column<Vertex, double>* given = options_.spacing ? options_.spacing.get()
-                                        : wanted.size()  ? &wanted
-                                                         : nullptr;
+  const bool by_factor = !options_.spacing && !options_.coarsest && options_.target_faces == 0;
+  if (by_factor && average_length_.size() == 0)
+    average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+  const double factor = by_factor ? options_.factor : 1;
+  const Column<Vertex, double>* given = by_factor ? &average_length_ : options_.spacing.get();
   for (const Vertex v : mesh_.vertices()) {
     const bool known = given && v.index < given->size();
-    state_[v].reach = given ? (known ? static_cast<float>(0.5 * (*given)[v]) : 0.0f) : unlimited;
+    state_[v].reach = given ? (known ? static_cast<float>(0.5 * factor * (*given)[v]) : 0.0f) : unlimited;
   }
 }
 
@@ -91,6 +91,15 @@ void QualityLoop::start(const DecimationOptions& options) {
 }
 
 void QualityLoop::begin_stage() {
+  measure_vertices(stage_ > 0);
+  refusal_.assign(mesh_.capacity(1), Reason::None);
+  round_ = 0;
+  phase_ = Phase::Collapse;
+  open_sweep();
+}
+
+// What each vertex stands for: by the faces around it, or by the points of the original that lie on them now.
+void QualityLoop::measure_vertices(bool by_points) {
   for (const Vertex v : mesh_.vertices()) {
     State fresh;
     fresh.reach = state_[v].reach;
@@ -98,26 +107,26 @@ void QualityLoop::begin_stage() {
     state_[v] = fresh;
   }
   normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
-  if (stage_ == 0)
-    quadrics_of_faces();
-  else
+  if (by_points)
     quadrics_of_points();
+  else
+    quadrics_of_faces();
   quadrics_of_model_edges();
   fill_queue();
-  refusal_.assign(mesh_.capacity(1), Reason::None);
-  round_ = 0;
-  phase_ = Phase::Collapse;
-  open_sweep();
 }
 
 void QualityLoop::begin_improvement() {
   original_.locate(mesh_);
+  measure_energy();
+  cursor_ = corner_ = 0;
+  phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+}
+
+void QualityLoop::measure_energy() {
   const double faces = std::max<double>(1, mesh_.count(2));
   const double least = 1e-4 * std::sqrt(original_.area() / faces);  // flat meshes have shape to care for only
   fit_.face_energy = std::max(original_.error() / faces, least * least * original_.area() / faces);
   fit_.mean_square = fit_.face_energy * faces / original_.area();
-  cursor_ = corner_ = 0;
-  phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
 }
 
 bool QualityLoop::advance_swap() {
@@ -202,18 +211,27 @@ bool QualityLoop::advance() {
 std::uint32_t QualityLoop::swap_pass() {
   std::uint32_t made = 0;
   original_.locate(mesh_);
+  measure_energy();
   for (const Face f : mesh_.faces())
     for (std::size_t k = 0; k < 3; ++k) {
       const auto t = mesh_.triangle(f);
       if (t[k] < t[(k + 1) % 3]) made += try_swap(t[k], t[(k + 1) % 3]);
     }
-  return made;
+  return pass_done(made);
 }
 
 std::uint32_t QualityLoop::smooth_pass() {
   std::uint32_t made = 0;
   original_.locate(mesh_);
+  measure_energy();
   for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
+  return pass_done(made);
+}
+
+// Between two collapses the queue knows neither the new edges nor the new places.
+std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
+  original_.locate(mesh_);
+  if (made > 0 && phase_ == Phase::Collapse) measure_vertices(true);
   return made;
 }
 

@@ -11,10 +11,10 @@
 
 namespace aomd {
 
-/// A queue in which every vertex stands at most once, at a cost that is not negative. The lowest bucket leaves in
-/// the order of ids, because vertices that follow each other in a file tend to lie next to each other, in memory
-/// too; what arrives in that bucket or below it meanwhile waits until it is done. put and remove are O(1), a pop
-/// O(log n) amortised.
+/// A queue in which every vertex stands at most once, at a cost that is not negative. The lowest bucket
+/// leaves in the order of ids, because vertices that follow each other in a file tend to lie next to each
+/// other, in memory too; what arrives in that bucket or below it meanwhile waits until it is done. put and
+/// remove are O(1), a pop O(log n) amortised.
 class VertexQueue {
  public:
   void reset(std::size_t vertices) {

@@ -193,11 +193,11 @@ class Mesh {
   [[nodiscard]] Journal* journal() const { return journal_; }
   /// Attaches a journal (or none): from now on every edit is recorded. Changes of T are not edits.
   void attach(Journal* journal);
-  /// The opposite of completing level 1: lets go of every edge that lies on the same model entity as the face
-  /// or region around it and was not needed for anything else, and of T(0,1), T(1,2), T(2,1), T(1,3), T(3,1).
-  /// What is left are the edges on model edges; the others come back when T asks for them. Ids of edges
-  /// become consecutive. O(edges). Throws std::logic_error while a journal is attached or an algorithm has
-  /// requested one of these.
+  /// The opposite of completing level 1: lets go of every edge that lies on a model face or region, or is
+  /// unclassified and a side of something, and of T(0,1), T(1,2), T(2,1), T(1,3), T(3,1). What is left are
+  /// the edges on model edges and those that nothing else implies; the others come back when T asks for them.
+  /// Ids of edges become consecutive. O(edges). Throws std::logic_error while a journal is attached or an
+  /// algorithm has requested one of these.
   void keep_model_edges_only();
   /// Makes ids consecutive in each level, in ascending order, and frees what deleted entities still occupy.
   /// Returns the new id of each old one by level (no_index where deleted). O(size). Throws std::logic_error
@@ -233,6 +233,7 @@ class Mesh {
   void free_unwanted(int i, int j);
   [[nodiscard]] DownRows compact_rows(int i, int j,
                                       const std::array<std::vector<std::uint32_t>, 4>& maps) const;
+  [[nodiscard]] std::vector<std::uint8_t> edges_to_keep();
   [[nodiscard]] bool defines_level(int i, int j) const;
   [[nodiscard]] bool can_hold(int i, int j) const;
   [[nodiscard]] std::uint32_t widest(int dim, int lower) const;

@@ -1,6 +1,7 @@
 // Consecutive ids: what is left of a mesh after many deletions, without the holes.
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -63,6 +64,22 @@ std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
   return maps;
 }
 
+// Those on model edges, and of the unclassified ones those that nothing else implies.
+std::vector<std::uint8_t> Mesh::edges_to_keep() {
+  std::vector<std::uint8_t> stays(capacity(1), 0);
+  std::optional<Request> faces, regions;
+  for (const Edge e : edges()) {
+    const ModelRef on = classification(e);
+    if (!on.valid() && !faces) {
+      faces = request(1, 2);
+      if (count(3) > 0) regions = request(1, 3);
+    }
+    stays[e.index] =
+        on.valid() ? on.dimension() <= 1 : row<2>(e).empty() && (count(3) == 0 || row<3>(e).empty());
+  }
+  return stays;
+}
+
 void Mesh::keep_model_edges_only() {
   if (journal_) throw std::logic_error("a journal is attached, and its records name the present edges");
   constexpr std::pair<int, int> relations[] = {{0, 1}, {1, 2}, {1, 3}, {2, 1}, {3, 1}};
@@ -71,6 +88,7 @@ void Mesh::keep_model_edges_only() {
       throw std::logic_error("an algorithm has requested edges, and would lose them");
     if (stored(i, j) && i > j && !stored(i, 0)) build_vertices(i);
   }
+  const std::vector<std::uint8_t> stays = edges_to_keep();
   for (const auto& [i, j] : relations) {
     representation_.demand(i, j).user = false;
     free_unwanted(i, j);
@@ -79,7 +97,7 @@ void Mesh::keep_model_edges_only() {
   DownRows rows;
   std::uint32_t kept = 0;
   for (const Edge e : edges())
-    if (classification(e).dimension() <= 1) new_index[e.index] = kept++;
+    if (stays[e.index]) new_index[e.index] = kept++;
   rows.allocate(kept, 2, false);
   for (std::uint32_t id = 0; id < new_index.size(); ++id)
     if (new_index[id] != no_index)

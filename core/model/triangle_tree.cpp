@@ -139,26 +139,40 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
   return best;
 }
 
-glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p) {
-  const auto& [a, b, c] = t;
+double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                           glm::dvec3& at) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const glm::dvec3 bp = p - b;
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return d1 > d3 ? a + ab * (d1 / (d1 - d3)) : a;
-  const glm::dvec3 cp = p - c;
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return d2 > d6 ? a + ac * (d2 / (d2 - d6)) : a;
-  const double va = d3 * d6 - d5 * d4;
-  const double s = d4 - d3, r = d5 - d6;
-  if (va <= 0 && s >= 0 && r >= 0) return s + r > 0 ? b + (c - b) * (s / (s + r)) : b;
-  const double sum = va + vb + vc;
-  return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
+  const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac);
+  const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;  // the same seen from b and from c
+  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+  double y, z;  // of b and c
+  if (va > 0 && vb > 0 && vc > 0) {
+    const double scale = 1 / (va + vb + vc);
+    y = vb * scale, z = vc * scale;
+  } else if (d1 <= 0 && d2 <= 0) {
+    y = z = 0;
+  } else if (d3 >= 0 && d4 <= d3) {
+    y = 1, z = 0;
+  } else if (d6 >= 0 && d5 <= d6) {
+    y = 0, z = 1;
+  } else if (vc <= 0 && d1 >= 0 && d3 <= 0 && bb > 0) {
+    y = d1 / (d1 - d3), z = 0;
+  } else if (vb <= 0 && d2 >= 0 && d6 <= 0 && cc > 0) {
+    y = 0, z = d2 / (d2 - d6);
+  } else {
+    z = (d4 - d3) / ((d4 - d3) + (d5 - d6)), y = 1 - z;
+  }
+  at = {z == 1 || y == 1 || y + z == 1 ? 0.0 : 1 - y - z, y, z};
+  const glm::dvec3 d = ap - y * ab - z * ac;
+  return glm::dot(d, d);
+}
+
+glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p) {
+  glm::dvec3 at;
+  nearest_barycentric(p, t[0], t[1], t[2], at);
+  if (at.x == 0) return at.y == 0 ? t[2] : t[1] + at.z * (t[2] - t[1]);  // exact at corners and along sides
+  return t[0] + at.y * (t[1] - t[0]) + at.z * (t[2] - t[0]);
 }
 
 }  // namespace aomd

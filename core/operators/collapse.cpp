@@ -124,6 +124,18 @@ Verdict Collapser::judge_curve(const Mesh& mesh, const Star& star, ModelRef mode
   return verdict;
 }
 
+// The rest of the curve beyond the kept vertex, where that moves.
+Verdict Collapser::judge_rest_of_curve(const Mesh& mesh, const Star& star, ModelRef model,
+                                       const Contraction& c, const TurnLimit& limit) {
+  Verdict verdict;
+  for_edges_at(mesh, c.kept, star, [&](Edge e, Vertex far) {
+    if (far == c.deleted || mesh.classification(e) != model || !verdict.accepted()) return;
+    const glm::dvec3 end = mesh.position(far), old = end - mesh.position(c.kept), now = end - c.position;
+    if (!limit.allows(old, now)) verdict = {Reason::Angle, e, cosine_between(old, now)};
+  });
+  return verdict;
+}
+
 Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                 const CollapseRules& rules, Vertex& deleted) {
   const auto ends = mesh.edge_vertices(edge);
@@ -164,7 +176,7 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
 // face around it.
 ModelRef Collapser::class_between(const Mesh& mesh, Vertex a, Vertex b) const {
   for (const Vertex v : {a, b})
-    if (mesh.classification(v).dimension() >= 2) return mesh.classification(v);
+    if (!may_end_model_edge(mesh, v)) return mesh.classification(v);
   if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
   for (const StarFace& f : stars_[0])
     if (f.uses(b)) return mesh.classification(f.face);
@@ -186,6 +198,8 @@ Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseR
   if (v.accepted() && moves) v = judge_geometry(mesh, stars_[1], {c.kept, c.deleted, c.position}, rules);
   if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
     v = judge_curve(mesh, stars_[0], model, c, rules.max_curve_turn);
+  if (v.accepted() && moves && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
+    v = judge_rest_of_curve(mesh, stars_[1], model, c, rules.max_curve_turn);
   return v;
 }
 
@@ -231,9 +245,9 @@ void Collapser::merge_edges(Mesh& mesh) {
 }
 
 // Without the link condition an edge may lose its last face; then it goes too.
-void Collapser::destroy_bare_edges(Mesh& mesh) {
+void Collapser::destroy_bare_edges(Mesh& mesh, Vertex kept) {
   for (const Vertex apex : bare_)
-    if (marked(apex)) mesh.destroy_unused(edge_to_kept_[apex]), mark_[apex] = 0;
+    if (const Edge e = mesh.find_edge(kept, apex); e.valid()) mesh.destroy_unused(e);
 }
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
@@ -264,7 +278,7 @@ void Collapser::make(Mesh& mesh, Vertex deleted, Vertex kept) {
     if (f.uses(kept)) mesh.destroy_unused(f.face);
   mesh.rebind(rebindings_);
   merge_edges(mesh);
-  destroy_bare_edges(mesh);
+  destroy_bare_edges(mesh, kept);
   if (collapsed_.valid()) mesh.destroy_unused(collapsed_);
   mesh.destroy_unused(deleted);
 }

@@ -102,10 +102,12 @@ class Collapser {
   [[nodiscard]] ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b) const;
   [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
                                            const Contraction& contraction, const TurnLimit& limit);
+  [[nodiscard]] static Verdict judge_rest_of_curve(const Mesh& mesh, const Star& star, ModelRef model,
+                                                   const Contraction& contraction, const TurnLimit& limit);
   void make(Mesh& mesh, Vertex deleted, Vertex kept);
   void plan(const Mesh& mesh, Vertex deleted, Vertex kept);
   void merge_edges(Mesh& mesh);
-  void destroy_bare_edges(Mesh& mesh);
+  void destroy_bare_edges(Mesh& mesh, Vertex kept);
 
   std::array<Star, 2> stars_;           ///< of the edge's two ends
   std::vector<Vertex> apexes_;          ///< third vertices of the edge's faces

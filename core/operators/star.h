@@ -31,15 +31,52 @@ inline void gather(const Mesh& mesh, Vertex v, Star& star) {
   }
 }
 
+/// Spreads ids over 64 bits, so that sums and xors of several tell sets of vertices apart.
+[[nodiscard]] inline std::uint64_t spread(Vertex v) {
+  const std::uint64_t x = (v.index + 1) * 0x9E3779B97F4A7C15u;
+  return (x ^ (x >> 29)) * 0xBF58476D1CE4E5B9u;
+}
+
 /// True where the faces around a vertex do not close: in a closed ring every neighbour occurs twice.
 [[nodiscard]] inline bool is_open(const Star& star) {
-  std::uint32_t odd = 0;
-  for (const StarFace& f : star) odd ^= f.next.index ^ f.previous.index;
+  std::uint64_t odd = 0;
+  for (const StarFace& f : star) odd ^= spread(f.next) ^ spread(f.previous);
   return odd != 0;
 }
 
+/// True where every neighbour follows a face as often as it precedes one: a closed ring of one orientation.
+[[nodiscard]] inline bool is_ring(const Star& star) {
+  std::uint64_t sum = 0;
+  for (const StarFace& f : star) sum += spread(f.next) - spread(f.previous);
+  return sum == 0;
+}
+
+/// Calls visit(neighbour) once for each vertex that shares a face: as the next one around, or where the faces
+/// do not form rings of one orientation, as the previous one.
+template <typename Visit>
+void for_neighbours(const Star& star, Visit&& visit) {
+  const bool ring = is_ring(star);
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    bool seen = false;  // around a vertex where several sheets meet
+    for (std::size_t k = 0; k < i && !ring && !seen; ++k) seen = star[k].next == star[i].next;
+    if (!seen) visit(star[i].next);
+    if (ring) continue;
+    seen = false;
+    for (std::size_t k = 0; k < star.size() && !seen; ++k)
+      seen = star[k].next == star[i].previous || (k < i && star[k].previous == star[i].previous);
+    if (!seen) visit(star[i].previous);
+  }
+}
+
+/// False only where no entity of level 1 can end at a vertex: it lies inside a model face or region.
+[[nodiscard]] inline bool may_end_model_edge(const Mesh& mesh, Vertex v) {
+  const ModelRef on = mesh.classification(v);
+  return !on.valid() || on.dimension() <= 1;
+}
+
 /// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else the mesh
-/// lists model edges only, and those are found by existence queries between vertices on model edges.
+/// lists model edges only, each of them a side of a face, and those are found by existence queries between
+/// vertices that may end one.
 template <typename Visit>
 void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
   if (mesh.stored(0, 1)) {
@@ -47,10 +84,10 @@ void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
     for (std::size_t i = edges.size(); i-- > 0;) visit(edges[i], mesh.other_end(edges[i], v));
     return;
   }
-  if (mesh.count(1) == 0 || mesh.classification(v).dimension() > 1) return;
+  if (mesh.count(1) == 0 || !may_end_model_edge(mesh, v)) return;
   for (std::size_t i = 0; i < star.size(); ++i) {
     for (const Vertex far : {star[i].next, star[i].previous}) {
-      if (mesh.classification(far).dimension() > 1) continue;
+      if (!may_end_model_edge(mesh, far)) continue;
       bool seen = far == star[i].previous && far == star[i].next;
       for (std::size_t k = 0; k < i && !seen; ++k) seen = star[k].uses(far);
       if (seen) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/journal_scope.h"
+#include "core/operators/star.h"
 
 namespace aomd {
 namespace {
@@ -51,7 +52,7 @@ Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
   pair = {{}, {}, a, b, {}, {}};
   if (!find_faces(mesh, pair)) return {Reason::Topology, a};
   if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, pair.f};
-  if (mesh.classification(a).dimension() > 1 || mesh.classification(b).dimension() > 1) return {};
+  if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return {};
   const Edge edge = mesh.find_edge(a, b);
   if (edge.valid() && mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
   return {};
@@ -60,7 +61,8 @@ Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
 bool joined(const Mesh& mesh, Vertex a, Vertex b) {
   for (const Face f : mesh.row<2>(a))
     if (slot_of(mesh.triangle(f), b) != 3) return true;
-  return mesh.stored(0, 1) && mesh.find_edge(a, b).valid();
+  if (!mesh.stored(0, 1) && !(may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b))) return false;
+  return mesh.find_edge(a, b).valid();
 }
 
 Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "core/io/journal_file.h"
@@ -14,44 +15,31 @@
 #include "core/model/fit.h"
 #include "core/model/gmsh_model.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/decimate_options.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/interrupt.h"
+#include "tools/aomd/keep_file.h"
 #include "tools/aomd/progress.h"
-#include "tools/aomd/report.h"
+#include "tools/aomd/repair_items.h"
 
 namespace aomd::cli {
 namespace {
 
-struct Options {
-  std::string input, output, report, journal;
-  std::string strategy = "quality", topology = "safe", feature_angle = "20";
-  std::string snap = "none", model;
-  std::optional<double> angle_deg;  ///< none: what suits the strategy
-  DecimationOptions decimation;
-  bool no_swap = false, no_smooth = false, quiet = false;
-
-  [[nodiscard]] bool paper_topology() const { return topology == "paper"; }
-  [[nodiscard]] bool paper() const { return strategy == "paper"; }
-};
-
 /// One run, stage by stage; each fills its part of the report.
 class Run {
  public:
-  explicit Run(const Options& options)
-      : options_(options), progress_(options.quiet), steps_(options.decimation) {
-    steps_.swap = !options.no_swap;
-    steps_.smooth = !options.no_smooth;
-    steps_.strategy = options.paper() ? Strategy::Paper : Strategy::Quality;
-    steps_.angle_deg = options.angle_deg.value_or(options.paper() || steps_.coarsest ? 10 : 60);
-    steps_.topology = options.paper_topology() ? TopologyRule::Paper : TopologyRule::Safe;
-    how_.feature_angle_deg = parse_number(options.feature_angle);  // nothing for "off"
-    how_.nonmanifold_edges = !options.paper_topology();
-  }
+  explicit Run(const DecimateOptions& options)
+      : options_(options),
+        progress_(options.quiet),
+        steps_(options.for_library()),
+        how_(options.for_classification()) {}
 
   int run() {
     static_cast<void>(io::format_for_writing(options_.output));  // complain before the work, not after it
+    static_cast<void>(options_.spacing_source());
     read();
     classify_mesh();
+    add_what_needs_the_mesh();
     decimate();
     check();
     write();
@@ -67,31 +55,44 @@ class Run {
     if (!options_.quiet) print_notes(options_.input, read.notes);
     stop_if_interrupted();
     original_ = std::move(read.mesh);
+    seconds_["read"] = watch_.lap();
+    if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_)) throw io::LimitError(options_.input, {}, obstacle);
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
-    seconds_["read"] = watch_.lap();
+    seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+  }
+
+  void repair_mesh() {
+    progress_.show("repairing");
+    repaired_ = repair(original_);
+    progress_.wipe();
+    if (!options_.quiet) {
+      for (const RepairItem& item : repaired_.done) print_notes(options_.input, {line_of(item)});
+      for (const RepairItem& item : repaired_.left) print_notes(options_.input, {line_of(item)});
+    }
+    seconds_["repair"] = watch_.lap();
+    stop_if_interrupted();
   }
 
   void classify_mesh() {
     progress_.show("classifying");
     classify(mesh_, how_);
-    if (!options_.paper() && !model_ && !snaps()) mesh_.keep_model_edges_only();  // models look at all edges
+    if (!options_.paper() && !model_ && !options_.snaps())
+      mesh_.keep_model_edges_only();  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
     if (model_) fit_to_model();
-    if (snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
-    if (snaps()) steps_.model = model_.get();
+    if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
+    if (options_.snaps()) steps_.model = model_.get();
     seconds_["classify"] = watch_.lap();
     stop_if_interrupted();
     input_ = measure::count_entities(mesh_);
     watch_.lap();
   }
-
-  [[nodiscard]] bool snaps() const { return options_.snap == "model"; }
 
   // Classification by the model is a step of the journal, so that a replay needs no model.
   void fit_to_model() {
@@ -103,6 +104,24 @@ class Run {
     } catch (const ModelError& e) {
       throw io::ReadError(options_.input, {}, e.what() + (" (" + options_.model + ")"));
     }
+  }
+
+  /// What the decimation is told that needs the mesh.
+  void add_what_needs_the_mesh() {
+    if (options_.max_distance_pct > 0)
+      steps_.max_distance =
+          options_.max_distance_pct / 100 * TriangleTree(triangles_of(original_).corners).box().diagonal();
+    if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
+    const auto source = options_.spacing_source();
+    if (!source) return;
+    progress_.show("spacing");
+    try {
+      steps_.spacing = std::make_shared<Column<Vertex, double>>(evaluate_spacing(mesh_, *source));
+    } catch (const std::invalid_argument& e) {
+      throw UsageError(std::string("--spacing: ") + e.what());
+    }
+    seconds_["spacing"] = watch_.lap();
+    stop_if_interrupted();
   }
 
   void decimate() {
@@ -152,20 +171,8 @@ class Run {
     if (!options_.quiet) print_summary();
   }
 
-  [[nodiscard]] Json options_json() const {
-    return {{"strategy", options_.strategy},
-            {"regularity", steps_.regularity},
-            {"target_faces", steps_.target_faces},
-            {"factor", steps_.coarsest ? Json(nullptr) : Json(steps_.factor)},
-            {"coarsest", steps_.coarsest},
-            {"angle_deg", steps_.angle_deg},
-            {"feature_angle_deg", how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr)},
-            {"improve", steps_.improve_passes},
-            {"swap", steps_.swap},
-            {"smooth", steps_.smooth},
-            {"topology", options_.topology},
-            {"snap", options_.snap},
-            {"model", options_.model.empty() ? Json(nullptr) : Json(options_.model)}};
+  [[nodiscard]] bool at_target() const {
+    return steps_.target_faces > 0 && output_.faces <= steps_.target_faces;
   }
 
   [[nodiscard]] Json report_json() const {
@@ -173,13 +180,16 @@ class Run {
         {"schema", 1},
         {"input", counts_json(options_.input, input_)},
         {"output", counts_json(options_.output, output_)},
-        {"options", options_json()},
+        {"options", options_.json()},
+        {"repair", options_.repair
+                       ? Json{{"done", items_json(repaired_.done)}, {"left", items_json(repaired_.left)}}
+                       : Json(nullptr)},
         {"seconds", seconds_},
         {"memory_bytes", memory_},
         {"sweeps", sweeps_json(sweeps_)},
         {"quality", quality_json(quality_)},
         {"findings", {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", verify_}}},
-        {"stopped", "done"}};
+        {"stopped", at_target() ? "target" : "done"}};
   }
 
   void print_summary() const {
@@ -189,18 +199,22 @@ class Run {
               << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
               << counted(self_intersections_, "self-intersection") << ", " << counted(flips_, "flipped face")
               << ", " << std::llround(1000 * watch_.total()) << " ms\n";
+    if (steps_.target_faces > 0 && !at_target())
+      std::cerr << "aomd: note: " << options_.output << ": nothing more may go above the target of "
+                << counted(steps_.target_faces, "face") << '\n';
     if (verify_ > 0)
       std::cerr << "aomd: note: " << options_.output << ": " << counted(verify_, "finding")
                 << " (aomd check)\n";
   }
 
-  const Options& options_;
+  const DecimateOptions& options_;
   Progress progress_;
   DecimationOptions steps_;
   ClassifyOptions how_;
   Stopwatch watch_;
   Json seconds_, memory_;
-  MeshData original_;
+  MeshData original_;  ///< as read, or as repaired
+  RepairReport repaired_;
   Mesh mesh_;
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
@@ -210,75 +224,12 @@ class Run {
   std::size_t flips_ = 0, self_intersections_ = 0, verify_ = 0;
 };
 
-CLI::Validator feature_angle_range() {
-  const CLI::Validator angle = angle_range();
-  const auto check = [angle](std::string& text) { return text == "off" ? std::string() : angle(text); };
-  return CLI::Validator(check, "DEG|off");
-}
-
-CLI::Validator positive_finite() {
-  const auto check = [](const std::string& text) -> std::string {
-    const auto value = parse_number(text);
-    return value && *value > 0 && std::isfinite(*value) ? "" : "must be a number above 0, not " + text;
-  };
-  return CLI::Validator(check, "F");
-}
-
 }  // namespace
 
 void add_decimate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
-  const auto o = std::make_shared<Options>();
-  command->add_option("IN", o->input, "The mesh")->required();
-  command->add_option("OUT", o->output, "Where to write the result: .obj, .ply, .off or .stl")->required();
-  command->add_option("--strategy", o->strategy, "How to choose what goes")
-      ->check(CLI::IsMember({"paper", "quality"}))
-      ->capture_default_str();
-  command
-      ->add_option("--regularity", o->decimation.regularity,
-                   "For quality: 0 accuracy first .. 1 regular faces first")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command->add_option("--target-faces", o->decimation.target_faces, "Stops at this many faces")
-      ->check(CLI::PositiveNumber);
-  CLI::Option* factor =
-      command->add_option("--factor", o->decimation.factor, "Edges become this many times longer")
-          ->check(positive_finite())
-          ->capture_default_str();
-  command->add_flag("--coarsest", o->decimation.coarsest, "No limit on the length of edges")
-      ->excludes(factor);
-  command
-      ->add_option("--angle", o->angle_deg,
-                   "How far the normal of a face may turn in one operation; default 10 for paper and with "
-                   "--coarsest, else 60")
-      ->check(angle_range());
-  command
-      ->add_option("--feature-angle", o->feature_angle,
-                   "Edges whose faces meet at more than this stay; or off")
-      ->check(feature_angle_range())
-      ->capture_default_str();
-  command->add_option("--improve", o->decimation.improve_passes, "Sweeps followed by swaps and smoothing")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  command->add_flag("--no-swap", o->no_swap, "No edge swaps");
-  command->add_flag("--no-smooth", o->no_smooth, "No smoothing");
-  command
-      ->add_option("--topology", o->topology,
-                   "safe: keep the topology; paper: as printed, without that check")
-      ->check(CLI::IsMember({"safe", "paper"}))
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--snap", o->snap,
-          "model: smoothing puts vertices onto the model, that of --model or else the input's facets")
-      ->check(CLI::IsMember({"none", "model"}))
-      ->capture_default_str();
-  command->add_option("--model", o->model,
-                      "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo (with "
-                      "Gmsh); a mesh without classification is classified on it");
-  command->add_option("--report", o->report, "Writes what was done and measured, as JSON");
-  command->add_option("--journal", o->journal, "Writes every operation, for aomd replay");
-  command->add_flag("--quiet", o->quiet, "Prints nothing but errors");
+  const auto o = std::make_shared<DecimateOptions>();
+  add_decimate_options(*command, *o);
   command->callback([&action, o] { action = [o] { return Run(*o).run(); }; });
 }
 

@@ -6,6 +6,7 @@
 #include "core/io/journal_file.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/repair/repair.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/interrupt.h"
@@ -16,7 +17,7 @@ namespace {
 struct Options {
   std::string model, journal, output;
   std::optional<std::size_t> step;
-  bool quiet = false;
+  bool repair = false, quiet = false;
 };
 
 std::size_t last_step(const Options& options, const Journal& journal) {
@@ -31,7 +32,8 @@ int run(const Options& options) {
   static_cast<void>(io::format_for_writing(options.output));
   io::JournalFile file = io::read_journal(options.journal);
   const std::size_t step = last_step(options, file.journal);
-  const io::ReadResult read = read_mesh(options.model, options.quiet);
+  io::ReadResult read = read_mesh(options.model, options.quiet);
+  if (options.repair && read.mesh.regions.empty()) repair(read.mesh);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
   if (file.start.counts[1] < mesh.count(1))
@@ -61,6 +63,7 @@ void add_replay(CLI::App& app, Action& action) {
   command->add_option("OUT", options->output, "Where to write the result")->required();
   command->add_option("--step", options->step, "Stops after so many operations")
       ->check(CLI::NonNegativeNumber);
+  command->add_flag("--repair", options->repair, "First mends the mesh, as aomd decimate --repair did");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

@@ -7,15 +7,12 @@
 #include "viewer/scene/text.h"
 
 namespace aomd::scene::handle {
-namespace {
 
 std::filesystem::path expanded(const std::string& text) {
   const char* home = std::getenv("HOME");
   if (home != nullptr && text.rfind("~/", 0) == 0) return std::filesystem::path(home) / text.substr(2);
   return text;
 }
-
-}  // namespace
 
 void need_mesh(const Session& session) {
   if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");

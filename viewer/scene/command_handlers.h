@@ -20,14 +20,21 @@ void adjacency(Session& session, Arguments& arguments);
 /// The rest of `expect adjacency I J = on|off`.
 void expect_adjacency(Session& session, Arguments& arguments);
 
-// command_edits.cpp
+// command_options.cpp
+void strategy(Session& session, Arguments& arguments);
+void regularity(Session& session, Arguments& arguments);
 void factor(Session& session, Arguments& arguments);
-void angle(Session& session, Arguments& arguments);
 void coarsest(Session& session, Arguments& arguments);
+void target_faces(Session& session, Arguments& arguments);
+void spacing(Session& session, Arguments& arguments);
+void angle(Session& session, Arguments& arguments);
+void min_angle(Session& session, Arguments& arguments);
 void feature_angle(Session& session, Arguments& arguments);
 void topology(Session& session, Arguments& arguments);
 void improve_passes(Session& session, Arguments& arguments);
 void snap(Session& session, Arguments& arguments);
+
+// command_edits.cpp
 void step(Session& session, Arguments& arguments);
 void sweep(Session& session, Arguments& arguments);
 void swap(Session& session, Arguments& arguments);
@@ -64,6 +71,8 @@ void expect(Session& session, Arguments& arguments);
 void wait_idle(Session& session, Arguments& arguments);
 void log(Session& session, Arguments& arguments);
 
+/// A file as a line names it: ~/ is the user's own folder.
+[[nodiscard]] std::filesystem::path expanded(const std::string& text);
 /// Throws CommandError where there is no mesh yet.
 void need_mesh(const Session& session);
 /// The same, and for a mesh that cannot be decimated.

@@ -25,7 +25,7 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 19> quantities = {{
+constexpr std::array<Named, 20> quantities = {{
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
@@ -45,6 +45,7 @@ constexpr std::array<Named, 19> quantities = {{
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
     {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
+    {"refused-shape", [](const Session& s) { return refused(s, Reason::Shape); }},
 }};
 
 Quantity quantity(Arguments& arguments) {

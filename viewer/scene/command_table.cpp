@@ -42,18 +42,60 @@ std::vector<Command> make_table() {
        {{"Ctrl+P", "dialog screenshot"}}},
       {"quit", "", "Ends the program.", File, handle::quit, {{"Ctrl+Q", "quit"}}},
 
+      {"strategy",
+       "paper|quality",
+       "paper is the loop as printed; quality collapses what costs least first, places the vertex that "
+       "stays, "
+       "then fits the mesh to the original. paper at first.",
+       Options,
+       handle::strategy,
+       {}},
+      {"regularity",
+       "W",
+       "For quality: 0 accuracy first to 1 regular faces first; 0.5 at first.",
+       Options,
+       handle::regularity,
+       {}},
       {"factor",
        "F",
-       "How many times longer edges become where the angle does not bind; 1 and up, 4 at first.",
+       "How many times longer edges become where the angle does not bind; 1 and up, 4 at first. Ends other "
+       "aims: coarsest, target-faces, spacing.",
        Options,
        handle::factor,
        {}},
-      {"coarsest", "[on|off]", "No limit on length: the factor is ignored.", Options, handle::coarsest, {}},
+      {"coarsest",
+       "[on|off]",
+       "No limit on length. Ends other aims; without it the factor holds again.",
+       Options,
+       handle::coarsest,
+       {}},
+      {"target-faces",
+       "N|off",
+       "Goes down to this many faces, or as far as the limits let it. Ends other aims.",
+       Options,
+       handle::target_faces,
+       {}},
+      {"spacing",
+       "FILE|EXPR|curvature|off",
+       "How long edges become, in the units of the mesh as loaded: a file with a number for each vertex; "
+       "curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the edges there), "
+       "k "
+       "(curvature) and diag (diagonal of the box). Ends other aims; another mesh drops it.",
+       Options,
+       handle::spacing,
+       {}},
       {"angle",
        "DEG",
-       "How far a face's normal may turn in one operation, degrees; 10 at first.",
+       "How far a face's normal may turn in one operation, degrees. 10 at first; while it is not changed, 60 "
+       "for quality unless coarsest.",
        Options,
        handle::angle,
+       {}},
+      {"min-angle",
+       "DEG",
+       "No collapse gives a face a smaller angle, degrees, unless it had one; 0 at first.",
+       Options,
+       handle::min_angle,
        {}},
       {"feature-angle",
        "DEG|off",
@@ -72,7 +114,7 @@ std::vector<Command> make_table() {
        {}},
       {"improve-passes",
        "N",
-       "How many sweeps are followed by swaps and smoothing; 2 at first.",
+       "For paper: how many sweeps are followed by swaps and smoothing.",
        Options,
        handle::improve_passes,
        {}},
@@ -232,7 +274,8 @@ std::vector<Command> make_table() {
        "outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, unused, "
        "model-vertices, model-edges, model-faces, model-regions, "
        "steps, cursor, "
-       "commands, refused-classification, refused-topology, refused-angle. Also: expect adjacency I J = "
+       "commands, refused-classification, refused-topology, refused-angle, refused-shape. Also: expect "
+       "adjacency I J = "
        "on|off.",
        Scripts,
        handle::expect,

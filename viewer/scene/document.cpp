@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/decimate/spacing.h"
 #include "core/mesh/journal_scope.h"
 
 namespace aomd::scene {
@@ -22,9 +23,9 @@ std::string_view Document::hindrance() const {
 }
 
 Column<Vertex, double> Document::wanted_lengths() const {
-  if (options_.coarsest || loaded_->skin)
-    return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   if (options_.spacing) return *options_.spacing;
+  if (options_.coarsest || options_.target_faces > 0 || loaded_->skin)
+    return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   Column<Vertex, double> lengths = loaded_->edge_lengths;
   for (const Vertex v : mesh().vertices()) lengths[v] *= options_.factor;
   return lengths;
@@ -54,6 +55,7 @@ const SweepStatistics* Document::last_sweep() const {
 
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   loaded_ = std::move(loaded);
+  options_.spacing.reset();
   marks_.clear();
   ++generation_;
   last_cut_ = mark_begin_ = 0;
@@ -82,18 +84,51 @@ const AdjacencyChange& Document::set_adjacency(int i, int j, bool on) {
   return *adjacency_change_;
 }
 
+/// Looks at the mesh as it is after a step and returns.
+void Document::visit(std::size_t step, const std::function<void()>& look) {
+  Mesh& mesh = loaded_->mesh;
+  Journal& journal = loaded_->journal;
+  const std::size_t cursor = journal.cursor();
+  journal.seek(mesh, step);
+  try {
+    look();
+  } catch (...) {
+    journal.seek(mesh, cursor);
+    throw;
+  }
+  journal.seek(mesh, cursor);
+  stale_ = stale_ || (cursor != step && loaded_->decimation);
+}
+
+/// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left.
+void Document::begin_strategy() {
+  stale_ = false;
+  visit(0, [&] {
+    loaded_->decimation.reset();
+    loaded_->decimation.emplace(loaded_->mesh, options_);
+  });
+}
+
 /// The decimation, made at the first need and told what it has missed.
 Decimation& Document::prepared() {
-  if (!loaded_->decimation) {
-    loaded_->decimation.emplace(loaded_->mesh, options_);
-    stale_ = false;
-  }
+  const bool other = !decimation() || decimation()->options().strategy != options_.strategy;
+  if (other || (stale_ && journal().cursor() == 0)) begin_strategy();
   DecimationOptions options = options_;
   options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
   stale_ = false;
   loaded_->decimation->set_options(options);
   return *loaded_->decimation;
+}
+
+void Document::set_spacing(const std::string& source) {
+  cancel_run();
+  const SpacingSource parsed = parse_spacing(source);
+  visit(0, [&] {
+    options_.spacing =
+        std::make_shared<const Column<Vertex, double>>(evaluate_spacing(loaded_->mesh, parsed));
+  });
+  spacing_source_ = source;
 }
 
 void Document::open_mark(std::string label) {
@@ -214,7 +249,8 @@ void Document::cancel_run() {
 double Document::run_progress() const {
   if (!decimation()) return 0;
   if (decimation()->done()) return 1;
-  // The driver counts the sweeps of its whole life.
+  if (decimation()->options().strategy == Strategy::Quality) return decimation()->progress();
+  // The paper's loop counts the sweeps of its whole life.
   const double left = 1 - decimation()->progress();
   return 1 - left * std::pow(2.0, static_cast<double>(first_sweep_of_run_) - 1);
 }

@@ -32,6 +32,10 @@ class Document {
     return loaded_ && loaded_->decimation ? &*loaded_->decimation : nullptr;
   }
   [[nodiscard]] const DecimationOptions& options() const { return options_; }
+  /// What the wanted lengths come from: a file, a formula or "curvature"; empty where the options have none.
+  [[nodiscard]] std::string_view spacing_source() const {
+    return options_.spacing ? std::string_view(spacing_source_) : std::string_view();
+  }
   [[nodiscard]] const ClassifyOptions& classify_options() const { return classify_; }
   /// Whether smoothing keeps vertices on the model: the given one, or else the faceted original.
   [[nodiscard]] bool snaps() const { return snaps_; }
@@ -43,8 +47,9 @@ class Document {
   [[nodiscard]] bool lies_on_model() const;
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
-  /// How long the present options want the edges at each vertex to be; infinite without a limit, or where the
-  /// mesh cannot be decimated; 0 at a vertex that has no edges as loaded. A mesh must be there.
+  /// How long the present options want the edges at each vertex to be; infinite without a limit, where
+  /// a number of faces decides, or where the mesh cannot be decimated; 0 at a vertex that has no edges as
+  /// loaded. A mesh must be there.
   [[nodiscard]] Column<Vertex, double> wanted_lengths() const;
   [[nodiscard]] HistoryPlace place() const;
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
@@ -61,10 +66,12 @@ class Document {
   [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
-
   void replace(std::unique_ptr<LoadedMesh> loaded);
   /// Keeps what has been done; cheap while nothing runs.
   void set_options(const DecimationOptions& options) { options_ = options; }
+  /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as parse_spacing
+  /// and evaluate_spacing; the options are then as before.
+  void set_spacing(const std::string& source);
   /// For the next mesh that is loaded; reclassify() for the present one.
   void set_classify_options(const ClassifyOptions& options) { classify_ = options; }
   /// Derives the classification anew; what the file says still wins. One command in the history. A volume
@@ -105,6 +112,8 @@ class Document {
 
  private:
   Decimation& prepared();
+  void begin_strategy();
+  void visit(std::size_t step, const std::function<void()>& look);
   std::size_t operate(std::string label, const std::function<void()>& edit);
   [[nodiscard]] std::size_t classified_at() const;
   void fit_to(GivenModel& model);
@@ -121,12 +130,13 @@ class Document {
 
   std::unique_ptr<LoadedMesh> loaded_;
   DecimationOptions options_;
+  std::string spacing_source_;  ///< of options_.spacing
   ClassifyOptions classify_;
   bool snaps_ = false;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
-  std::size_t mark_begin_ =
-      0;  ///< where the last command began, which cut there if the epoch has changed since
+  /// Where the last command began, which cut there if the epoch has changed since.
+  std::size_t mark_begin_ = 0;
   std::uint64_t epoch_at_mark_ = 0;
   std::uint64_t generation_ = 0;
   std::uint64_t creations_ = 0;

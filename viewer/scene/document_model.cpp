@@ -87,17 +87,11 @@ const Model* Document::model_to_snap_to() {
   return loaded_->original->model.get();
 }
 
-/// Goes back to where the present classification began and returns: its facets are the original.
+/// The facets of the mesh as it was where the present classification began.
 void Document::make_original() {
-  Mesh& mesh = loaded_->mesh;
-  Journal& journal = loaded_->journal;
-  const std::size_t cursor = journal.cursor();
   const std::size_t step = classified_at();
   let_go_of_models();
-  journal.seek(mesh, step);
-  loaded_->original = {step, std::make_unique<const DiscreteModel>(mesh)};
-  journal.seek(mesh, cursor);
-  stale_ = loaded_->decimation.has_value();
+  visit(step, [&] { loaded_->original = {step, std::make_unique<const DiscreteModel>(loaded_->mesh)}; });
 }
 
 /// A new classification may end at a step where another one did before.
@@ -110,7 +104,10 @@ void Document::forget_fits() {
 /// Before a model that the decimation may point at goes.
 void Document::let_go_of_models() {
   cancel_run();
-  if (loaded_->decimation) loaded_->decimation->set_options(options_);
+  if (!loaded_->decimation) return;
+  DecimationOptions without = loaded_->decimation->options();
+  without.model = nullptr;
+  loaded_->decimation->set_options(without);
 }
 
 }  // namespace aomd::scene

@@ -1,9 +1,7 @@
 #include "viewer/ui/file_browser.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstring>
 #include <utility>
 
 #include "viewer/scene/text.h"
@@ -23,16 +21,6 @@ bool wanted(const fs::path& path, const BrowserPurpose& purpose) {
   const std::string extension = lower(path.extension().string());
   return std::find(purpose.extensions.begin(), purpose.extensions.end(), extension) !=
          purpose.extensions.end();
-}
-
-/// An input for a string of any length up to a path's.
-bool input(const char* id, std::string& value) {
-  std::array<char, 4096> buffer{};
-  std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
-  const bool entered =
-      ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  value = buffer.data();
-  return entered;
 }
 
 }  // namespace
@@ -147,7 +135,7 @@ std::optional<fs::path> FileBrowser::draw(Frame& frame, const BrowserPurpose& pu
   draw_entries(frame, purpose);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  chosen_ = input("##name", typed_) || chosen_;
+  chosen_ = text_input("##name", typed_) || chosen_;
   tooltip("A name in this folder, or a whole path");
   const float width = 6 * em();
   const float rest = ImGui::GetContentRegionAvail().x - 2 * width - ImGui::GetStyle().ItemSpacing.x;

@@ -1,6 +1,8 @@
 #pragma once
 // The panels. Each draws the content of a window that the caller has begun.
 
+#include <string>
+
 #include "viewer/ui/frame.h"
 
 namespace aomd::ui {
@@ -14,7 +16,11 @@ void legend_panel(Frame& frame);
 struct DecimationDrafts {
   double feature_angle_deg = 20;
   bool editing_feature_angle = false;
+  std::string spacing;         ///< as typed
+  std::string spacing_source;  ///< the present one when that began
 };
+/// What decimation is told; a strategy shows the options that it has.
+void decimation_options(Frame& frame, DecimationDrafts& drafts);
 /// Options, operations, progress and refusals.
 void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 

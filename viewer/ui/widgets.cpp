@@ -1,7 +1,9 @@
 #include "viewer/ui/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "viewer/scene/commands.h"
 
@@ -213,6 +215,30 @@ bool number_control(const char* id, double& value, const NumberStyle& style) {
   }
   ImGui::PopID();
   return changed;
+}
+
+bool text_input(const char* id, std::string& value) {
+  std::array<char, 4096> buffer{};
+  std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
+  const bool entered =
+      ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  value = buffer.data();
+  return entered;
+}
+
+std::optional<std::size_t> choice_control(const char* id, std::span<const Choice> choices,
+                                          std::size_t present) {
+  std::optional<std::size_t> chosen;
+  const bool open = ImGui::BeginCombo(id, choices[present].name);
+  if (!open) tooltip(choices[present].help);
+  if (!open) return chosen;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const auto flags = choices[i].enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    if (ImGui::Selectable(choices[i].name, i == present, flags) && i != present) chosen = i;
+    tooltip(choices[i].help);
+  }
+  ImGui::EndCombo();
+  return chosen;
 }
 
 std::string fitted(const std::string& a, float width) {

@@ -2,6 +2,8 @@
 // The few building blocks that all panels are made of.
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -58,6 +60,19 @@ struct NumberStyle {
   bool logarithmic = false;
 };
 [[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
+
+/// For a string of any length up to a path's. True when it is entered.
+[[nodiscard]] bool text_input(const char* id, std::string& value);
+
+/// One of the rows of a list that drops down, with what its tooltip says.
+struct Choice {
+  const char* name;
+  const char* help;
+  bool enabled = true;
+};
+/// Shows the present one; what is chosen instead, if anything.
+[[nodiscard]] std::optional<std::size_t> choice_control(const char* id, std::span<const Choice> choices,
+                                                        std::size_t present);
 
 /// `a` shortened in its middle so that it is at most `width` wide.
 [[nodiscard]] std::string fitted(const std::string& a, float width);

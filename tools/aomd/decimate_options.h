@@ -1,0 +1,51 @@
+#pragma once
+// The options of `aomd decimate`: from the command line to what the library is told.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/decimate/options.h"
+#include "core/decimate/spacing.h"
+#include "core/model/classify.h"
+#include "tools/aomd/command.h"
+#include "tools/aomd/report.h"
+
+namespace aomd::cli {
+
+/// As given, defaults included.
+struct DecimateOptions {
+  std::string input, output;
+  // What to aim at
+  std::string spacing;              ///< empty: by factor
+  std::optional<double> gradation;  ///< of the spacing; none: what suits it
+  // How
+  std::string strategy = "quality", feature_angle = "20", snap = "none", model;
+  bool no_swap = false, no_smooth = false, repair = false;
+  std::vector<std::string> without;  ///< names of ideas that are left out
+  // What is guaranteed
+  std::optional<double> angle_deg;  ///< none: what suits the strategy
+  std::string topology = "safe", keep;
+  double max_distance_pct = 0;  ///< of the diagonal of the input's box
+  // What is written
+  std::string report, journal;
+  bool quiet = false;
+  DecimationOptions decimation;  ///< takes the numbers that need nothing else
+
+  [[nodiscard]] bool paper() const { return strategy == "paper"; }
+  [[nodiscard]] bool snaps() const { return snap == "model"; }
+
+  /// For the library, apart from what needs the mesh: spacing, keep, model and max_distance.
+  [[nodiscard]] DecimationOptions for_library() const;
+  [[nodiscard]] ClassifyOptions for_classification() const;
+  /// None without --spacing. Throws UsageError for what is no file and no formula.
+  [[nodiscard]] std::optional<SpacingSource> spacing_source() const;
+  /// "options" of a report: each of them, null where it is not in use.
+  [[nodiscard]] Json json() const;
+};
+
+/// Adds them to the command, in groups.
+void add_decimate_options(CLI::App& command, DecimateOptions& options);
+
+}  // namespace aomd::cli

@@ -1,0 +1,111 @@
+#include "tools/aomd/keep_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/io/source.h"
+#include "core/io/text_cursor.h"
+
+namespace aomd::cli {
+namespace {
+
+using io::detail::shown;
+using Kept = Column<Vertex, std::uint8_t>;
+
+std::optional<std::uint64_t> whole_number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
+}
+
+class KeepFile {
+ public:
+  KeepFile(const io::detail::Source& source, const Mesh& mesh)
+      : source_(source), mesh_(mesh), cursor_(source, source.bytes, 0, '#'), kept_(mesh.capacity(0), 0) {}
+
+  Kept read() {
+    while (!cursor_.skip_to_content()) {
+      item();
+      cursor_.end_line();
+    }
+    keep_classes();
+    return std::move(kept_);
+  }
+
+ private:
+  void item() {
+    const std::string_view word = cursor_.word();
+    constexpr std::array<std::string_view, 3> dimensions = {"vertex", "edge", "face"};
+    const auto found = std::find(dimensions.begin(), dimensions.end(), word);
+    if (found == dimensions.end()) return keep_range(word);
+    const std::int64_t tag = cursor_.integer("the tag of a model entity");
+    if (tag < ModelRef::min_tag || tag > ModelRef::max_tag) cursor_.fail("no model entity has such a tag");
+    classes_.insert({ModelRef(static_cast<int>(found - dimensions.begin()), static_cast<std::int32_t>(tag)),
+                     {cursor_.offset(), false}});
+  }
+
+  void keep_range(std::string_view word) {
+    const std::size_t dash = std::min(word.find('-'), word.size());
+    const auto first = whole_number(word.substr(0, dash));
+    const auto last = dash == word.size() ? first : whole_number(word.substr(dash + 1));
+    if (!first || !last)
+      cursor_.fail("expected a vertex, a range like 10-20 or a model entity like face 2, found " +
+                   shown(word));
+    if (*first > *last) cursor_.fail("the range " + shown(word) + " ends before it begins");
+    if (*last >= mesh_.capacity(0))
+      cursor_.fail("there is no vertex " + std::to_string(*last) + ": the mesh has " +
+                   std::to_string(mesh_.capacity(0)) + ", counted from 0");
+    for (std::uint64_t id = *first; id <= *last; ++id) kept_[Vertex(static_cast<std::uint32_t>(id))] = 1;
+  }
+
+  // One pass over the mesh for all of them.
+  void keep_classes() {
+    if (classes_.empty()) return;
+    for (int dim = 0; dim < 3; ++dim)
+      for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
+        if (mesh_.alive({dim, id})) keep_if_listed({dim, id});
+    for (const auto& [ref, entry] : classes_)
+      if (!entry.found)
+        source_.fail_at_line(entry.offset, std::string("nothing lies on model ") +
+                                               entity_name(ref.dimension()) + " " +
+                                               std::to_string(ref.tag()));
+  }
+
+  void keep_if_listed(EntityRef e) {
+    const auto listed = classes_.find(mesh_.classification(e));
+    if (listed == classes_.end()) return;
+    listed->second.found = true;
+    if (e.dimension == 0) {
+      kept_[Vertex(e.index)] = 1;
+      return;
+    }
+    VertexBuffer buffer;
+    for (const std::uint32_t v : mesh_.vertices_of(e, buffer)) kept_[Vertex(v)] = 1;
+  }
+
+  struct Entry {
+    std::size_t offset;  ///< in the file, for messages
+    bool found;
+  };
+
+  const io::detail::Source& source_;
+  const Mesh& mesh_;
+  io::detail::TextCursor cursor_;
+  Kept kept_;
+  std::map<ModelRef, Entry> classes_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Kept> read_keep_file(const std::filesystem::path& file, const Mesh& mesh) {
+  const io::detail::FileBytes bytes(file);
+  const io::detail::Source source{file.string(), bytes.view()};
+  return std::make_shared<const Kept>(KeepFile(source, mesh).read());
+}
+
+}  // namespace aomd::cli

@@ -1,0 +1,217 @@
+// The options of the page Decimation.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "viewer/scene/text.h"
+#include "viewer/ui/panels.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+namespace {
+
+using scene::short_number;
+
+void label(const Frame& frame, const char* name, const char* help) {
+  ImGui::AlignTextToFramePadding();
+  muted(frame, name);
+  tooltip(help);
+}
+
+/// Where what stands beside a name begins.
+float name_width() { return 5.4f * em(); }
+
+constexpr const char* spacing_help =
+    "How long edges become, in the units of the mesh as opened, then Enter. A file with a number for each "
+    "vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the edges "
+    "there), k (curvature) and diag (diagonal of the box), like x < 0 ? 2 * h : 8 * h.";
+
+void strategy_control(Frame& frame, const DecimationOptions& options) {
+  constexpr Choice choices[] = {
+      {"Paper",
+       "The loop as printed in the paper: edges in their order, in sweeps; a collapse leaves the other "
+       "vertex "
+       "where it is."},
+      {"Quality",
+       "What costs least goes first, the vertex that stays is put where the error is least, and the result "
+       "is fitted to the mesh as opened."}};
+  label(frame, "Strategy", "How to choose what goes.");
+  ImGui::SameLine(name_width());
+  ImGui::SetNextItemWidth(-1);
+  const std::size_t present = options.strategy == Strategy::Paper ? 0 : 1;
+  if (const auto chosen = choice_control("##strategy", choices, present))
+    frame.emit(*chosen == 0 ? "strategy paper" : "strategy quality");
+}
+
+enum class Aim : std::size_t { Factor, Faces, Lengths, Coarsest };
+
+Aim aim_of(const DecimationOptions& options) {
+  if (options.target_faces > 0) return Aim::Faces;
+  if (options.spacing) return Aim::Lengths;
+  return options.coarsest ? Aim::Coarsest : Aim::Factor;
+}
+
+/// Faces as opened: the upper end of the slider.
+std::int64_t faces_at_most(const Frame& frame) {
+  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.loaded_facts().faces, 8) : 100'000;
+}
+
+void take_aim(Frame& frame, Aim aim) {
+  const DecimationOptions& options = frame.document().options();
+  switch (aim) {
+    case Aim::Factor:
+      return frame.emit("factor " + short_number(options.factor));
+    case Aim::Faces:
+      return frame.emit("target-faces " +
+                        std::to_string(std::max<std::int64_t>(faces_at_most(frame) / 10, 4)));
+    case Aim::Lengths:
+      return frame.emit("spacing curvature");
+    case Aim::Coarsest:
+      return frame.emit("coarsest on");
+  }
+}
+
+void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
+  switch (aim_of(options)) {
+    case Aim::Factor: {
+      double factor = options.factor;
+      if (number_control("factor", factor, {1, 32, "%.2f \u00d7", true}))
+        frame.emit("factor " + short_number(factor));
+      return;
+    }
+    case Aim::Faces: {
+      double faces = options.target_faces;
+      if (number_control("faces", faces, {4, static_cast<double>(faces_at_most(frame)), "%.0f", true}))
+        frame.emit("target-faces " + std::to_string(std::llround(faces)));
+      return;
+    }
+    case Aim::Lengths: {
+      if (const auto source = frame.document().spacing_source(); drafts.spacing_source != source)
+        drafts.spacing = drafts.spacing_source = source;
+      ImGui::SetNextItemWidth(-1);
+      if (text_input("##spacing", drafts.spacing)) frame.emit("spacing " + drafts.spacing);
+      tooltip(spacing_help);
+      return;
+    }
+    case Aim::Coarsest:
+      ImGui::AlignTextToFramePadding();
+      return muted(frame, "Angle and model decide.");
+  }
+}
+
+void aim_control(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
+  const Choice choices[] = {
+      {"Length factor",
+       "How many times longer edges become (\u00d7 their average length at the start) where the angle does "
+       "not bind."},
+      {"Number of faces", "Stops at this many faces, or where nothing more may go."},
+      {"Edge lengths", spacing_help, frame.can_decimate()},
+      {"Coarsest", "No limit on length: only the angle and the model stop a collapse."}};
+  label(frame, "Aim at", "When an edge is long enough, or the mesh coarse enough.");
+  ImGui::SameLine(name_width());
+  ImGui::SetNextItemWidth(-1);
+  const Aim present = aim_of(options);
+  if (const auto chosen = choice_control("##aim", choices, static_cast<std::size_t>(present)))
+    take_aim(frame, static_cast<Aim>(*chosen));
+  aim_value(frame, options, drafts);
+}
+
+void snap_control(Frame& frame) {
+  const scene::Document& document = frame.document();
+  const char* name = "Snap to model";
+  same_line_right(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x +
+                  ImGui::CalcTextSize(name).x);
+  ImGui::BeginDisabled(document.running());
+  bool on = document.snaps();
+  if (ImGui::Checkbox(name, &on)) frame.emit(on ? "snap model" : "snap none");
+  ImGui::EndDisabled();
+  tooltip(
+      "Smoothing puts every vertex that it moves back onto the model face or edge that it lies on: of the "
+      "CAD "
+      "model when one is given, or else onto the facets of the mesh as opened (distance 0 but for rounding, "
+      "in the mesh's units of length). Off: it may leave the model, and round shapes shrink.");
+}
+
+void angle_control(Frame& frame, const DecimationOptions& options) {
+  label(frame, "Angle limit", "How far the normal of a face may turn in one operation, in degrees.");
+  snap_control(frame);
+  double angle = options.angle_deg;
+  if (number_control("angle", angle, {1, 90, "%.1f\u00b0"})) frame.emit("angle " + short_number(angle));
+}
+
+/// Deriving the classification takes longer than a frame on large meshes: only when the value is let go.
+void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
+  const auto present = frame.document().classify_options().feature_angle_deg;
+  if (!drafts.editing_feature_angle) drafts.feature_angle_deg = present.value_or(20);
+  label(frame, "Feature angle",
+        "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses "
+        "respect.");
+  same_line_right(6.1f * em());
+  bool on = present.has_value();
+  if (ImGui::Checkbox("Features", &on))
+    frame.emit(on ? "feature-angle " + short_number(drafts.feature_angle_deg) : "feature-angle off");
+  tooltip("Off: only boundaries, non-manifold edges and borders between model faces are model edges.");
+  ImGui::BeginDisabled(!on);
+  ImGui::BeginGroup();
+  const bool changed = number_control("feature", drafts.feature_angle_deg, {1, 90, "%.1f\u00b0"});
+  ImGui::EndGroup();
+  ImGui::EndDisabled();
+  drafts.editing_feature_angle = (drafts.editing_feature_angle || changed) && on;
+  if (drafts.editing_feature_angle && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    drafts.editing_feature_angle = false;
+    frame.emit("feature-angle " + short_number(drafts.feature_angle_deg));
+  }
+}
+
+void topology_control(Frame& frame, const DecimationOptions& options) {
+  label(frame, "Topology", "");
+  if (ImGui::GetContentRegionAvail().x > 14.5f * em())
+    ImGui::SameLine(6.2f * em());
+  else
+    ImGui::SameLine(0, 0.4f * em());
+  const bool safe = options.topology == TopologyRule::Safe;
+  if (ImGui::RadioButton("Safe", safe)) frame.emit("topology safe");
+  tooltip("A collapse must keep the topology: link condition, so the Euler number stays.");
+  ImGui::SameLine();
+  if (ImGui::RadioButton("Paper", !safe)) frame.emit("topology paper");
+  tooltip("As printed in the paper, without that check: thin parts may fuse or vanish.");
+}
+
+void regularity_control(Frame& frame, const DecimationOptions& options) {
+  label(frame, "Regularity",
+        "0: accuracy first, the surface stays as close to the mesh as opened as its faces allow. 1: regular "
+        "faces first, closer to equilateral, for a larger distance.");
+  ImGui::SameLine(name_width());
+  double regularity = options.regularity;
+  ImGui::BeginGroup();
+  if (number_control("regularity", regularity, {0, 1, "%.2f"}))
+    frame.emit("regularity " + short_number(regularity));
+  ImGui::EndGroup();
+}
+
+void passes_control(Frame& frame, const DecimationOptions& options) {
+  label(frame, "Improve passes", "How many sweeps are followed by edge swaps and vertex smoothing.");
+  same_line_right(6.1f * em());
+  ImGui::SetNextItemWidth(-1);
+  int passes = options.improve_passes;
+  if (ImGui::InputInt("##passes", &passes, 1, 1))
+    frame.emit("improve-passes " + std::to_string(std::max(0, passes)));
+}
+
+}  // namespace
+
+void decimation_options(Frame& frame, DecimationDrafts& drafts) {
+  const DecimationOptions& options = frame.document().options();
+  strategy_control(frame, options);
+  aim_control(frame, options, drafts);
+  angle_control(frame, options);
+  feature_angle_control(frame, drafts);
+  topology_control(frame, options);
+  if (options.strategy == Strategy::Paper)
+    passes_control(frame, options);
+  else
+    regularity_control(frame, options);
+}
+
+}  // namespace aomd::ui
