@@ -141,24 +141,23 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
 
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                            glm::dvec3& at) {
-  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac);
-  const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;  // the same seen from b and from c
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   double y, z;  // of b and c
   if (va > 0 && vb > 0 && vc > 0) {
-    const double scale = 1 / (va + vb + vc);
-    y = vb * scale, z = vc * scale;
+    const double sum = va + vb + vc;
+    y = vb / sum, z = vc / sum;
   } else if (d1 <= 0 && d2 <= 0) {
     y = z = 0;
   } else if (d3 >= 0 && d4 <= d3) {
     y = 1, z = 0;
   } else if (d6 >= 0 && d5 <= d6) {
     y = 0, z = 1;
-  } else if (vc <= 0 && d1 >= 0 && d3 <= 0 && bb > 0) {
+  } else if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) {
     y = d1 / (d1 - d3), z = 0;
-  } else if (vb <= 0 && d2 >= 0 && d6 <= 0 && cc > 0) {
+  } else if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) {
     y = 0, z = d2 / (d2 - d6);
   } else {
     z = (d4 - d3) / ((d4 - d3) + (d5 - d6)), y = 1 - z;
