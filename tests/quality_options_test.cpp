@@ -203,6 +203,28 @@ TEST(QualityOptionsTest, ASwapPassImprovesAMeshAsItIs) {
   EXPECT_FALSE(mesh.find_edge(Vertex(2), Vertex(3)).valid());
 }
 
+// Stretched forty times, nearly every triangle is narrower than the strategy's own least angle, which must
+// not stand in the way; the user's must.
+TEST(QualityOptionsTest, AMeshOfSliversReachesItsTarget) {
+  MeshData data = make_sample("terrain", 40);
+  for (glm::dvec3& p : data.positions) p.x *= 40;
+  const auto faces_left = [&](double min_angle_deg) {
+    Mesh mesh(data);
+    classify(mesh);
+    const std::uint32_t target = mesh.count(2) / 8;
+    Decimation(mesh, {.strategy = Strategy::Quality,
+                      .target_faces = target,
+                      .angle_deg = 60,
+                      .min_angle_deg = min_angle_deg,
+                      .regularity = 1})
+        .run();
+    EXPECT_TRUE(verify(mesh).empty());
+    return static_cast<double>(mesh.count(2)) / target;
+  };
+  EXPECT_LE(faces_left(0), 1.0);
+  EXPECT_GT(faces_left(20), 1.1);
+}
+
 TEST(QualityOptionsTest, AMeshAtItsTargetKeepsItsFaces) {
   Mesh mesh = classified(make_sample("torus", 60));
   const std::uint32_t faces = mesh.count(2);

@@ -119,12 +119,22 @@ void QualityLoop::fill_queue() {
     if (state_[v].partner.valid()) queue_.put(v, state_[v].cost);
 }
 
+// A mesh of slivers cannot reach its target without making some. Then only what the user asked for binds.
+bool QualityLoop::relax() {
+  const bool stuck = goals_[stage_] > 0 && mesh_.count(2) > goals_[stage_];
+  if (!stuck || rules_.min_angle_deg <= options_.min_angle_deg) return false;
+  rules_.min_angle_deg = fit_.min_angle_deg = options_.min_angle_deg;
+  for (const Vertex v : mesh_.vertices()) dequeue(v);
+  fill_queue();
+  return true;
+}
+
 // One vertex: its cheapest candidate that is allowed, as long as nothing else in the queue is cheaper.
 bool QualityLoop::advance_collapse() {
   const std::uint32_t goal = goals_[stage_];
   const Vertex v = goal > 0 && mesh_.count(2) <= goal ? Vertex() : queue_.pop();
   if (!v.valid()) {
-    begin_improvement();
+    if (!relax()) begin_improvement();
     return false;
   }
   if (const Vertex partner = state_[v].partner; partner.valid())

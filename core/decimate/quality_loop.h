@@ -57,6 +57,7 @@ class QualityLoop final : public Loop {
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
   [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
+  bool relax();
   bool try_others(Vertex v);
   bool collapse(const Contraction& contraction);
   static void offer(State& state, Vertex partner, float cost);
