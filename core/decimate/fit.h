@@ -30,6 +30,8 @@ struct FitRules {
 /// 4 sqrt(3) area / (sum of squared sides): 1 for an equilateral triangle, 0 for one without area.
 [[nodiscard]] double triangle_quality(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
+/// Judges moves and swaps on one mesh against one original. The mesh must store T(0,2) and T(2,0); the points
+/// of the original must have been located on it. O(faces around the place and the points on them).
 class Fitter {
  public:
   Fitter(const Mesh& mesh, OriginalSurface& original) : mesh_(mesh), original_(original) {}
@@ -37,14 +39,16 @@ class Fitter {
   /// Where a vertex inside a model face would go: the least-squares place for the points on the faces around
   /// it, each seen as a plane through its face, pulled along the surface towards the neighbourhood's centre.
   /// Half or a quarter of the way where all of it goes too far. Refusals: Classification, Flat (no area
-  /// around it), Angle.
+  /// around it), Angle (against what the face was, or the original under it), Quality (a poor face would get
+  /// poorer), Shape (below the least angle).
   [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, glm::dvec3& target);
 
   /// The faces around the vertex that judge_move() looked at last.
   [[nodiscard]] const Star& star() const { return star_; }
 
   /// Whether swapping the edge between a and b lowers the energy. Refusals: those of find_pair, Topology (the
-  /// other diagonal exists), Flat, Angle (a new face against the two old ones together), Quality (no gain).
+  /// other diagonal exists), Flat, Angle (a new face against the two old ones together, or the original under
+  /// them), Shape (below the least angle), Quality (no gain).
   [[nodiscard]] Verdict judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& pair);
   /// Gives the points of the two faces to those that they are nearest to. Call right before apply_swap().
   void swapped(const EdgePair& pair);

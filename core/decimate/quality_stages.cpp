@@ -181,16 +181,18 @@ void QualityLoop::end_phase() {
 }
 
 void QualityLoop::end_round() {
-  original_.locate(mesh_);
-  if (++round_ < rounds()) {
-    open_sweep();
-    phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
-  } else if (!last_stage()) {
-    ++stage_;
-    begin_stage();
-  } else {
+  if (++round_ == rounds() && last_stage()) {  // nobody asks for the points any more
     sweeps_.back().faces = mesh_.count(2);
     phase_ = Phase::Done;
+    return;
+  }
+  original_.locate(mesh_);
+  if (round_ < rounds()) {
+    open_sweep();
+    phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+  } else {
+    ++stage_;
+    begin_stage();
   }
 }
 
