@@ -1,9 +1,9 @@
 #include <string>
 
 #include "viewer/scene/adjacency.h"
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
 
 struct Cell {
@@ -23,8 +23,6 @@ Cell cell(Arguments& arguments) {
   return {i, j};
 }
 
-}  // namespace
-
 void adjacency(Session& session, Arguments& arguments) {
   const auto [i, j] = cell(arguments);
   need_mesh(session);
@@ -33,6 +31,8 @@ void adjacency(Session& session, Arguments& arguments) {
   const AdjacencyChange& change = session.document.set_adjacency(i, j, on);
   session.status = change_words(session.document.mesh(), change);
 }
+
+}  // namespace
 
 void expect_adjacency(Session& session, Arguments& arguments) {
   static_cast<void>(arguments.word("adjacency"));
@@ -47,4 +47,16 @@ void expect_adjacency(Session& session, Arguments& arguments) {
                             (stored ? "on" : "off"));
 }
 
-}  // namespace aomd::scene::handle
+std::vector<Command> adjacency_commands() {
+  return {
+      {"adjacency",
+       "I J [on|off|toggle]",
+       "Stores the relation T(I,J) of levels 0 (vertices) to 3 (regions), or lets go of it. It stays stored "
+       "while an algorithm needs it or where it defines entities. Not part of the history.",
+       CommandGroup::Options,
+       adjacency,
+       {}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -1,9 +1,9 @@
 #include <string>
 
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 #include "viewer/scene/text.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
 
 constexpr double largest_count = 1e9;
@@ -29,8 +29,6 @@ void start(Session& session, Arguments& arguments) {
   need_decimable(session);
   session.play(false);
 }
-
-}  // namespace
 
 void step(Session& session, Arguments& arguments) {
   const auto count =
@@ -85,4 +83,43 @@ void cancel(Session& session, Arguments& arguments) {
   session.play(false);
 }
 
-}  // namespace aomd::scene::handle
+}  // namespace
+
+std::vector<Command> edit_commands() {
+  return {
+      {"step",
+       "[N]",
+       "N single operations; -N takes back as many.",
+       CommandGroup::Operations,
+       step,
+       {{"Right", "step"}, {"Left", "step -1"}, {"Shift+Right", "step 100"}, {"Shift+Left", "step -100"}}},
+      {"sweep",
+       "[N]",
+       "Collapses edges to the end of the present sweep.",
+       CommandGroup::Operations,
+       sweep,
+       {{"S", "sweep"}}},
+      {"swap", "", "One pass of edge swaps.", CommandGroup::Operations, swap, {{"W", "swap"}}},
+      {"smooth", "", "One pass of vertex smoothing.", CommandGroup::Operations, smooth, {{"M", "smooth"}}},
+      {"improve",
+       "",
+       "One pass of swaps, then one of smoothing.",
+       CommandGroup::Operations,
+       improve,
+       {{"I", "improve"}}},
+      {"run",
+       "",
+       "Sweeps and improves until nothing is left to do. The window stays live.",
+       CommandGroup::Operations,
+       run,
+       {{"R", "run"}}},
+      {"cancel",
+       "",
+       "Stops a run between two operations, drops what is being loaded, stops playing.",
+       CommandGroup::Operations,
+       cancel,
+       {{"Escape", "cancel"}}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -3,26 +3,11 @@
 
 #include "core/io/io.h"
 #include "core/samples/samples.h"
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 #include "viewer/scene/text.h"
 
-namespace aomd::scene::handle {
-
-std::filesystem::path expanded(const std::string& text) {
-  const char* home = std::getenv("HOME");
-  if (home != nullptr && text.rfind("~/", 0) == 0) return std::filesystem::path(home) / text.substr(2);
-  return text;
-}
-
-void need_mesh(const Session& session) {
-  if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");
-}
-
-void need_decimable(const Session& session) {
-  need_mesh(session);
-  if (const std::string_view why = session.document.hindrance(); !why.empty())
-    throw CommandError(std::string(why));
-}
+namespace aomd::scene {
+namespace {
 
 void open(Session& session, Arguments& arguments) {
   LoadRequest request;
@@ -84,4 +69,54 @@ void quit(Session& session, Arguments& arguments) {
   session.quit = true;
 }
 
-}  // namespace aomd::scene::handle
+}  // namespace
+
+std::filesystem::path expanded(const std::string& text) {
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && text.rfind("~/", 0) == 0) return std::filesystem::path(home) / text.substr(2);
+  return text;
+}
+
+void need_mesh(const Session& session) {
+  if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");
+}
+
+void need_decimable(const Session& session) {
+  need_mesh(session);
+  if (const std::string_view why = session.document.hindrance(); !why.empty())
+    throw CommandError(std::string(why));
+}
+
+std::vector<Command> file_commands() {
+  return {
+      {"open",
+       "FILE",
+       "Reads a mesh; the present one stays until the new one is ready.",
+       CommandGroup::File,
+       open,
+       {{"Ctrl+O", "dialog open"}}},
+      {"sample", "NAME [SIZE]", "Makes one of the built-in meshes.", CommandGroup::File, sample, {}},
+      {"model",
+       "FILE|none",
+       "Reads the CAD model that the present mesh lies on, with Gmsh: .step, .stp, .brep, .iges, .igs or "
+       ".geo. A mesh whose file does not say on what it lies is classified on it. Another mesh drops it.",
+       CommandGroup::File,
+       model,
+       {}},
+      {"save",
+       "FILE",
+       "Writes the mesh with its classification; the extension chooses the format.",
+       CommandGroup::File,
+       save,
+       {{"Ctrl+S", "dialog save"}}},
+      {"screenshot",
+       "FILE [WxH]",
+       "Writes a PNG of everything that is shown, as large as the window or WxH.",
+       CommandGroup::File,
+       screenshot,
+       {{"Ctrl+P", "dialog screenshot"}}},
+      {"quit", "", "Ends the program.", CommandGroup::File, quit, {{"Ctrl+Q", "quit"}}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -2,10 +2,10 @@
 #include <limits>
 #include <string>
 
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 #include "viewer/scene/text.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
 
 void start(Session& session, Arguments& arguments) {
@@ -18,14 +18,6 @@ void say_where(Session& session, const char* what) {
   const Journal& journal = session.document.journal();
   session.status = std::string(what) + ": operation " + grouped(static_cast<std::int64_t>(journal.cursor())) +
                    " of " + grouped(static_cast<std::int64_t>(journal.size()));
-}
-
-}  // namespace
-
-void reset(Session& session, Arguments& arguments) {
-  start(session, arguments);
-  session.document.seek(0);
-  session.status = "As loaded: redo brings the operations back";
 }
 
 void undo(Session& session, Arguments& arguments) {
@@ -69,4 +61,48 @@ void pause(Session& session, Arguments& arguments) {
   session.play(false);
 }
 
-}  // namespace aomd::scene::handle
+void reset(Session& session, Arguments& arguments) {
+  start(session, arguments);
+  session.document.seek(0);
+  session.status = "As loaded: redo brings the operations back";
+}
+
+}  // namespace
+
+std::vector<Command> history_commands() {
+  return {
+      {"undo",
+       "",
+       "Takes back the last command as a whole.",
+       CommandGroup::History,
+       undo,
+       {{"Ctrl+Z", "undo"}}},
+      {"redo",
+       "",
+       "Does it again.",
+       CommandGroup::History,
+       redo,
+       {{"Ctrl+Shift+Z", "redo"}, {"Ctrl+Y", "redo"}}},
+      {"seek",
+       "N|end",
+       "Moves to where N operations are applied.",
+       CommandGroup::History,
+       seek,
+       {{"Home", "seek 0"}, {"End", "seek end"}}},
+      {"play",
+       "[on|off|toggle]",
+       "Plays the history from where it stands; from the start when it is at the end.",
+       CommandGroup::History,
+       play,
+       {{"Space", "play toggle"}}},
+      {"pause", "", "Stops playing.", CommandGroup::History, pause, {}},
+      {"reset",
+       "",
+       "Back to the mesh as it was loaded; redo leads forward again.",
+       CommandGroup::History,
+       reset,
+       {{"Ctrl+R", "reset"}}},
+  };
+}
+
+}  // namespace aomd::scene

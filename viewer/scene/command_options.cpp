@@ -1,101 +1,15 @@
-// What a decimation is told.
+// What limits each operation of a decimation, and what goes with it.
 
-#include <stdexcept>
 #include <string>
 
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
-
-constexpr double largest_count = 1e9;
-
-/// A length factor, no limit, a number of faces and a spacing exclude each other.
-void no_other_aim(DecimationOptions& options) {
-  options.coarsest = false;
-  options.target_faces = 0;
-  options.spacing.reset();
-}
-
-/// Sets a strategy or an aim. An angle that is the usual one follows.
-void set_with_angle(Session& session, DecimationOptions options) {
-  const DecimationOptions& before = session.document.options();
-  if (before.angle_deg == usual_angle_deg(before.strategy, before.coarsest))
-    options.angle_deg = usual_angle_deg(options.strategy, options.coarsest);
-  session.document.set_options(options);
-}
-
-}  // namespace
-
-void factor(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
-  options.factor = arguments.number("a factor", 1, 1e6);
-  arguments.end();
-  no_other_aim(options);
-  set_with_angle(session, options);
-}
 
 void angle(Session& session, Arguments& arguments) {
   DecimationOptions options = session.document.options();
   options.angle_deg = arguments.number("an angle in degrees", 0, 180);
-  arguments.end();
-  session.document.set_options(options);
-}
-
-void coarsest(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
-  const bool on = arguments.flag(options.coarsest);
-  arguments.end();
-  if (on) no_other_aim(options);
-  options.coarsest = on;
-  set_with_angle(session, options);
-}
-
-void target_faces(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("a number of faces, or off");
-  DecimationOptions options = session.document.options();
-  if (text != "off") no_other_aim(options);
-  options.target_faces =
-      text == "off"
-          ? 0
-          : static_cast<std::uint32_t>(
-                Arguments("target-faces", "N|off", text).number("a number of faces", 1, largest_count));
-  arguments.end();
-  set_with_angle(session, options);
-}
-
-void spacing(Session& session, Arguments& arguments) {
-  const std::string text = arguments.rest("a file, a formula, curvature or off");
-  DecimationOptions options = session.document.options();
-  if (text == "off") {
-    options.spacing.reset();
-    session.document.set_options(options);
-    return;
-  }
-  need_decimable(session);
-  session.play(false);
-  try {
-    session.document.set_spacing(expanded(text).string());
-  } catch (const std::invalid_argument& error) {
-    throw CommandError(error.what());
-  }
-  no_other_aim(options);
-  options.spacing = session.document.options().spacing;
-  set_with_angle(session, options);
-}
-
-void strategy(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("paper or quality");
-  arguments.end();
-  if (text != "paper" && text != "quality") arguments.fail("'" + text + "' is neither paper nor quality");
-  DecimationOptions options = session.document.options();
-  options.strategy = text == "paper" ? Strategy::Paper : Strategy::Quality;
-  set_with_angle(session, options);
-}
-
-void regularity(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
-  options.regularity = arguments.number("a regularity", 0, 1);
   arguments.end();
   session.document.set_options(options);
 }
@@ -151,4 +65,51 @@ void snap(Session& session, Arguments& arguments) {
   session.document.set_snapping(text == "model");
 }
 
-}  // namespace aomd::scene::handle
+}  // namespace
+
+std::vector<Command> option_commands() {
+  return {
+      {"angle",
+       "DEG",
+       "How far a face's normal may turn in one operation, degrees. 10 at first; while it is not changed, 60 "
+       "for quality unless coarsest.",
+       CommandGroup::Options,
+       angle,
+       {}},
+      {"min-angle",
+       "DEG",
+       "No collapse gives a face a smaller angle, degrees, unless it had one; 0 at first.",
+       CommandGroup::Options,
+       min_angle,
+       {}},
+      {"feature-angle",
+       "DEG|off",
+       "Derives the classification anew: edges past this angle become model edges. What the file says still "
+       "wins.",
+       CommandGroup::Options,
+       feature_angle,
+       {}},
+      {"topology",
+       "safe|paper",
+       "safe keeps the topology (link condition); paper leaves that check out, and edges with more than two "
+       "faces are not model edges.",
+       CommandGroup::Options,
+       topology,
+       {}},
+      {"improve-passes",
+       "N",
+       "For paper: how many sweeps are followed by swaps and smoothing.",
+       CommandGroup::Options,
+       improve_passes,
+       {}},
+      {"snap",
+       "none|model",
+       "model: smoothing puts vertices back onto the model, or onto the facets of the mesh as opened where "
+       "none is given. none at first.",
+       CommandGroup::Options,
+       snap,
+       {}},
+  };
+}
+
+}  // namespace aomd::scene

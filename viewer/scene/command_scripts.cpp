@@ -1,10 +1,10 @@
 #include <array>
 #include <string>
 
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 #include "viewer/scene/text.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
 
 using Quantity = std::int64_t (*)(const Session&);
@@ -67,8 +67,6 @@ bool holds(std::int64_t value, const std::string& relation, std::int64_t bound, 
   arguments.fail("'" + relation + "' is none of =, <, >, <=, >=");
 }
 
-}  // namespace
-
 void expect(Session& session, Arguments& arguments) {
   need_mesh(session);
   Arguments again = arguments;
@@ -91,4 +89,28 @@ void wait_idle(Session& session, Arguments& arguments) {
 
 void log(Session& session, Arguments& arguments) { session.log = arguments.rest("a text"); }
 
-}  // namespace aomd::scene::handle
+}  // namespace
+
+std::vector<Command> script_commands() {
+  return {
+      {"expect",
+       "QUANTITY = N",
+       "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
+       "faces, regions, outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, "
+       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
+       "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
+       "on|off.",
+       CommandGroup::Scripts,
+       expect,
+       {}},
+      {"wait-idle",
+       "",
+       "Waits until loading, running and playing have ended.",
+       CommandGroup::Scripts,
+       wait_idle,
+       {}},
+      {"log", "TEXT", "Prints a line.", CommandGroup::Scripts, log, {}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -1,9 +1,11 @@
+// What is shown, and how.
+
 #include <array>
 #include <string>
 
-#include "viewer/scene/command_handlers.h"
+#include "viewer/scene/command_groups.h"
 
-namespace aomd::scene::handle {
+namespace aomd::scene {
 namespace {
 
 template <typename T, std::size_t N>
@@ -16,8 +18,6 @@ T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, 
   arguments.fail("'" + text + "' is none of " + names);
 }
 
-}  // namespace
-
 void color(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, Coloring>, 3> choices = {
       {{"classification", Coloring::Classification},
@@ -25,46 +25,6 @@ void color(Session& session, Arguments& arguments) {
        {"none", Coloring::None}}};
   session.view.coloring = choose(arguments, choices);
   arguments.end();
-}
-
-void camera(Session& session, Arguments& arguments) {
-  need_mesh(session);
-  const std::string text = arguments.rest("a view or its parameters");
-  const CameraSpec spec =
-      parse_camera(text, session.view.camera, session.document.content().bounds, session.view.aspect);
-  if (!spec.camera) arguments.fail(spec.error);
-  session.view.camera = *spec.camera;
-}
-
-void fit(Session& session, Arguments& arguments) {
-  arguments.end();
-  need_mesh(session);
-  session.view.camera.fit(session.document.content().bounds, session.view.aspect);
-}
-
-void orbit(Session& session, Arguments& arguments) {
-  const double azimuth = arguments.number("degrees to the right");
-  const double elevation = arguments.number("degrees upward");
-  arguments.end();
-  session.view.camera.orbit(azimuth, elevation);
-}
-
-void pan(Session& session, Arguments& arguments) {
-  const double x = arguments.number("a shift to the right");
-  const double y = arguments.number("a shift upward");
-  arguments.end();
-  session.view.camera.pan({0, 0}, {2 * x, 2 * y}, session.view.aspect);
-}
-
-void zoom(Session& session, Arguments& arguments) {
-  const double factor = arguments.number("a factor", 1e-6, 1e6);
-  glm::dvec2 at{0, 0};
-  if (!arguments.done()) {
-    at.x = arguments.number("a place from left (-1) to right (1)", -1, 1);
-    at.y = arguments.number("a place from bottom (-1) to top (1)", -1, 1);
-  }
-  arguments.end();
-  session.view.camera.zoom(1 / factor, at, session.view.aspect);
 }
 
 void show(Session& session, Arguments& arguments) {
@@ -152,4 +112,59 @@ void dismiss(Session& session, Arguments& arguments) {
   session.error.clear();
 }
 
-}  // namespace aomd::scene::handle
+}  // namespace
+
+std::vector<Command> view_commands() {
+  return {
+      {"color",
+       "classification|spacing|none",
+       "What the surface's colours mean: what it lies on, or how long decimation wants edges to be.",
+       CommandGroup::View,
+       color,
+       {{"C", "color classification"}, {"N", "color none"}}},
+      {"show",
+       "surface|edges|model-edges|model-vertices|interfaces|operation [on|off|toggle]",
+       "interfaces are the faces between two model regions, seen where something is hidden; operation is "
+       "what the last single step touched.",
+       CommandGroup::View,
+       show,
+       {{"E", "show edges toggle"},
+        {"B", "show model-edges toggle"},
+        {"V", "show model-vertices toggle"},
+        {"O", "show operation toggle"}}},
+      {"highlight",
+       "[vertex|edge|face|region:TAG]",
+       "Brightens what lies on one model entity; none without a word.",
+       CommandGroup::View,
+       highlight,
+       {}},
+      {"hide",
+       "[vertex|edge|face|region:TAG [on|off|toggle]]",
+       "Hides what lies on one model entity; shows everything without a word. Behind a hidden region its "
+       "neighbours show.",
+       CommandGroup::View,
+       hide,
+       {{"H", "hide"}}},
+      {"theme",
+       "light|dark|toggle",
+       "The colours of panels and background.",
+       CommandGroup::View,
+       theme,
+       {{"T", "theme toggle"}}},
+      {"panel",
+       "mesh|decimation|adjacency|timeline|all [on|off|toggle]",
+       "Which panels are there; decimation and adjacency share the one on the right.",
+       CommandGroup::View,
+       panel,
+       {{"Tab", "panel all toggle"}, {"D", "panel decimation on"}, {"A", "panel adjacency on"}}},
+      {"dialog",
+       "open|save|screenshot|shortcuts|about|none",
+       "Opens one of the dialogs.",
+       CommandGroup::View,
+       dialog,
+       {{"F1", "dialog shortcuts"}}},
+      {"dismiss", "", "Closes the message about an error.", CommandGroup::View, dismiss, {}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,89 @@
+// From where the mesh is seen.
+
+#include <string>
+
+#include "viewer/scene/command_groups.h"
+
+namespace aomd::scene {
+namespace {
+
+void camera(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  const std::string text = arguments.rest("a view or its parameters");
+  const CameraSpec spec =
+      parse_camera(text, session.view.camera, session.document.content().bounds, session.view.aspect);
+  if (!spec.camera) arguments.fail(spec.error);
+  session.view.camera = *spec.camera;
+}
+
+void fit(Session& session, Arguments& arguments) {
+  arguments.end();
+  need_mesh(session);
+  session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+}
+
+void orbit(Session& session, Arguments& arguments) {
+  const double azimuth = arguments.number("degrees to the right");
+  const double elevation = arguments.number("degrees upward");
+  arguments.end();
+  session.view.camera.orbit(azimuth, elevation);
+}
+
+void pan(Session& session, Arguments& arguments) {
+  const double x = arguments.number("a shift to the right");
+  const double y = arguments.number("a shift upward");
+  arguments.end();
+  session.view.camera.pan({0, 0}, {2 * x, 2 * y}, session.view.aspect);
+}
+
+void zoom(Session& session, Arguments& arguments) {
+  const double factor = arguments.number("a factor", 1e-6, 1e6);
+  glm::dvec2 at{0, 0};
+  if (!arguments.done()) {
+    at.x = arguments.number("a place from left (-1) to right (1)", -1, 1);
+    at.y = arguments.number("a place from bottom (-1) to top (1)", -1, 1);
+  }
+  arguments.end();
+  session.view.camera.zoom(1 / factor, at, session.view.aspect);
+}
+
+}  // namespace
+
+std::vector<Command> camera_commands() {
+  return {
+      {"camera",
+       "VIEW|SPEC",
+       "iso, front, back, left, right, top, bottom; or azimuth=DEG elevation=DEG distance=L target=X,Y,Z "
+       "zoom=F fov=DEG up=y|z perspective orthographic fit.",
+       CommandGroup::View,
+       camera,
+       {{"1", "camera front"},
+        {"2", "camera right"},
+        {"3", "camera back"},
+        {"4", "camera left"},
+        {"5", "camera top"},
+        {"6", "camera bottom"},
+        {"7", "camera iso"}}},
+      {"fit",
+       "",
+       "Shows the whole mesh from the present direction.",
+       CommandGroup::View,
+       fit,
+       {{"F", "fit"}}},
+      {"orbit", "X Y", "Turns the camera to the right and upward, degrees.", CommandGroup::View, orbit, {}},
+      {"pan",
+       "X Y",
+       "Shifts the picture to the right and upward, as parts of its width and height.",
+       CommandGroup::View,
+       pan,
+       {}},
+      {"zoom",
+       "F [X Y]",
+       "Shows things F times larger, around a place in -1..1 that stays.",
+       CommandGroup::View,
+       zoom,
+       {{"+", "zoom 1.25"}, {"=", "zoom 1.25"}, {"-", "zoom 0.8"}}},
+  };
+}
+
+}  // namespace aomd::scene

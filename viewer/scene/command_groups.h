@@ -1,0 +1,37 @@
+#pragma once
+// The table of commands in parts: each source file has the handlers of its commands and, below them, their
+// rows. A new command is a handler and a row in one of these files; docs/COMMANDS.md is then generated anew.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viewer/scene/arguments.h"
+#include "viewer/scene/commands.h"
+#include "viewer/scene/session.h"
+
+namespace aomd::scene {
+
+// The rows of each file, in the order in which they are listed. commands() joins them once.
+[[nodiscard]] std::vector<Command> file_commands();       // command_files.cpp
+[[nodiscard]] std::vector<Command> aim_commands();        // command_aims.cpp
+[[nodiscard]] std::vector<Command> option_commands();     // command_options.cpp
+[[nodiscard]] std::vector<Command> adjacency_commands();  // command_adjacency.cpp
+[[nodiscard]] std::vector<Command> edit_commands();       // command_edits.cpp
+[[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
+[[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
+[[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
+[[nodiscard]] std::vector<Command> script_commands();     // command_scripts.cpp
+
+// What handlers of several files need.
+
+/// A file as a line names it: ~/ is the user's own folder. In command_files.cpp.
+[[nodiscard]] std::filesystem::path expanded(const std::string& text);
+/// Throws CommandError where there is no mesh yet. In command_files.cpp.
+void need_mesh(const Session& session);
+/// The same, and for a mesh that cannot be decimated. In command_files.cpp.
+void need_decimable(const Session& session);
+/// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.
+void expect_adjacency(Session& session, Arguments& arguments);
+
+}  // namespace aomd::scene
