@@ -1,10 +1,12 @@
 #pragma once
 // What the strategies of a decimation have in common: a loop that advances by one candidate at a time.
 
+#include <optional>
 #include <vector>
 
 #include "core/decimate/guards.h"
 #include "core/decimate/options.h"
+#include "core/decimate/outlook.h"
 
 namespace aomd {
 
@@ -27,6 +29,11 @@ class Loop {
   virtual std::uint32_t smooth_pass() = 0;
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
   [[nodiscard]] virtual Verdict judge(Edge edge, Vertex& deleted) = 0;
+  /// What would become of an edge, for each way in which the loop may collapse it. Changes nothing.
+  [[nodiscard]] virtual std::vector<CollapseOutlook> outlook(Edge edge) = 0;
+  /// The same for swapping it and for smoothing a vertex; none where the loop could not tell now.
+  [[nodiscard]] virtual std::optional<SwapOutlook> swap_outlook(Edge edge) = 0;
+  [[nodiscard]] virtual std::optional<MoveOutlook> move_outlook(Vertex v) = 0;
   /// Why an edge was not collapsed when it was last judged (None: not judged yet).
   [[nodiscard]] virtual Reason last_refusal(Edge e) const = 0;
   /// The wanted length at a vertex; infinite where nothing limits it.

@@ -63,13 +63,16 @@ void PaperLoop::begin_sweep() {
 }
 
 // A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
-Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
+Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
+
+Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {
   const auto ends = mesh_.edge_vertices(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
-  std::array<bool, 2> may_go{0.5 * spacing(ends[0]) > length, 0.5 * spacing(ends[1]) > length};
+  for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
   if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
+  const std::size_t first = may_go[0] ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
-  if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[options_.kept(ends[0]) ? 0 : 1]};
+  if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
   const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
   if (!verdict.accepted()) return verdict;
   const std::size_t end = deleted == ends[0] ? 0 : 1;
@@ -102,10 +105,63 @@ bool PaperLoop::try_collapse(Edge edge) {
   return true;
 }
 
+Limits PaperLoop::limits(ModelRef edge) const {
+  Limits limits;
+  limits.turn_deg = options_.angle_deg;
+  if (edge.dimension() == 1 && options_.topology == TopologyRule::Safe)
+    limits.curve_deg = rules().max_curve_turn.angle_deg();
+  limits.min_angle_deg = options_.min_angle_deg;
+  limits.distance = options_.max_distance;
+  return limits;
+}
+
+std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
+  const auto ends = mesh_.edge_vertices(edge);
+  std::vector<CollapseOutlook> outlooks(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CollapseOutlook& o = outlooks[i];
+    Vertex deleted;
+    o.contraction = {ends[i], ends[1 - i], mesh_.position(ends[1 - i])};
+    o.verdict = judge(edge, {i == 0, i == 1}, deleted);
+    o.limits = limits(mesh_.classification(edge));
+    o.length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
+    o.longest = 0.5 * spacing(ends[i]);
+  }
+  return outlooks;
+}
+
+Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
+  const Verdict verdict = judge_swap(mesh_, edge, limit_, pair);
+  return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
+}
+
+std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
+  SwapOutlook o;
+  o.verdict = judge_swapping(edge, o.pair);
+  o.limits = limits({});
+  return o;
+}
+
+Verdict PaperLoop::judge_smoothing(Vertex v, glm::dvec3& target) {
+  if (options_.kept(v)) return {Reason::Kept, v};
+  const Verdict verdict = judge_smooth(mesh_, v, {limit_, options_.model}, target);
+  if (!verdict.accepted() || !guards_.any()) return verdict;
+  gather(mesh_, v, star_);
+  return guards_.judge(mesh_, v, star_, target);
+}
+
+std::optional<MoveOutlook> PaperLoop::move_outlook(Vertex v) {
+  MoveOutlook o;
+  o.vertex = v;
+  o.target = mesh_.position(v);
+  o.verdict = judge_smoothing(v, o.target);
+  o.limits = limits({});
+  return o;
+}
+
 bool PaperLoop::try_swap(Edge edge) {
   EdgePair pair;
-  if (!judge_swap(mesh_, edge, limit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
-    return false;
+  if (!judge_swapping(edge, pair).accepted()) return false;
   ++now_;
   apply_swap(mesh_, edge, pair);
   for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
@@ -115,11 +171,7 @@ bool PaperLoop::try_swap(Edge edge) {
 
 bool PaperLoop::try_smooth(Vertex v) {
   glm::dvec3 target;
-  if (options_.kept(v) || !judge_smooth(mesh_, v, {limit_, options_.model}, target).accepted()) return false;
-  if (guards_.any()) {
-    gather(mesh_, v, star_);
-    if (!guards_.judge(mesh_, v, star_, target).accepted()) return false;
-  }
+  if (!judge_smoothing(v, target).accepted()) return false;
   ++now_;
   apply_smooth(mesh_, v, target);
   for (const Edge e : mesh_.row<1>(v))

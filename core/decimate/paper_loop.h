@@ -19,12 +19,21 @@ class PaperLoop final : public Loop {
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
-  [[nodiscard]] Reason last_refusal(Edge e) const override { return refusal_[e]; }
+  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
+  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
+  [[nodiscard]] Reason last_refusal(Edge e) const override {
+    return e.index < refusal_.size() ? refusal_[e] : Reason::None;
+  }
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
 
  private:
   [[nodiscard]] CollapseRules rules() const;
+  [[nodiscard]] Limits limits(ModelRef edge) const;
+  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Vertex& deleted);
+  [[nodiscard]] Verdict judge_smoothing(Vertex v, glm::dvec3& target);
+  [[nodiscard]] Verdict judge_swapping(Edge edge, EdgePair& pair);
   void fill_spacing();
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);

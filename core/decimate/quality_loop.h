@@ -25,6 +25,9 @@ class QualityLoop final : public Loop {
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
+  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
   [[nodiscard]] Reason last_refusal(Edge e) const override;
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
@@ -66,6 +69,9 @@ class QualityLoop final : public Loop {
   void refresh_around(Vertex kept);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction);
+  /// The same with what would go where, and at what cost: infinite where it is out of the question.
+  [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
+  [[nodiscard]] Limits limits(const TurnLimit& turn) const;
 
   // Stages and improvement (quality_stages.cpp)
   void start(const DecimationOptions& options);

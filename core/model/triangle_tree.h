@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -53,6 +54,15 @@ class TriangleTree {
   /// order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
   [[nodiscard]] Nearest nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
 
+  struct RayHit {
+    std::uint32_t triangle = no_index;                          ///< in the tree's order
+    double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
+  };
+  /// The first triangle that a ray meets, from either side, among those that takes(n) accepts (asked only
+  /// where the ray meets the triangle). About O(log n). Nothing (no_index) where there is none.
+  [[nodiscard]] RayHit first_along(const glm::dvec3& origin, const glm::dvec3& direction,
+                                   const std::function<bool(std::uint32_t)>& takes) const;
+
   /// Calls visit(n) for every triangle, in the tree's order, whose squared distance to `p` is at most
   /// `distance2`.
   template <typename Visit>
@@ -83,6 +93,10 @@ class TriangleTree {
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> source_;
 };
+
+/// Where a ray meets a triangle, from either side, in lengths of the direction; infinite where it does not
+/// (Moeller and Trumbore 1997). Rims belong to the triangle.
+[[nodiscard]] double distance_along(const glm::dvec3& origin, const glm::dvec3& direction, const Triangle& t);
 
 /// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time Collision
 /// Detection, section 5.1.5). Returns the squared distance.

@@ -94,6 +94,7 @@ void Viewer::update_aspect() {
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, options_.interface, em_);
   const double before = session_.view.aspect;
   session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+  session_.view.height_px = layout.viewport.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
   const double widest = 1.4;
   if (!session_.document.empty())
@@ -178,7 +179,8 @@ void Viewer::print_log() {
 void Viewer::execute(const std::string& line) {
   update_aspect();
   scene::execute(session_, line);
-  if (record_.is_open()) record_ << line << std::endl;
+  const bool passing = line.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
+  if (record_.is_open() && !passing) record_ << line << std::endl;
 }
 
 void Viewer::execute_or_tell(const std::string& line) {

@@ -84,7 +84,14 @@ DiscBuffer::DiscBuffer(const Gl& gl) : VertexBuffer(gl) {
 }
 
 DrawableBuffers::DrawableBuffers(const Gl& gl)
-    : corners(gl), model_edges(gl), model_vertices(gl), highlight_lines(gl), highlight_discs(gl) {}
+    : corners(gl),
+      model_edges(gl),
+      model_vertices(gl),
+      highlight_lines(gl),
+      highlight_discs(gl),
+      selected(gl),
+      hovered(gl),
+      preview(gl) {}
 
 void DrawableBuffers::upload(scene::Drawable& drawable) {
   origin = drawable.origin;
@@ -92,7 +99,8 @@ void DrawableBuffers::upload(scene::Drawable& drawable) {
   uploaded_bytes_ = corners.upload(drawable.corners) + model_edges.upload(drawable.model_edges) +
                     model_vertices.upload(drawable.model_vertices) +
                     highlight_lines.upload(drawable.highlight_lines) +
-                    highlight_discs.upload(drawable.highlight_discs);
+                    highlight_discs.upload(drawable.highlight_discs) + selected.upload(drawable.selected) +
+                    hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
 }
 
 }  // namespace aomd::render

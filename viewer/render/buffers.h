@@ -65,6 +65,17 @@ class DiscBuffer : public VertexBuffer {
   explicit DiscBuffer(const Gl& gl);
 };
 
+/// The GPU's copy of an overlay.
+struct OverlayBuffers {
+  explicit OverlayBuffers(const Gl& gl) : faces(gl), lines(gl), discs(gl) {}
+  std::size_t upload(scene::Overlay& overlay) {
+    return faces.upload(overlay.faces) + lines.upload(overlay.lines) + discs.upload(overlay.discs);
+  }
+  CornerBuffer faces;
+  SegmentBuffer lines;
+  DiscBuffer discs;
+};
+
 /// The GPU's copy of one Drawable.
 class DrawableBuffers {
  public:
@@ -81,6 +92,7 @@ class DrawableBuffers {
   DiscBuffer model_vertices;
   SegmentBuffer highlight_lines;
   DiscBuffer highlight_discs;
+  OverlayBuffers selected, hovered, preview;
   glm::dvec3 origin{0};
   scene::Box bounds;
 

@@ -77,12 +77,15 @@ struct Renderer::Frame {
     program.set("clip_plane", clip_plane);
     program.set("pixel_scale", settings.pixel_scale);
   }
-  void apply_strokes(ShaderProgram& program) const {
+  void apply_pulled(ShaderProgram& program) const {
     apply(program);
-    program.set("size_px", size_px);
     program.set("pixel_size", pixel_size);
-    program.set("near_depth", near_depth);
     program.set("orthographic", orthographic ? 1 : 0);
+  }
+  void apply_strokes(ShaderProgram& program) const {
+    apply_pulled(program);
+    program.set("size_px", size_px);
+    program.set("near_depth", near_depth);
     program.set("outline_color", opaque(settings.theme.outline));
   }
 };
@@ -91,6 +94,7 @@ Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
     : gl_(gl),
       background_(gl, sources, "background"),
       surface_(gl, sources, "surface"),
+      overlay_(gl, sources, "overlay"),
       stroke_(gl, sources, "stroke"),
       nothing_(gl),
       target_(gl, wanted_samples) {}
@@ -128,6 +132,10 @@ void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
   draw_strokes(buffers.highlight_lines);
   if (settings.show_model_vertices) draw_strokes(buffers.model_vertices);
   draw_strokes(buffers.highlight_discs);
+  draw_overlay(buffers.selected, frame);
+  draw_overlay(buffers.hovered, frame);
+  gl_.Disable(GL_DEPTH_TEST);
+  draw_overlay(buffers.preview, frame);
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_BLEND);
@@ -152,6 +160,18 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+void Renderer::draw_overlay(const OverlayBuffers& overlay, const Frame& frame) {
+  if (overlay.faces.count() > 0) {
+    frame.apply_pulled(overlay_);
+    overlay.faces.bind();
+    gl_.DrawArrays(GL_TRIANGLES, 0, overlay.faces.count());
+  }
+  if (overlay.lines.count() + overlay.discs.count() == 0) return;
+  frame.apply_strokes(stroke_);
+  draw_strokes(overlay.lines);
+  draw_strokes(overlay.discs);
 }
 
 void Renderer::draw_strokes(const SegmentBuffer& segments) {

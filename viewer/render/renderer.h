@@ -61,12 +61,14 @@ class Renderer {
   struct Frame;
   void draw_background(const SceneTheme& theme);
   void draw_surface(const CornerBuffer& corners, const Frame& frame);
+  void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);
   void draw_strokes(const SegmentBuffer& segments);
   void draw_strokes(const DiscBuffer& discs);
 
   const Gl& gl_;
   ShaderProgram background_;
   ShaderProgram surface_;
+  ShaderProgram overlay_;
   ShaderProgram stroke_;  ///< lines and discs
   VertexBuffer nothing_;  ///< the background's triangle comes from gl_VertexID
   MultisampleTarget target_;

@@ -1,8 +1,10 @@
 // From where the mesh is seen.
 
+#include <algorithm>
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/selection_drawing.h"
 
 namespace aomd::scene {
 namespace {
@@ -16,9 +18,26 @@ void camera(Session& session, Arguments& arguments) {
   session.view.camera = *spec.camera;
 }
 
-void fit(Session& session, Arguments& arguments) {
+void fit_selection(Session& session, Arguments& arguments) {
+  constexpr double context = 5;        // what is around matters as much
+  constexpr double around_one = 0.08;  // of the mesh, around a vertex
+  if (const std::string word = arguments.word("selection"); word != "selection")
+    arguments.fail("'" + word + "' is not selection");
   arguments.end();
+  const Mesh& mesh = session.document.mesh();
+  Camera& camera = session.view.camera;
+  const Box whole = session.document.content().bounds;
+  if (session.selection.empty()) return camera.fit(whole, session.view.aspect);
+  const double far = camera.distance;
+  const Box box = box_of(mesh, session.selection.entities());
+  camera.fit(box, session.view.aspect);
+  const double near = box.diagonal() > 0 ? context * camera.distance : around_one * whole.diagonal();
+  camera.distance = std::min(far, near);
+}
+
+void fit(Session& session, Arguments& arguments) {
   need_mesh(session);
+  if (!arguments.done()) return fit_selection(session, arguments);
   session.view.camera.fit(session.document.content().bounds, session.view.aspect);
 }
 
@@ -65,11 +84,11 @@ std::vector<Command> camera_commands() {
         {"6", "camera bottom"},
         {"7", "camera iso"}}},
       {"fit",
-       "",
-       "Shows the whole mesh from the present direction.",
+       "[selection]",
+       "Shows the whole mesh from the present direction, or what is selected with its surroundings.",
        CommandGroup::View,
        fit,
-       {{"F", "fit"}}},
+       {{"F", "fit"}, {"Shift+F", "fit selection"}}},
       {"orbit", "X Y", "Turns the camera to the right and upward, degrees.", CommandGroup::View, orbit, {}},
       {"pan",
        "X Y",

@@ -25,7 +25,8 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 20> quantities = {{
+constexpr std::array<Named, 21> quantities = {{
+    {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
@@ -96,7 +97,7 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, "
+       "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
        "on|off.",

@@ -73,10 +73,11 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  enum class Which { Mesh, Decimation, Adjacency, Timeline, All };
-  constexpr std::array<std::pair<std::string_view, Which>, 5> choices = {{{"mesh", Which::Mesh},
+  enum class Which { Mesh, Decimation, Adjacency, Selection, Timeline, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 6> choices = {{{"mesh", Which::Mesh},
                                                                           {"decimation", Which::Decimation},
                                                                           {"adjacency", Which::Adjacency},
+                                                                          {"selection", Which::Selection},
                                                                           {"timeline", Which::Timeline},
                                                                           {"all", Which::All}}};
   Panels& panels = session.view.panels;
@@ -91,6 +92,7 @@ void panel(Session& session, Arguments& arguments) {
   if (which == Which::Mesh) panels.mesh = arguments.flag(panels.mesh);
   if (which == Which::Decimation) turn_page(Page::Decimation);
   if (which == Which::Adjacency) turn_page(Page::Adjacency);
+  if (which == Which::Selection) turn_page(Page::Selection);
   if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
   if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
   arguments.end();
@@ -152,11 +154,14 @@ std::vector<Command> view_commands() {
        theme,
        {{"T", "theme toggle"}}},
       {"panel",
-       "mesh|decimation|adjacency|timeline|all [on|off|toggle]",
-       "Which panels are there; decimation and adjacency share the one on the right.",
+       "mesh|decimation|adjacency|selection|timeline|all [on|off|toggle]",
+       "Which panels are there; decimation, adjacency and selection share the one on the right.",
        CommandGroup::View,
        panel,
-       {{"Tab", "panel all toggle"}, {"D", "panel decimation on"}, {"A", "panel adjacency on"}}},
+       {{"Tab", "panel all toggle"},
+        {"D", "panel decimation on"},
+        {"A", "panel adjacency on"},
+        {"X", "panel selection on"}}},
       {"dialog",
        "open|save|screenshot|shortcuts|about|none",
        "Opens one of the dialogs.",

@@ -31,7 +31,7 @@ struct Shortcut {
   std::string_view line;
 };
 
-enum class CommandGroup { File, Options, Operations, History, View, Scripts };
+enum class CommandGroup { File, Options, Operations, History, Selection, View, Scripts };
 [[nodiscard]] std::string_view group_name(CommandGroup group);
 
 /// One row of the table that parser, menus, keys, overview and docs/COMMANDS.md are made from.

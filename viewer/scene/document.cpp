@@ -121,6 +121,14 @@ Decimation& Document::prepared() {
   return *loaded_->decimation;
 }
 
+Decimation* Document::for_judging() { return loaded_ && hindrance().empty() ? &prepared() : nullptr; }
+
+bool Document::judges_at_once() const {
+  if (!loaded_ || !hindrance().empty()) return false;
+  const bool ready = decimation() && !stale_ && decimation()->options().strategy == options_.strategy;
+  return ready || options_.strategy == Strategy::Paper;
+}
+
 void Document::set_spacing(const std::string& source) {
   cancel_run();
   const SpacingSource parsed = parse_spacing(source);

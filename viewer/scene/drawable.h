@@ -47,6 +47,19 @@ struct Disc {
 };
 static_assert(sizeof(Disc) == 20);
 
+/// Things that are pointed at, drawn over the rest: tinted triangles (their normals and flags do not matter),
+/// lines and discs.
+struct Overlay {
+  Patched<Corner> faces;
+  Patched<Segment> lines;
+  Patched<Disc> discs;
+  void clear() {
+    if (!faces.empty()) faces.assign({});
+    if (!lines.empty()) lines.assign({});
+    if (!discs.empty()) discs.assign({});
+  }
+};
+
 /// A picture's content. Positions are float and relative to `origin`, which is double, so that a small part
 /// far from the world's origin keeps its shape. `bounds` is in world coordinates and encloses everything.
 struct Drawable {
@@ -57,6 +70,8 @@ struct Drawable {
   Patched<Disc> model_vertices;      ///< drawn when RenderSettings::show_model_vertices
   Patched<Segment> highlight_lines;  ///< always drawn, over the model's
   Patched<Disc> highlight_discs;     ///< always drawn, over the model's
+  Overlay selected, hovered;         ///< on the surface
+  Overlay preview;                   ///< of an operation: also drawn where the surface hides it
 };
 
 /// A unit normal as signed 10:10:10:2, x in the lowest bits; error below 0.1 degrees.

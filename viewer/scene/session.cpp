@@ -52,6 +52,7 @@ void Session::take_loaded(Loader::Result result) {
   drawing_.set_face_flags({});
   drawing_.highlight_step(document.mesh(), document.journal(), {});
   skin_surface_.reset();
+  forget_selection();
   refresh();
   loaded_facts_ = facts();
   view.camera.up_axis = document.content().up;
@@ -117,12 +118,14 @@ void Session::refresh_skin() {
     skin_surface_.emplace(make_skin_surface(content.mesh, *content.skin, style));
     skin_style_ = style;
     skin_place_ = place;
+    picker_.forget();
     drawing_.set_face_flags(skin_surface_->flags);
   } else {
     all.everything = false;
   }
   refresh_field(all.everything);
   drawing_.update(skin_surface_->mesh, view, all);
+  refresh_selection(all.everything);
 }
 
 void Session::refresh_field(bool anew) {
@@ -138,6 +141,7 @@ void Session::refresh_surface() {
   const HistoryPlace place = document.place();
   const SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
   facts_.update(document.mesh(), found);
+  picker_.note(found);
   refresh_field(found.everything);
   drawing_.update(document.mesh(), view, found);
   const auto focus = view.operation ? document.focus() : std::nullopt;
@@ -145,6 +149,7 @@ void Session::refresh_surface() {
     drawing_.highlight_step(document.mesh(), document.journal(), focus);
     drawn_focus_ = focus;
   }
+  refresh_selection(!found.nothing());
 }
 
 }  // namespace aomd::scene

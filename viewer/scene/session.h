@@ -10,8 +10,11 @@
 #include <glm/vec2.hpp>
 
 #include "viewer/scene/document.h"
+#include "viewer/scene/inspection.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/picking.h"
+#include "viewer/scene/selection.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_drawing.h"
 #include "viewer/scene/vertex_field.h"
@@ -29,6 +32,7 @@ class Session {
  public:
   Document document;
   View view;
+  Selection selection;
   std::deque<ScreenshotRequest> screenshots;  ///< whoever draws fulfils them
   std::string status;                         ///< one line: what the last command did
   std::string error;                          ///< stays until it is dismissed
@@ -59,6 +63,27 @@ class Session {
   [[nodiscard]] const VertexField* field() const { return field_ ? &*field_ : nullptr; }
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
 
+  // What lies under a place of the picture (-1..1), or in a rectangle (session_picking.cpp). A mesh must be
+  // there.
+  [[nodiscard]] EntityRef pick(glm::dvec2 ndc);
+  [[nodiscard]] std::vector<EntityRef> pick(glm::dvec2 low, glm::dvec2 high);
+  /// What the mouse points at.
+  struct Hovered {
+    EntityRef entity;
+    glm::dvec2 place;
+  };
+  /// None: at nothing.
+  void hover(std::optional<glm::dvec2> ndc);
+  [[nodiscard]] const Hovered* hovered() const { return hovered_ ? &*hovered_ : nullptr; }
+  /// One line on it: why an edge stays. Empty where that is not known at once.
+  [[nodiscard]] const std::string& hovered_words() const { return hovered_words_; }
+  /// Of the only entity that is selected; null where there are none or several.
+  [[nodiscard]] const Inspection* inspection() const { return inspection_ ? &*inspection_ : nullptr; }
+  /// What decimation says about it; null where nothing, and while it runs.
+  [[nodiscard]] const Judgement* judgement() const { return judgement_ ? &*judgement_ : nullptr; }
+  /// The way of the judgement that is drawn.
+  [[nodiscard]] std::size_t previewed_way() const;
+
  private:
   void take_loaded(Loader::Result result);
   void advance_playing(double frame_s);
@@ -66,6 +91,11 @@ class Session {
   void refresh_surface();
   void refresh_field(bool anew);
   void refresh_skin();
+  [[nodiscard]] Shown shown() const;
+  void refresh_selection(bool mesh_changed);
+  void refresh_inspection(bool mesh_changed);
+  void refresh_preview();
+  void forget_selection();
 
   Loader loader_;
   bool playing_ = false;
@@ -80,6 +110,18 @@ class Session {
   SkinStyle skin_style_;
   HistoryPlace skin_place_;
   std::optional<std::size_t> drawn_focus_;
+  Picker picker_;
+  std::optional<Hovered> hovered_;
+  std::string hovered_words_;
+  EntityRef hovered_words_of_;
+  std::optional<Inspection> inspection_;
+  std::optional<Judgement> judgement_;
+  DecimationOptions judged_options_;
+  bool judged_running_ = false;
+  std::optional<std::size_t> drawn_way_;
+  std::uint64_t inspected_selection_ = 0;
+  std::uint64_t drawn_selection_ = 0;
+  EntityRef drawn_hover_;
 };
 
 }  // namespace aomd::scene

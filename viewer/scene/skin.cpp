@@ -155,12 +155,15 @@ SkinFace skin_face(const Mesh& mesh, std::span<const Entry> entries) {
     const ModelRef model = mesh.classification(SideMatcher::entity(entry));
     if (entry.place == is_face) {
       face.model = model;
+      face.face = Face(entry.id);
     } else if (!face.has_inside) {
       face.has_inside = true;
       face.inside = model;
+      face.inside_region = Region(entry.id);
     } else {
       face.has_outside = true;
       face.outside = model;
+      face.outside_region = Region(entry.id);
     }
   }
   return face;

@@ -28,6 +28,8 @@ class SurfaceBuilder {
                         (outside && style_.highlighted_region == face.outside);
     const ModelRef region = inside ? face.inside : face.outside;
     add_polygon(face.model.dimension() == 2 || loose ? face.model : region, bright);
+    faces_.resize(flags_.size(), face.face);
+    regions_.resize(flags_.size(), inside ? face.inside_region : face.outside_region);
   }
 
   void add_model_edges_and_vertices() {
@@ -44,7 +46,8 @@ class SurfaceBuilder {
 
   [[nodiscard]] SkinSurface finish() {
     const bool named = !data_.edges.empty();
-    SkinSurface surface{Mesh(data_), std::move(flags_)};
+    SkinSurface surface{Mesh(data_), std::move(flags_), std::move(vertices_), std::move(faces_),
+                        std::move(regions_)};
     Mesh& mesh = surface.mesh;
     mesh.set(0, 1);
     mesh.set(0, 2);
@@ -59,6 +62,7 @@ class SurfaceBuilder {
     if (index != no_index) return index;
     index = static_cast<std::uint32_t>(data_.positions.size());
     data_.positions.push_back(mesh_.position(Vertex(old)));
+    vertices_.emplace_back(old);
     data_.vertex_classes.push_back(mesh_.classification(Vertex(old)));
     return index;
   }
@@ -100,6 +104,9 @@ class SurfaceBuilder {
   std::vector<std::uint32_t> polygon_;
   MeshData data_;
   std::vector<std::uint32_t> flags_;
+  std::vector<Vertex> vertices_;
+  std::vector<Face> faces_;
+  std::vector<Region> regions_;
 };
 
 }  // namespace

@@ -26,6 +26,10 @@ struct SkinStyle {
 struct SkinSurface {
   Mesh mesh;
   std::vector<std::uint32_t> flags;  ///< CornerFlag by face: hidden diagonals, highlights
+  // What each stands for in the mesh that the skin is of; invalid where that has no such entity.
+  std::vector<Vertex> vertices;
+  std::vector<Face> faces;
+  std::vector<Region> regions;  ///< behind the face
 };
 
 /// O(skin + vertices + model edges).

@@ -12,11 +12,13 @@ namespace aomd::scene {
 
 /// Spacing: the wanted length of edges, on surfaces that can be decimated.
 enum class Coloring { Classification, Spacing, None };
+/// What a click takes: Automatic is the vertex or edge that is near, else the face, else the region.
+enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
 enum class Theme { Light, Dark };
 enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
-enum class Page { Decimation, Adjacency };
+enum class Page { Decimation, Adjacency, Selection };
 
 struct Panels {
   bool mesh = true;
@@ -28,7 +30,8 @@ struct Panels {
 
 struct View {
   Camera camera;
-  double aspect = 1.5;  ///< width by height of the picture; whoever draws keeps it true
+  double aspect = 1.5;     ///< width by height of the picture; whoever draws keeps it true
+  double height_px = 600;  ///< of the picture, logical pixels; likewise
   Coloring coloring = Coloring::Classification;
   bool surface = true;
   bool edges = true;
@@ -38,6 +41,10 @@ struct View {
   bool operation = true;   ///< what the last single step touched
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
+  PickLevel pick_level = PickLevel::Automatic;
+  bool preview = true;          ///< what collapsing the selected edge, or smoothing the vertex, would lead to
+  std::size_t preview_way = 0;  ///< 0: the best way, else the one of this number
+  bool labels = false;          ///< ids at what is selected and around the cursor
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;

@@ -76,7 +76,10 @@ void draw_mouse(const Frame& frame) {
   shortcut_row(frame, "Drag", "Turn");
   shortcut_row(frame, "Right or middle drag", "Shift the picture; also Shift + drag");
   shortcut_row(frame, "Wheel", "Nearer and farther, at the mouse");
-  shortcut_row(frame, "Double click", "Show the whole mesh");
+  shortcut_row(frame, "Click", "Select; beside the mesh nothing");
+  shortcut_row(frame, "Shift + click", "Add to the selection, or take away");
+  shortcut_row(frame, "Ctrl + drag", "Select what can be seen in a box; with Shift add it");
+  shortcut_row(frame, "Double click", "Nearer to what is there; beside the mesh show all of it");
   shortcut_row(frame, "Ctrl + click", "On a slider's field: type a value");
 }
 

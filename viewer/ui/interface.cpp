@@ -7,6 +7,7 @@
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
+#include "viewer/ui/scene_labels.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -39,6 +40,7 @@ constexpr double degrees_per_window = 180;  // what a drag across the shorter si
 std::vector<std::string> Interface::draw(const scene::Session& session, const Fonts& fonts) {
   Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), interactive, {}};
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
+  scene_labels(frame, layout_.viewport);
   if (bars) {
     draw_panels(frame);
     draw_messages(frame, layout_.viewport);
@@ -71,8 +73,53 @@ void Interface::draw_panels(Frame& frame) {
 std::string Interface::line_for_chord(const scene::Session& session, std::string_view chord) {
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
+  if (chord == "Escape" && session.idle() && !session.selection.empty()) return "select none";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};
   return std::string(scene::line_of_chord(chord));
+}
+
+std::string Interface::place_words(ImVec2 mouse) const {
+  const Area& area = layout_.viewport;
+  const double x = 2 * (mouse.x - area.position.x) / area.size.x - 1;
+  const double y = 1 - 2 * (mouse.y - area.position.y) / area.size.y;
+  return number(std::clamp(x, -1.0, 1.0)) + " " + number(std::clamp(y, -1.0, 1.0));
+}
+
+/// A press that stays where it is selects, with Ctrl a drag selects a box.
+void Interface::handle_click(Frame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  constexpr float still_px = 4;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && dragging_) {
+    began_ = io.MousePos;
+    moved_ = false;
+    boxing_ = io.KeyCtrl;
+  }
+  if (!dragging_) return;
+  moved_ = moved_ || std::abs(io.MousePos.x - began_.x) + std::abs(io.MousePos.y - began_.y) > still_px;
+  if (boxing_ && moved_) selection_box(frame, began_, io.MousePos);
+  if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
+  const char* adds = io.KeyShift ? " add" : "";
+  if (!moved_) frame.emit("pick " + place_words(io.MousePos) + adds);
+  if (moved_ && boxing_)
+    frame.emit("select box " + place_words(began_) + " " + place_words(io.MousePos) + adds);
+}
+
+void Interface::handle_hover(Frame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Area& area = layout_.viewport;
+  const bool inside = io.MousePos.x >= area.position.x && io.MousePos.y >= area.position.y &&
+                      io.MousePos.x <= area.position.x + area.size.x &&
+                      io.MousePos.y <= area.position.y + area.size.y;
+  const bool points =
+      inside && !io.WantCaptureMouse && !dragging_ && io.MouseWheel == 0 && frame.session.idle();
+  if (!points) {
+    hovered_at_ = {-1, -1};
+    if (interactive && frame.session.hovered()) frame.emit("hover off");
+    return;
+  }
+  if (io.MousePos.x == hovered_at_.x && io.MousePos.y == hovered_at_.y) return;
+  hovered_at_ = io.MousePos;
+  frame.emit("hover " + place_words(io.MousePos));
 }
 
 void Interface::handle_mouse(Frame& frame) {
@@ -82,10 +129,11 @@ void Interface::handle_mouse(Frame& frame) {
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool other =
       ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-  if (!left && !other) dragging_ = false;
+  if (!left && !other && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) dragging_ = false;
   if (!io.WantCaptureMouse) {
     for (const int button : {0, 1, 2}) dragging_ = dragging_ || ImGui::IsMouseClicked(button);
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) frame.emit("fit");
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      frame.emit(frame.session.selection.empty() ? "fit" : "fit selection");
     if (io.MouseWheel != 0) {
       const double x = 2 * (io.MousePos.x - area.position.x) / area.size.x - 1;
       const double y = 1 - 2 * (io.MousePos.y - area.position.y) / area.size.y;
@@ -93,8 +141,10 @@ void Interface::handle_mouse(Frame& frame) {
         frame.emit("zoom " + number(std::pow(1.15, io.MouseWheel)) + " " + number(x) + " " + number(y));
     }
   }
+  handle_click(frame);
+  handle_hover(frame);
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
-  if (!dragging_ || !moved || (!left && !other)) return;
+  if (!dragging_ || !moved || (!left && !other) || (left && (boxing_ || !moved_))) return;
   if (other || io.KeyShift) {
     frame.emit("pan " + number(io.MouseDelta.x / area.size.x) + " " + number(-io.MouseDelta.y / area.size.y));
     return;

@@ -36,7 +36,15 @@ class Interface {
   Layout layout_;
   DialogState dialogs_;
   DecimationDrafts drafts_;
+  void handle_click(Frame& frame);
+  void handle_hover(Frame& frame);
+  [[nodiscard]] std::string place_words(ImVec2 mouse) const;
+
   bool dragging_ = false;  ///< a drag that began on the scene
+  bool moved_ = false;     ///< and has left the place where it began: no click
+  bool boxing_ = false;    ///< a drag with Ctrl
+  ImVec2 began_;
+  ImVec2 hovered_at_{-1, -1};
 };
 
 [[nodiscard]] inline ThemeKind theme_kind(scene::Theme theme) {

@@ -53,6 +53,9 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Smooth", "smooth", false, frame.can_decimate());
   command_item(frame, "Improve", "improve", false, frame.can_decimate());
   ImGui::Separator();
+  command_item(frame, "Select nothing", "select none", false, !frame.session.selection.empty());
+  command_item(frame, "Grow selection", "select grow", false, !frame.session.selection.empty());
+  ImGui::Separator();
   command_item(frame, "Run", "run", false, frame.can_decimate());
   command_item(frame, "Cancel", "cancel", false, !frame.session.idle());
   ImGui::EndMenu();
@@ -78,6 +81,7 @@ void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
+  command_item(frame, "Show what is selected", "fit selection", false, !frame.session.selection.empty());
   camera_menu(frame);
   ImGui::Separator();
   command_item(frame, "Surface", "show surface toggle", view.surface);
@@ -86,6 +90,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
   command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces,
                frame.has_mesh() && frame.document().content().volume());
+  command_item(frame, "Ids at the selection", "labels toggle", view.labels);
+  command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on", view.preview);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
   ImGui::Separator();
   command_item(frame, "Colour by classification", "color classification",
@@ -103,6 +109,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Adjacencies T(I,J)",
                up(scene::Page::Adjacency) ? "panel adjacency off" : "panel adjacency on",
                up(scene::Page::Adjacency));
+  command_item(frame, "Selection", up(scene::Page::Selection) ? "panel selection off" : "panel selection on",
+               up(scene::Page::Selection));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();

@@ -26,7 +26,9 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
 void adjacency_panel(Frame& frame);
-/// The titles of both pages, and the one that is up.
+/// What is selected: what it is, what is adjacent to it, why it stays.
+void inspector_panel(Frame& frame);
+/// The titles of the pages, and the one that is up.
 void side_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// The whole history as a strip to scrub through, with buttons.

@@ -28,12 +28,13 @@ void page_title(Frame& frame, const char* title, const std::string& line, bool u
 void side_panel(Frame& frame, DecimationDrafts& drafts) {
   const scene::Page page = frame.session.view.panels.page;
   page_title(frame, "Decimation", "panel decimation on", page == scene::Page::Decimation);
-  ImGui::SameLine(0, 1.1f * em());
+  ImGui::SameLine(0, 0.9f * em());
   page_title(frame, "Adjacencies", "panel adjacency on", page == scene::Page::Adjacency);
-  if (page == scene::Page::Decimation)
-    decimation_panel(frame, drafts);
-  else
-    adjacency_panel(frame);
+  ImGui::SameLine(0, 0.9f * em());
+  page_title(frame, "Selection", "panel selection on", page == scene::Page::Selection);
+  if (page == scene::Page::Decimation) decimation_panel(frame, drafts);
+  if (page == scene::Page::Adjacency) adjacency_panel(frame);
+  if (page == scene::Page::Selection) inspector_panel(frame);
 }
 
 }  // namespace aomd::ui

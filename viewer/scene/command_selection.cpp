@@ -1,0 +1,206 @@
+// What is selected and pointed at.
+
+#include <array>
+#include <string>
+
+#include "viewer/scene/command_groups.h"
+#include "viewer/scene/selection_drawing.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene {
+namespace {
+
+void say(Session& session) { session.status = "Selected: " + selection_text(session.selection); }
+
+EntityRef entity(Session& session, Arguments& arguments, int dim) {
+  const long long id = arguments.integer("an id");
+  const EntityRef e(dim, static_cast<std::uint32_t>(id));
+  const Mesh& mesh = session.document.mesh();
+  if (id < 0 || id >= mesh.capacity(dim) || !mesh.alive(e))
+    arguments.fail("there is no " + std::string(entity_name(dim)) + " " + std::to_string(id));
+  return e;
+}
+
+int kind(const std::string& word, const Arguments& arguments) {
+  for (int dim = 0; dim < 4; ++dim)
+    if (word == entity_name(dim)) return dim;
+  arguments.fail("'" + word + "' is none of vertex, edge, face, region");
+}
+
+std::vector<EntityRef> listed(Session& session, Arguments& arguments, const std::string& word) {
+  const int dim = kind(word, arguments);
+  std::vector<EntityRef> entities;
+  do entities.push_back(entity(session, arguments, dim));
+  while (!arguments.done());
+  return entities;
+}
+
+glm::dvec2 place(Arguments& arguments) {
+  const double x = arguments.number("a place from left (-1) to right (1)", -1, 1);
+  return {x, arguments.number("a place from bottom (-1) to top (1)", -1, 1)};
+}
+
+void select_box(Session& session, Arguments& arguments) {
+  const glm::dvec2 low = place(arguments), high = place(arguments);
+  const bool adds = !arguments.done();
+  if (adds && arguments.word("add") != "add") arguments.fail("only 'add' may follow the box");
+  arguments.end();
+  const std::vector<EntityRef> found = session.pick(low, high);
+  adds ? session.selection.add(found) : session.selection.replace(found);
+}
+
+void select_class(Session& session, Arguments& arguments) {
+  const ModelRef ref = arguments.model_entity();
+  arguments.end();
+  const auto ids = session.document.mesh().class_lists()->entities(ref.dimension(), ref);
+  std::vector<EntityRef> entities;
+  for (const std::uint32_t id : ids) entities.emplace_back(ref.dimension(), id);
+  session.selection.replace(std::move(entities));
+}
+
+void select(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  const std::string word = arguments.word("what to select");
+  Selection& selection = session.selection;
+  if (word == "none") {
+    arguments.end();
+    selection.clear();
+  } else if (word == "add" || word == "remove") {
+    const auto entities = listed(session, arguments, arguments.word("vertex, edge, face or region"));
+    word == "add" ? selection.add(entities) : selection.remove(entities);
+  } else if (word == "box") {
+    select_box(session, arguments);
+  } else if (word == "class") {
+    select_class(session, arguments);
+  } else if (word == "grow") {
+    arguments.end();
+    session.refresh();
+    selection.replace(grown(session.document.mesh(), selection));
+  } else {
+    selection.replace(listed(session, arguments, word));
+  }
+  say(session);
+}
+
+void pick(Session& session, Arguments& arguments) {
+  const glm::dvec2 at = place(arguments);
+  const bool adds = !arguments.done();
+  if (adds && arguments.word("add") != "add") arguments.fail("only 'add' may follow the place");
+  arguments.end();
+  need_mesh(session);
+  const EntityRef found = session.pick(at);
+  if (found.valid() && adds) session.selection.toggle(found);
+  if (!adds) session.selection.replace(found.valid() ? std::vector{found} : std::vector<EntityRef>());
+  say(session);
+}
+
+void pick_level(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, PickLevel>, 5> levels = {
+      {{"automatic", PickLevel::Automatic},
+       {"vertex", PickLevel::Vertex},
+       {"edge", PickLevel::Edge},
+       {"face", PickLevel::Face},
+       {"region", PickLevel::Region}}};
+  const std::string word = arguments.word("automatic, vertex, edge, face or region");
+  arguments.end();
+  for (const auto& [name, level] : levels)
+    if (word == name) {
+      session.view.pick_level = level;
+      return;
+    }
+  arguments.fail("'" + word + "' is none of automatic, vertex, edge, face, region");
+}
+
+void hover(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  Arguments again = arguments;
+  if (!again.done() && again.word("off") == "off") {
+    again.end();
+    session.hover({});
+    return;
+  }
+  const glm::dvec2 at = place(arguments);
+  arguments.end();
+  session.hover(at);
+}
+
+void labels(Session& session, Arguments& arguments) {
+  session.view.labels = arguments.flag(session.view.labels);
+  arguments.end();
+}
+
+void preview(Session& session, Arguments& arguments) {
+  const std::string word = arguments.word("on, off, best, 1 or 2");
+  arguments.end();
+  if (word != "on" && word != "off" && word != "best" && word != "1" && word != "2")
+    arguments.fail("'" + word + "' is none of on, off, best, 1, 2");
+  session.view.preview = word != "off";
+  if (word == "best") session.view.preview_way = 0;
+  if (word == "1" || word == "2") session.view.preview_way = word == "1" ? 1 : 2;
+}
+
+void why(Session& session, Arguments& arguments) {
+  arguments.end();
+  need_mesh(session);
+  session.refresh();
+  if (!session.inspection()) arguments.fail("select one entity first");
+  session.log = inspection_text(*session.inspection(), session.judgement());
+}
+
+}  // namespace
+
+std::vector<Command> selection_commands() {
+  return {
+      {"select",
+       "vertex|edge|face|region ID [ID...] | add|remove KIND ID [ID...] | none | grow | box X0 Y0 X1 Y1 "
+       "[add] | "
+       "class KIND:TAG",
+       "Selects entities by their ids, or what can be seen in a box (-1..1), or what lies on a model entity; "
+       "grow takes what touches them too. What is selected stays so while it lives.",
+       CommandGroup::Selection,
+       select,
+       {{"Ctrl+G", "select grow"}}},
+      {"pick",
+       "X Y [add]",
+       "Selects what lies at a place (-1..1), as a click does; add is a click with Shift, which also takes "
+       "away.",
+       CommandGroup::Selection,
+       pick,
+       {}},
+      {"pick-level",
+       "automatic|vertex|edge|face|region",
+       "What a click takes; automatic is the vertex or edge that is near, else the face, else the region.",
+       CommandGroup::Selection,
+       pick_level,
+       {}},
+      {"hover",
+       "X Y | off",
+       "Points at a place (-1..1), as the mouse does.",
+       CommandGroup::Selection,
+       hover,
+       {}},
+      {"why",
+       "",
+       "Prints what is known of the selected entity: where it lies, what is adjacent, and why decimation "
+       "leaves it.",
+       CommandGroup::Selection,
+       why,
+       {}},
+      {"preview",
+       "on|off|best|1|2",
+       "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
+       "way, or "
+       "the first or second end.",
+       CommandGroup::Selection,
+       preview,
+       {}},
+      {"labels",
+       "[on|off|toggle]",
+       "Ids at what is selected and around what the mouse points at.",
+       CommandGroup::Selection,
+       labels,
+       {{"L", "labels toggle"}}},
+  };
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,108 @@
+// What a session selects and points at.
+
+#include <algorithm>
+
+#include "viewer/scene/selection_drawing.h"
+#include "viewer/scene/session.h"
+
+namespace aomd::scene {
+
+Shown Session::shown() const {
+  if (skin_surface_)
+    return {skin_surface_->mesh, document.mesh(), &*skin_surface_, document.content().bounds};
+  return {document.mesh(), document.mesh(), nullptr, document.content().bounds};
+}
+
+EntityRef Session::pick(glm::dvec2 ndc) {
+  refresh();
+  return picker_.at(shown(), view, ndc);
+}
+
+std::vector<EntityRef> Session::pick(glm::dvec2 low, glm::dvec2 high) {
+  refresh();
+  return picker_.within(shown(), view, low, high);
+}
+
+void Session::hover(std::optional<glm::dvec2> ndc) {
+  hovered_.reset();
+  if (!ndc) return;
+  const EntityRef e = pick(*ndc);
+  if (!e.valid()) return;
+  const bool known = hovered_words_of_ == e;
+  hovered_ = Hovered{e, *ndc};
+  if (known) return;
+  hovered_words_.clear();
+  hovered_words_of_ = e;
+  if (e.dimension != 1 || document.running() || !document.judges_at_once()) return;
+  if (const auto judged = judge(*document.for_judging(), document.mesh(), e))
+    hovered_words_ = short_words(*judged);
+}
+
+std::size_t Session::previewed_way() const {
+  if (!judgement_ || judgement_->ways.empty()) return 0;
+  return view.preview_way == 0 ? judgement_->best : std::min(view.preview_way, judgement_->ways.size()) - 1;
+}
+
+void Session::refresh_inspection(bool mesh_changed) {
+  const bool running = document.running();
+  const bool same = selection.revision() == inspected_selection_ && !mesh_changed &&
+                    judged_options_ == document.options() && judged_running_ == running;
+  if (same) return;
+  inspected_selection_ = selection.revision();
+  judged_options_ = document.options();
+  judged_running_ = running;
+  hovered_words_of_ = {};
+  inspection_.reset();
+  judgement_.reset();
+  drawn_way_.reset();
+  const EntityRef e = selection.single();
+  if (!e.valid()) return;
+  const bool judges = e.dimension < 2 && !running;
+  if (Decimation* decimation = judges ? document.for_judging() : nullptr)
+    judgement_ = judge(*decimation, document.mesh(), e);
+  inspection_ = inspect(document, e);
+}
+
+void Session::refresh_preview() {
+  const std::size_t wanted = view.preview && judgement_ ? previewed_way() + 1 : 0;
+  if (drawn_way_ == wanted) return;
+  drawn_way_ = wanted;
+  Drawable& drawable = drawing_.drawable();
+  drawable.preview.clear();
+  if (wanted == 0) return;
+  if (!judgement_->ways.empty())
+    draw_preview(document.mesh(), judgement_->ways[wanted - 1], drawable.origin, drawable.preview);
+  else if (judgement_->move)
+    draw_preview(document.mesh(), *judgement_->move, drawable.origin, drawable.preview);
+}
+
+void Session::refresh_selection(bool mesh_changed) {
+  const Mesh& mesh = document.mesh();
+  if (mesh_changed) {
+    selection.drop_dead(mesh);
+    hovered_.reset();
+  }
+  Drawable& drawable = drawing_.drawable();
+  if (mesh_changed || selection.revision() != drawn_selection_) {
+    drawable.selected.clear();
+    draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
+    drawn_selection_ = selection.revision();
+  }
+  refresh_inspection(mesh_changed);
+  refresh_preview();
+  const EntityRef over = hovered_ ? hovered_->entity : EntityRef();
+  if (over != drawn_hover_) {
+    drawable.hovered.clear();
+    if (over.valid())
+      draw_entities(mesh, std::span(&over, 1), hovered_style(), drawable.origin, drawable.hovered);
+    drawn_hover_ = over;
+  }
+}
+
+void Session::forget_selection() {
+  selection.clear();
+  hovered_.reset();
+  picker_.forget();
+}
+
+}  // namespace aomd::scene

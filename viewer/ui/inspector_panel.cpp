@@ -1,0 +1,257 @@
+// The page about what is selected: what it is, what is adjacent, and why it stays.
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "viewer/scene/text.h"
+#include "viewer/ui/panels.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+namespace {
+
+constexpr std::size_t most_links = 400;
+constexpr std::array<const char*, 4> level_names = {"Vertices", "Edges", "Faces", "Regions"};
+
+void level_choice(Frame& frame) {
+  constexpr std::array<Choice, 5> levels = {
+      {{"automatic", "The vertex or edge that is near, else the face, else the region."},
+       {"vertex", "The nearest vertex."},
+       {"edge", "The nearest edge."},
+       {"face", "The face."},
+       {"region", "The region behind it."}}};
+  ImGui::AlignTextToFramePadding();
+  muted(frame, "A click takes");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1);
+  if (const auto chosen =
+          choice_control("level", levels, static_cast<std::size_t>(frame.session.view.pick_level)))
+    frame.emit(std::string("pick-level ") + levels[*chosen].name);
+}
+
+void wrapped(const Frame& frame, std::string_view words, const ImVec4* color = nullptr) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, color ? *color : frame.colors.text);
+  text(words);
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+/// Links one after the other, in as many lines as they need.
+class LinkFlow {
+ public:
+  explicit LinkFlow(Frame& frame)
+      : frame_(frame), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
+
+  void add(const std::string& label, const std::string& line, const char* help) {
+    const float width = ImGui::CalcTextSize(label.c_str()).x;
+    if (!first_ && ImGui::GetItemRectMax().x + 0.6f * em() + width < right_) ImGui::SameLine(0, 0.6f * em());
+    first_ = false;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::InvisibleButton((label + line).c_str(), {width, em()});
+    const ImU32 color = ImGui::GetColorU32(frame_.colors.accent);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(at, color, label.c_str());
+    if (ImGui::IsItemHovered()) list.AddLine({at.x, at.y + em()}, {at.x + width, at.y + em()}, color);
+    tooltip(help);
+    if (pressed) frame_.emit(line);
+  }
+
+ private:
+  Frame& frame_;
+  float right_;
+  bool first_ = true;
+};
+
+std::string select_line(EntityRef e) {
+  return std::string("select ") + entity_name(e.dimension) + " " + std::to_string(e.index);
+}
+
+void facts_table(const Frame& frame, const scene::Inspection& inspection) {
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.1f * em()));
+  if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 6.6f * em());
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& [name, value] : inspection.facts) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      muted(frame, fitted(name, 6.6f * em()));
+      ImGui::TableNextColumn();
+      wrapped(frame, value);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
+  heading(frame, "Adjacent");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
+  for (const scene::AdjacentLevel& level : inspection.adjacent) {
+    ImGui::PushID(level.level);
+    const std::string relation =
+        "T(" + std::to_string(inspection.entity.dimension) + "," + std::to_string(level.level) + ")";
+    muted(frame, std::string(level_names[static_cast<std::size_t>(level.level)]) +
+                     (level.known ? " " + std::to_string(level.ids.size()) : ""));
+    ImGui::SameLine();
+    const std::string how = level.stored ? "stored" : level.known ? "derived" : "not stored";
+    ImGui::PushFont(frame.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, level.known ? frame.colors.text_muted : frame.colors.warning);
+    text_right(relation + " " + how);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    tooltip(level.stored ? "The row of " + relation + " as it is stored." : relation + ": " + level.how);
+    LinkFlow flow(frame);
+    for (const std::uint32_t id : level.ids)
+      flow.add(std::to_string(id), select_line({level.level, id}), "Select it");
+    ImGui::PopID();
+  }
+  ImGui::PopStyleVar();
+}
+
+const char* check_help(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 8> help = {
+      {{"Length", "Is the edge shorter than half the wanted length?"},
+       {"Kept", "Does the user want the vertex to stay?"},
+       {"Model", "Does the vertex stay on the model entity that it lies on?"},
+       {"Topology", "The link condition: is the surface neither pinched, doubled nor torn?"},
+       {"Faces", "Do the stretched faces keep area, direction and angles?"},
+       {"Model edge", "Does the model edge keep its direction?"},
+       {"Distance", "Does the surface stay near the original?"},
+       {"Intersections", "Does the surface cut itself no more than before?"}}};
+  for (const auto& [check, words] : help)
+    if (check == name) return words;
+  return "";
+}
+
+/// The checks in their order: green is passed, red decided, grey was not reached.
+void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
+  using State = CheckResult::State;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  ImGui::PushFont(frame.fonts.small);
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const CheckResult& c = checks[i];
+    const float width = ImGui::CalcTextSize(c.name).x;
+    if (i > 0 && ImGui::GetItemRectMax().x + 0.5f * em() + width < right) ImGui::SameLine(0, 0.5f * em());
+    const ImVec4 color = c.state == State::Passed   ? frame.colors.good
+                         : c.state == State::Failed ? frame.colors.bad
+                                                    : frame.colors.text_muted;
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    text(c.name);
+    ImGui::PopStyleColor();
+    if (c.state == State::Failed)
+      ImGui::GetWindowDrawList()->AddLine({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y},
+                                          ImGui::GetItemRectMax(), ImGui::GetColorU32(color), 1.5f);
+    const char* outcome = c.state == State::Passed   ? "Passed. "
+                          : c.state == State::Failed ? "This one decided. "
+                                                     : "Not reached. ";
+    ImGui::PopFont();
+    tooltip(std::string(outcome) + check_help(c.name));
+    ImGui::PushFont(frame.fonts.small);
+  }
+  ImGui::PopFont();
+}
+
+void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number, bool shown) {
+  ImGui::PushID(static_cast<int>(number));
+  if (ImGui::RadioButton(scene::way_title(way).c_str(), shown))
+    frame.emit("preview " + std::to_string(number));
+  tooltip("Draw the faces that this would leave.");
+  const bool yes = way.outlook.verdict.accepted();
+  wrapped(frame, way.words, yes ? &frame.colors.good : &frame.colors.bad);
+  checks_line(frame, way.checks);
+  if (way.outlook.cost) {
+    const glm::dvec3& p = way.outlook.contraction.position;
+    muted(frame, "Cost " + scene::significant(*way.outlook.cost));
+    tooltip(
+        "What orders the collapses: the error that it adds, as a part of the mesh's diagonal, and a little "
+        "for its length. The cheapest goes first.");
+    wrapped(frame,
+            "Kept vertex at " + scene::significant(p.x) + ", " + scene::significant(p.y) + ", " +
+                scene::significant(p.z),
+            &frame.colors.text_muted);
+  }
+  ImGui::PopID();
+}
+
+void judgement_section(Frame& frame, const scene::Judgement& judgement) {
+  if (!judgement.ways.empty()) {
+    gap(0.2f);
+    heading(frame, "Collapse");
+    for (std::size_t i = 0; i < judgement.ways.size(); ++i)
+      way_section(frame, judgement.ways[i], i + 1,
+                  frame.session.view.preview && frame.session.previewed_way() == i);
+  }
+  const auto section = [&](const char* title, const std::string& words, bool accepted, bool known) {
+    if (words.empty()) return;
+    gap(0.2f);
+    heading(frame, title);
+    wrapped(frame, words,
+            !known     ? &frame.colors.text_muted
+            : accepted ? &frame.colors.good
+                       : &frame.colors.bad);
+  };
+  section("Swap", judgement.swap_words, judgement.swap && judgement.swap->verdict.accepted(),
+          judgement.swap.has_value());
+  section("Smoothing", judgement.move_words, judgement.move && judgement.move->verdict.accepted(),
+          judgement.move.has_value());
+}
+
+void buttons(Frame& frame, const std::string& copied) {
+  const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+  command_button(frame, "Show", "fit selection", width);
+  ImGui::SameLine();
+  command_button(frame, "Grow", "select grow", width);
+  ImGui::SameLine();
+  if (ImGui::Button("Copy", {width, 0})) ImGui::SetClipboardText(copied.c_str());
+  tooltip("All of this page as text.");
+}
+
+void one_entity(Frame& frame, const scene::Inspection& inspection) {
+  const scene::Judgement* judgement = frame.session.judgement();
+  heading(frame, scene::entity_title(inspection.entity).c_str());
+  facts_table(frame, inspection);
+  buttons(frame, scene::inspection_text(inspection, judgement));
+  if (judgement) judgement_section(frame, *judgement);
+  if (!judgement && frame.document().running()) muted(frame, "Judged once the run has ended.");
+  gap(0.2f);
+  adjacent_section(frame, inspection);
+}
+
+void many_entities(Frame& frame, const scene::Selection& selection) {
+  heading(frame, scene::selection_text(selection).c_str());
+  std::string copied;
+  for (const EntityRef e : selection.entities())
+    copied += std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) + "\n";
+  buttons(frame, copied);
+  LinkFlow flow(frame);
+  std::size_t left = most_links;
+  for (const EntityRef e : selection.entities()) {
+    if (left-- == 0) break;
+    flow.add(std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index), select_line(e),
+             "Select it alone");
+  }
+  if (selection.size() > most_links)
+    muted(frame, "and " + scene::grouped(static_cast<std::int64_t>(selection.size() - most_links)) + " more");
+}
+
+}  // namespace
+
+void inspector_panel(Frame& frame) {
+  if (!frame.has_mesh()) return;
+  level_choice(frame);
+  gap(0.2f);
+  if (frame.session.selection.empty())
+    wrapped(
+        frame,
+        "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what is adjacent and "
+        "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.",
+        &frame.colors.text_muted);
+  else if (const scene::Inspection* inspection = frame.session.inspection())
+    one_entity(frame, *inspection);
+  else
+    many_entities(frame, frame.session.selection);
+}
+
+}  // namespace aomd::ui

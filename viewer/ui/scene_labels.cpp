@@ -1,0 +1,122 @@
+#include "viewer/ui/scene_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/mesh/derive.h"
+#include "viewer/scene/inspection.h"
+#include "viewer/scene/picking.h"
+#include "viewer/scene/selection_drawing.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+namespace {
+
+constexpr std::size_t most_labels = 80;
+
+/// A word on a small plate around a place.
+void plate(const Frame& frame, const ImVec2& middle, const std::string& words) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  const ImVec2 pad{0.3f * em(), 0.08f * em()};
+  const ImVec2 from{std::round(middle.x - 0.5f * size.x), std::round(middle.y - 0.5f * size.y)};
+  ImVec4 back = frame.colors.panel;
+  back.w = 0.88f;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({from.x - pad.x, from.y - pad.y}, {from.x + size.x + pad.x, from.y + size.y + pad.y},
+                     ImGui::GetColorU32(back), 0.25f * em());
+  list.AddText(from, ImGui::GetColorU32(frame.colors.text), words.c_str());
+}
+
+/// Where an entity's middle is on the picture.
+ImVec2 place_of(const scene::Projector& project, const Mesh& mesh, EntityRef e, const Area& viewport) {
+  const glm::dvec2 p = project(scene::middle_of(mesh, e));
+  return {viewport.position.x + static_cast<float>(p.x),
+          viewport.position.y + viewport.size.y - static_cast<float>(p.y)};
+}
+
+/// What is selected, and what lies around the mouse.
+std::vector<EntityRef> labelled(const scene::Session& session) {
+  std::vector<EntityRef> all;
+  const auto selected = session.selection.entities();
+  const std::size_t count = std::min(selected.size(), most_labels);
+  all.assign(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(count));
+  if (const auto* inspection = session.inspection())
+    for (const scene::AdjacentLevel& level : inspection->adjacent)
+      for (const std::uint32_t id : level.ids) all.emplace_back(level.level, id);
+  const Mesh& mesh = session.document.mesh();
+  if (const auto* hovered = session.hovered(); hovered && !session.document.content().skin) {
+    std::vector<std::uint32_t> ids;
+    for (int level = 0; level < 3; ++level) {
+      if (level == hovered->entity.dimension) continue;
+      adjacent(mesh, hovered->entity, level, ids);
+      for (const std::uint32_t id : ids) all.emplace_back(level, id);
+    }
+  }
+  if (all.size() > most_labels) all.resize(most_labels);
+  return all;
+}
+
+void id_labels(Frame& frame, const scene::Projector& project, const Area& viewport) {
+  const Mesh& mesh = frame.document().mesh();
+  ImGui::PushFont(frame.fonts.small);
+  for (const EntityRef e : labelled(frame.session)) {
+    if (!mesh.alive(e)) continue;
+    const ImVec2 at = place_of(project, mesh, e, viewport);
+    const bool inside = at.x >= viewport.position.x && at.y >= viewport.position.y &&
+                        at.x <= viewport.position.x + viewport.size.x &&
+                        at.y <= viewport.position.y + viewport.size.y;
+    if (inside) plate(frame, at, std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index));
+  }
+  ImGui::PopFont();
+}
+
+/// Beside the mouse, on the side where there is room.
+void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, const Area& viewport) {
+  const Mesh& mesh = frame.document().mesh();
+  const std::string title =
+      scene::entity_title(hovered.entity) + ", " + scene::model_words(mesh.classification(hovered.entity));
+  const std::string& words = frame.session.hovered_words();
+  const float wrap = std::min(22 * em(), 0.6f * viewport.size.x);
+  const ImVec2 first = ImGui::CalcTextSize(title.c_str());
+  const ImVec2 second =
+      words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap);
+  const ImVec2 pad{0.5f * em(), 0.3f * em()};
+  const ImVec2 size{std::max(first.x, second.x) + 2 * pad.x, first.y + second.y + 2 * pad.y};
+  const float x = viewport.position.x + 0.5f * viewport.size.x * static_cast<float>(1 + hovered.place.x);
+  const float y = viewport.position.y + 0.5f * viewport.size.y * static_cast<float>(1 - hovered.place.y);
+  ImVec2 from{x + 1.1f * em(), y + 0.9f * em()};
+  if (from.x + size.x > viewport.position.x + viewport.size.x) from.x = x - 0.6f * em() - size.x;
+  if (from.y + size.y > viewport.position.y + viewport.size.y) from.y = y - 0.6f * em() - size.y;
+  from.x = std::max(from.x, viewport.position.x);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImVec4 back = frame.colors.panel;
+  back.w = 0.94f;
+  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(back), 0.3f * em());
+  list.AddRect(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(frame.colors.border),
+               0.3f * em());
+  list.AddText({from.x + pad.x, from.y + pad.y}, ImGui::GetColorU32(frame.colors.text), title.c_str());
+  list.AddText(nullptr, 0, {from.x + pad.x, from.y + pad.y + first.y},
+               ImGui::GetColorU32(frame.colors.text_muted), words.c_str(), nullptr, wrap);
+}
+
+}  // namespace
+
+void scene_labels(Frame& frame, const Area& viewport) {
+  if (!frame.has_mesh() || viewport.size.x < 2) return;
+  const scene::Projector project(frame.session.view, frame.document().content().bounds);
+  if (frame.session.view.labels) id_labels(frame, project, viewport);
+  if (const auto* hovered = frame.session.hovered()) hover_label(frame, *hovered, viewport);
+}
+
+void selection_box(const Frame& frame, ImVec2 from, ImVec2 to) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImVec4 fill = frame.colors.accent;
+  fill.w = 0.15f;
+  const ImVec2 low{std::min(from.x, to.x), std::min(from.y, to.y)};
+  const ImVec2 high{std::max(from.x, to.x), std::max(from.y, to.y)};
+  list.AddRectFilled(low, high, ImGui::GetColorU32(fill));
+  list.AddRect(low, high, ImGui::GetColorU32(frame.colors.accent));
+}
+
+}  // namespace aomd::ui
