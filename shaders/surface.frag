@@ -9,6 +9,8 @@ uniform float edge_width;
 uniform float pixel_scale;
 uniform vec4 back_color;
 uniform vec4 highlight_color;
+uniform int show_edge_codes;
+uniform vec3 code_colors[16];
 
 out vec4 color;
 
@@ -49,9 +51,16 @@ float edge_cover() {
   return fade * clamp(0.5 * edge_width * pixel_scale + 0.5 - nearest, 0.0, 1.0);
 }
 
+// The colour of the side that is nearest: each has a third of the face, so that an edge's two faces form a diamond.
+vec3 code_color() {
+  vec3 w = corner_weight;
+  uint side = w.z <= w.x && w.z <= w.y ? 0u : w.x <= w.y ? 1u : 2u;
+  return code_colors[(face_flags >> (8u + 4u * side)) & 15u];
+}
+
 void main() {
   vec3 n = normalize(eye_normal);
-  vec3 base = face_color;
+  vec3 base = show_edge_codes != 0 ? code_color() : face_color;
   if (!gl_FrontFacing) {
     n = -n;
     // Stripes tell a back from a face of that colour, also to colour-blind eyes.

@@ -202,6 +202,11 @@ std::string accepted_words(const Mesh& mesh, const CollapseOutlook& o, const Dec
   return text + ".";
 }
 
+double least_angle(const Mesh& mesh, const EdgePair& p) {
+  const glm::dvec3 a = mesh.position(p.a), b = mesh.position(p.b);
+  return std::min(smallest_angle_deg(a, b, mesh.position(p.c)), smallest_angle_deg(b, a, mesh.position(p.d)));
+}
+
 }  // namespace
 
 ReasonWords reason_words(Reason reason) {
@@ -256,8 +261,8 @@ std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
       if (!p.f.valid() || !p.g.valid()) return "Not exactly two faces of one orientation share it.";
       return sentence(name(EntityRef(p.c)) + " and " + name(EntityRef(p.d)) + " are joined already");
     case Reason::Quality:
-      return "It would not pay: the smallest angle of its faces would be " + degrees(o.verdict.number()) +
-             " degrees.";
+      return "It would not pay: the smallest angle of its two faces would be " + degrees(o.verdict.number()) +
+             " degrees; it is " + degrees(least_angle(mesh, p)) + ".";
     case Reason::Angle:
       if (o.limits.away_deg > 0 && o.verdict.number() <= o.limits.turn_deg)
         return away_words(o.verdict.entity, o.verdict.number(), o.limits.away_deg);

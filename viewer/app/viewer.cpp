@@ -104,6 +104,7 @@ void Viewer::update_aspect() {
 render::RenderSettings Viewer::settings() const {
   render::RenderSettings settings;
   settings.show_surface = session_.view.surface;
+  settings.show_edge_codes = session_.verdicts() != nullptr;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <glm/ext/matrix_transform.hpp>
+
+#include "viewer/scene/verdict_field.h"
 
 namespace aomd::render {
 
@@ -132,10 +135,11 @@ void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
   draw_strokes(buffers.highlight_lines);
   if (settings.show_model_vertices) draw_strokes(buffers.model_vertices);
   draw_strokes(buffers.highlight_discs);
-  draw_overlay(buffers.selected, frame);
-  draw_overlay(buffers.hovered, frame);
   gl_.Disable(GL_DEPTH_TEST);
   draw_overlay(buffers.preview, frame);
+  gl_.Enable(GL_DEPTH_TEST);
+  draw_overlay(buffers.selected, frame);
+  draw_overlay(buffers.hovered, frame);
   gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_CLIP_DISTANCE0);
   gl_.Disable(GL_BLEND);
@@ -158,6 +162,9 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
   surface_.set("edge_width", settings.edge_width_px);
   surface_.set("back_color", unpack_color(settings.theme.back_face));
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
+  surface_.set("show_edge_codes", settings.show_edge_codes ? 1 : 0);
+  for (std::uint8_t code = 0; settings.show_edge_codes && code <= scene::unjudged; ++code)
+    surface_.set(("code_colors[" + std::to_string(code) + "]").c_str(), opaque(scene::verdict_color(code)));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
 }

@@ -33,8 +33,9 @@ struct RenderSettings {
   bool show_edges = true;  ///< mesh edges; they fade where triangles shrink to a few pixels
   bool show_model_edges = true;
   bool show_model_vertices = true;
-  float edge_width_px = 1.1f;  ///< of mesh edges, at pixel scale 1
-  float pixel_scale = 1.0f;    ///< framebuffer pixels a logical pixel: scales all widths and radii
+  bool show_edge_codes = false;  ///< faces in the colours of their edges' codes, a third for each
+  float edge_width_px = 1.1f;    ///< of mesh edges, at pixel scale 1
+  float pixel_scale = 1.0f;      ///< framebuffer pixels a logical pixel: scales all widths and radii
   SceneTheme theme = light_scene_theme();
   /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
   std::optional<glm::dvec4> clip_plane = {};

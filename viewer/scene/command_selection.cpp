@@ -58,6 +58,19 @@ void select_class(Session& session, Arguments& arguments) {
   session.selection.replace(std::move(entities));
 }
 
+void select_refused(Session& session, Arguments& arguments) {
+  const std::string word = arguments.word("a reason");
+  arguments.end();
+  need_decimable(session);
+  std::string names;
+  for (int i = 0; i < reason_count; ++i) {
+    const auto reason = static_cast<Reason>(i);
+    if (word == reason_word(reason)) return session.selection.replace(session.edges_refused_for(reason));
+    names += (i == 0 ? "" : ", ") + reason_word(reason);
+  }
+  arguments.fail("'" + word + "' is none of " + names);
+}
+
 void select(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::string word = arguments.word("what to select");
@@ -72,6 +85,8 @@ void select(Session& session, Arguments& arguments) {
     select_box(session, arguments);
   } else if (word == "class") {
     select_class(session, arguments);
+  } else if (word == "refused") {
+    select_refused(session, arguments);
   } else if (word == "grow") {
     arguments.end();
     session.refresh();
@@ -154,9 +169,11 @@ std::vector<Command> selection_commands() {
       {"select",
        "vertex|edge|face|region ID [ID...] | add|remove KIND ID [ID...] | none | grow | box X0 Y0 X1 Y1 "
        "[add] | "
-       "class KIND:TAG",
+       "class KIND:TAG | refused REASON",
        "Selects entities by their ids, or what can be seen in a box (-1..1), or what lies on a model entity; "
-       "grow takes what touches them too. What is selected stays so while it lives.",
+       "grow takes what touches them too, refused the edges that decimation would refuse now for a reason: "
+       "spacing, classification, topology, flat, angle, quality, kept, shape, distance, intersection, or "
+       "none. What is selected stays so while it lives.",
        CommandGroup::Selection,
        select,
        {{"Ctrl+G", "select grow"}}},

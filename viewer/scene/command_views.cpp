@@ -19,9 +19,10 @@ T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, 
 }
 
 void color(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Coloring>, 3> choices = {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 4> choices = {
       {{"classification", Coloring::Classification},
        {"spacing", Coloring::Spacing},
+       {"verdict", Coloring::Verdict},
        {"none", Coloring::None}}};
   session.view.coloring = choose(arguments, choices);
   arguments.end();
@@ -119,11 +120,12 @@ void dismiss(Session& session, Arguments& arguments) {
 std::vector<Command> view_commands() {
   return {
       {"color",
-       "classification|spacing|none",
-       "What the surface's colours mean: what it lies on, or how long decimation wants edges to be.",
+       "classification|spacing|verdict|none",
+       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, or why each "
+       "edge would be refused now.",
        CommandGroup::View,
        color,
-       {{"C", "color classification"}, {"N", "color none"}}},
+       {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
        "surface|edges|model-edges|model-vertices|interfaces|operation [on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; operation is "

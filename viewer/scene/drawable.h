@@ -20,6 +20,9 @@ enum CornerFlag : std::uint32_t {
   hide_edge_20 = 4u,
   highlighted = 8u,  ///< blended with the theme's highlight colour: the selection, a preview
 };
+/// Besides, four bits from here on for each side, from the slot's corner k to the next: what is said about
+/// that edge (EdgeCodes), for RenderSettings::show_edge_codes.
+inline constexpr std::uint32_t edge_code_shift = 8;
 
 /// One corner of a triangle; three in a row make a face slot. A dead slot has three equal positions.
 struct Corner {

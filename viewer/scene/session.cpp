@@ -86,6 +86,7 @@ void Session::run_on(std::optional<std::chrono::microseconds> budget) {
 }
 
 void Session::tick(std::chrono::microseconds budget, double frame_s) {
+  judging_budget_ = budget;
   if (auto result = loader_.take(false)) take_loaded(std::move(*result));
   run_on(budget);
   if (playing_) advance_playing(frame_s);
@@ -143,7 +144,9 @@ void Session::refresh_surface() {
   facts_.update(document.mesh(), found);
   picker_.note(found);
   refresh_field(found.everything);
+  refresh_verdicts(found);
   drawing_.update(document.mesh(), view, found);
+  judge_edges();
   const auto focus = view.operation ? document.focus() : std::nullopt;
   if (focus != drawn_focus_ || !found.nothing()) {
     drawing_.highlight_step(document.mesh(), document.journal(), focus);

@@ -17,6 +17,7 @@
 #include "viewer/scene/selection.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_drawing.h"
+#include "viewer/scene/verdict_field.h"
 #include "viewer/scene/vertex_field.h"
 #include "viewer/scene/view.h"
 
@@ -47,7 +48,9 @@ class Session {
   void play(bool on);
   [[nodiscard]] bool playing() const { return playing_; }
   /// Nothing is loaded, running or played.
-  [[nodiscard]] bool idle() const { return !loading() && !document.running() && !playing_; }
+  [[nodiscard]] bool idle() const {
+    return !loading() && !document.running() && !playing_ && !(verdicts_ && verdicts_->pending());
+  }
 
   /// What goes on by itself, for a frame of `frame_s` seconds: loading, a run (about `budget`), playing.
   void tick(std::chrono::microseconds budget, double frame_s);
@@ -81,6 +84,10 @@ class Session {
   [[nodiscard]] const Inspection* inspection() const { return inspection_ ? &*inspection_ : nullptr; }
   /// What decimation says about it; null where nothing, and while it runs.
   [[nodiscard]] const Judgement* judgement() const { return judgement_ ? &*judgement_ : nullptr; }
+  /// What is said about every edge, while the colours show it; else null (session_verdicts.cpp).
+  [[nodiscard]] const VerdictField* verdicts() const { return verdicts_ ? &*verdicts_ : nullptr; }
+  /// The edges that would be refused now, and why. A mesh that can be decimated must be there. O(edges).
+  [[nodiscard]] std::vector<EntityRef> edges_refused_for(Reason reason);
   /// The way of the judgement that is drawn.
   [[nodiscard]] std::size_t previewed_way() const;
 
@@ -95,6 +102,8 @@ class Session {
   void refresh_selection(bool mesh_changed);
   void refresh_inspection(bool mesh_changed);
   void refresh_preview();
+  void refresh_verdicts(const SurfaceChanges& changes);
+  void judge_edges();
   void forget_selection();
 
   Loader loader_;
@@ -112,6 +121,11 @@ class Session {
   std::optional<std::size_t> drawn_focus_;
   Picker picker_;
   std::optional<Hovered> hovered_;
+  std::optional<VerdictField> verdicts_;
+  DecimationOptions verdict_options_;
+  bool ran_ = false;
+  std::optional<std::chrono::microseconds>
+      judging_budget_;  ///< of a frame; none: all at once, without a window
   std::string hovered_words_;
   EntityRef hovered_words_of_;
   std::optional<Inspection> inspection_;

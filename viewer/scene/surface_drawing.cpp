@@ -72,8 +72,8 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
 
 void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
   const bool changed = !changes.nothing();
-  Style style{view.coloring, view.hidden, view.highlighted, vertex_colors_,
-              changed ? vertex_radius_px(mesh) : style_.vertex_px};
+  Style style{view.coloring,  view.hidden, view.highlighted,
+              vertex_colors_, edge_codes_, changed ? vertex_radius_px(mesh) : style_.vertex_px};
   const bool restyled = style != style_;
   style_ = std::move(style);
   if (changes.everything) {
@@ -124,6 +124,7 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
   const bool drawn = alive && !hidden(model);
   std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
   if (highlighted(model)) flags |= CornerFlag::highlighted;
+  if (drawn && style_.edge_codes) flags |= code_flags(mesh, face);
   for (std::size_t i = 0; i < 3; ++i) {
     Corner corner;
     if (alive) corner.normal = drawable_.corners[first + i].normal;
@@ -134,6 +135,28 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
       corner.flags = flags;
     }
     if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);
+  }
+}
+
+std::uint32_t SurfaceDrawing::code_flags(const Mesh& mesh, Face face) const {
+  const auto t = mesh.triangle(face);
+  std::uint32_t flags = 0;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const Edge e = mesh.find_edge(t[i], t[(i + 1) % 3]);
+    const bool known = e.valid() && e.index < style_.edge_codes->size();
+    const std::uint32_t code = known ? (*style_.edge_codes)[e] & 15u : unjudged;
+    flags |= code << (edge_code_shift + 4 * i);
+  }
+  return flags;
+}
+
+void SurfaceDrawing::recode(const Mesh& mesh, const std::vector<Edge>& edges) {
+  for (const Edge e : edges) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    for (const Face f : mesh.row<2>(a)) {
+      const auto t = mesh.triangle(f);
+      if (t[0] == b || t[1] == b || t[2] == b) draw_face(mesh, f);
+    }
   }
 }
 

@@ -13,6 +13,7 @@
 #include "viewer/scene/corner_normals.h"
 #include "viewer/scene/drawable.h"
 #include "viewer/scene/surface_changes.h"
+#include "viewer/scene/verdict_field.h"
 #include "viewer/scene/view.h"
 
 namespace aomd::scene {
@@ -60,6 +61,10 @@ class SurfaceDrawing {
   void set_vertex_colors(std::shared_ptr<const Column<Vertex, Color>> colors) {
     vertex_colors_ = std::move(colors);
   }
+  /// What is said about each edge, for the flags of its faces; null: nothing. Drawn from the next update on.
+  void set_edge_codes(std::shared_ptr<const EdgeCodes> codes) { edge_codes_ = std::move(codes); }
+  /// These codes have changed in place. O(edges).
+  void recode(const Mesh& mesh, const std::vector<Edge>& edges);
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
   /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
@@ -77,6 +82,7 @@ class SurfaceDrawing {
     std::set<ModelRef> hidden;
     std::optional<ModelRef> highlighted;
     std::shared_ptr<const Column<Vertex, Color>> vertex_colors;
+    std::shared_ptr<const EdgeCodes> edge_codes;
     float vertex_px = 0;  ///< radius of model vertices: smaller where there are very many
     friend bool operator==(const Style&, const Style&) = default;
   };
@@ -86,6 +92,7 @@ class SurfaceDrawing {
   void draw_face(const Mesh& mesh, Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
+  [[nodiscard]] std::uint32_t code_flags(const Mesh& mesh, Face face) const;
   void draw_normals(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
   [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
@@ -99,6 +106,7 @@ class SurfaceDrawing {
 
   std::vector<std::uint32_t> face_flags_;
   std::shared_ptr<const Column<Vertex, Color>> vertex_colors_;
+  std::shared_ptr<const EdgeCodes> edge_codes_;
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

@@ -10,8 +10,9 @@
 
 namespace aomd::scene {
 
-/// Spacing: the wanted length of edges, on surfaces that can be decimated.
-enum class Coloring { Classification, Spacing, None };
+/// Spacing: the wanted length of edges; Verdict: why each edge would be refused now. Both on surfaces that
+/// can be decimated.
+enum class Coloring { Classification, Spacing, Verdict, None };
 /// What a click takes: Automatic is the vertex or edge that is near, else the face, else the region.
 enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
 enum class Theme { Light, Dark };

@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
+#include "core/decimate/explanation.h"
 #include "viewer/scene/text.h"
+#include "viewer/scene/verdict_field.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -42,61 +43,38 @@ void run_controls(Frame& frame) {
                    ", " + std::to_string(static_cast<int>(100 * document.run_progress())) + " %");
 }
 
-struct Refusal {
-  Reason reason;
-  const char* name;
-  const char* help;
-};
-
-constexpr std::array<Refusal, 10> refusals = {{
-    {Reason::Spacing, "Long enough",
-     "The edge has reached the wanted length: a larger factor would let it go."},
-    {Reason::Classification, "Shape of the model",
-     "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it would cut a "
-     "corner off."},
-    {Reason::Topology, "Topology", "The surface would be pinched, doubled or torn (link condition)."},
-    {Reason::Flat, "Flat face", "A face would lose its area."},
-    {Reason::Angle, "Angle", "A face would turn by more than the angle limit."},
-    {Reason::Quality, "Quality", "The triangles would not get a better shape."},
-    {Reason::Kept, "Kept", "Its vertices are to stay where they are."},
-    {Reason::Shape, "Shape",
-     "A face would get a smaller angle than is allowed: the least angle, and for quality at least 6 to 12 "
-     "degrees."},
-    {Reason::Distance, "Distance", "The surface would leave the original by more than the limit."},
-    {Reason::Intersection, "Intersection", "The surface would cut itself where it did not."},
-}};
-
-void refusal_row(const Frame& frame, const Refusal& refusal, std::uint32_t count, std::uint32_t most) {
+void refusal_row(Frame& frame, Reason reason, std::uint32_t count, std::uint32_t most) {
+  const ReasonWords words = reason_words(reason);
+  const std::string help =
+      std::string(words.help) + " Click to select the edges that would be refused for it now.";
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  text(refusal.name);
-  tooltip(refusal.help);
+  if (ImGui::Selectable(words.name, false, ImGuiSelectableFlags_SpanAllColumns))
+    frame.emit("select refused " + scene::reason_word(reason));
+  tooltip(help);
   ImGui::TableNextColumn();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.35f * em());
-  ImGui::PushID(refusal.name);
+  ImGui::PushID(words.name);
   ImVec4 color = frame.colors.bad;
   color.w = 0.75f;
   bar(static_cast<double>(count) / most, ImGui::GetColorU32(color), 0.42f);
-  tooltip(refusal.help);
   ImGui::PopID();
   ImGui::TableNextColumn();
   text_right(grouped(count));
 }
 
-void refusal_table(const Frame& frame, const SweepStatistics& sweep) {
-  std::uint32_t most = 1;
-  for (const Refusal& r : refusals) most = std::max(most, sweep.refused[static_cast<std::size_t>(r.reason)]);
+void refusal_table(Frame& frame, const SweepStatistics& sweep) {
+  const std::uint32_t most = std::max(1u, *std::max_element(sweep.refused.begin(), sweep.refused.end()));
   if (!ImGui::BeginTable("refusals", 3, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("reason", ImGuiTableColumnFlags_WidthFixed, 8.0f * em());
   ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, 3.8f * em());
-  for (const Refusal& r : refusals)
-    if (const std::uint32_t n = sweep.refused[static_cast<std::size_t>(r.reason)]; n > 0)
-      refusal_row(frame, r, n, most);
+  for (std::size_t i = 1; i < sweep.refused.size(); ++i)
+    if (const std::uint32_t n = sweep.refused[i]; n > 0) refusal_row(frame, static_cast<Reason>(i), n, most);
   ImGui::EndTable();
 }
 
-void last_sweep_section(const Frame& frame) {
+void last_sweep_section(Frame& frame) {
   const SweepStatistics* sweep = frame.document().last_sweep();
   if (sweep == nullptr) return;
   gap();

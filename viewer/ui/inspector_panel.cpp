@@ -31,11 +31,9 @@ void level_choice(Frame& frame) {
 }
 
 void wrapped(const Frame& frame, std::string_view words, const ImVec4* color = nullptr) {
-  ImGui::PushTextWrapPos(0);
   ImGui::PushStyleColor(ImGuiCol_Text, color ? *color : frame.colors.text);
-  text(words);
+  text(broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
   ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
 }
 
 /// Links one after the other, in as many lines as they need.
@@ -155,8 +153,10 @@ void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
 
 void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number, bool shown) {
   ImGui::PushID(static_cast<int>(number));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
   if (ImGui::RadioButton(scene::way_title(way).c_str(), shown))
     frame.emit("preview " + std::to_string(number));
+  ImGui::PopStyleVar();
   tooltip("Draw the faces that this would leave.");
   const bool yes = way.outlook.verdict.accepted();
   wrapped(frame, way.words, yes ? &frame.colors.good : &frame.colors.bad);

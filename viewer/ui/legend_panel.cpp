@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/decimate/explanation.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/palette.h"
 #include "viewer/scene/text.h"
@@ -157,11 +158,40 @@ void field_legend(const Frame& frame, const scene::VertexField& field) {
   gap();
 }
 
+/// Why edges would be refused now: colour, reason, how many; a click selects them.
+void verdict_legend(Frame& frame, const scene::VerdictField& verdicts) {
+  heading(frame, "Verdicts on edges");
+  tooltip(
+      "Each face shows the colours of its three edges, a third for each: why decimation would refuse the "
+      "edge "
+      "now, with the present options.");
+  const auto& counts = verdicts.counts();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(reason_count); ++i) {
+    if (counts[i] == 0) continue;
+    const auto reason = static_cast<Reason>(i);
+    const ReasonWords words = reason_words(reason);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = 0.78f * em();
+    if (ImGui::Selectable((std::string("     ") + words.name).c_str()))
+      frame.emit("select refused " + scene::reason_word(reason));
+    tooltip(std::string(words.help) + " Click to select these edges.");
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {at.x, at.y + 0.12f * em()}, {at.x + side, at.y + 0.12f * em() + side},
+        scene::verdict_color(static_cast<std::uint8_t>(i)), 0.2f * side);
+    const std::string count = scene::grouped(counts[i]);
+    same_line_right(ImGui::CalcTextSize(count.c_str()).x);
+    text(count);
+  }
+  if (verdicts.pending()) muted(frame, "judging ...");
+  gap();
+}
+
 }  // namespace
 
 void legend_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
   if (const scene::VertexField* field = frame.session.field()) field_legend(frame, *field);
+  if (const scene::VerdictField* verdicts = frame.session.verdicts()) verdict_legend(frame, *verdicts);
   heading(frame, "Classification");
   tooltip("The model entities that the mesh lies on, with the number of mesh entities on each.");
   if (!frame.session.view.hidden.empty()) {

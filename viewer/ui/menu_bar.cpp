@@ -99,6 +99,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Colour by wanted edge length", "color spacing",
                view.coloring == scene::Coloring::Spacing,
                frame.has_mesh() && !frame.document().content().skin);
+  command_item(frame, "Colour by verdict", "color verdict", view.coloring == scene::Coloring::Verdict,
+               frame.can_decimate());
   command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);

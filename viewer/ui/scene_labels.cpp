@@ -76,17 +76,16 @@ void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, con
   const Mesh& mesh = frame.document().mesh();
   const std::string title =
       scene::entity_title(hovered.entity) + ", " + scene::model_words(mesh.classification(hovered.entity));
-  const std::string& words = frame.session.hovered_words();
   const float wrap = std::min(22 * em(), 0.6f * viewport.size.x);
+  const std::string words = broken_at_blanks(frame.session.hovered_words(), wrap);
   const ImVec2 first = ImGui::CalcTextSize(title.c_str());
-  const ImVec2 second =
-      words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap);
+  const ImVec2 second = words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str());
   const ImVec2 pad{0.5f * em(), 0.3f * em()};
   const ImVec2 size{std::max(first.x, second.x) + 2 * pad.x, first.y + second.y + 2 * pad.y};
   const float x = viewport.position.x + 0.5f * viewport.size.x * static_cast<float>(1 + hovered.place.x);
   const float y = viewport.position.y + 0.5f * viewport.size.y * static_cast<float>(1 - hovered.place.y);
   ImVec2 from{x + 1.1f * em(), y + 0.9f * em()};
-  if (from.x + size.x > viewport.position.x + viewport.size.x) from.x = x - 0.6f * em() - size.x;
+  from.x = std::min(from.x, viewport.position.x + viewport.size.x - size.x - 0.3f * em());
   if (from.y + size.y > viewport.position.y + viewport.size.y) from.y = y - 0.6f * em() - size.y;
   from.x = std::max(from.x, viewport.position.x);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -96,8 +95,8 @@ void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, con
   list.AddRect(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(frame.colors.border),
                0.3f * em());
   list.AddText({from.x + pad.x, from.y + pad.y}, ImGui::GetColorU32(frame.colors.text), title.c_str());
-  list.AddText(nullptr, 0, {from.x + pad.x, from.y + pad.y + first.y},
-               ImGui::GetColorU32(frame.colors.text_muted), words.c_str(), nullptr, wrap);
+  list.AddText({from.x + pad.x, from.y + pad.y + first.y}, ImGui::GetColorU32(frame.colors.text_muted),
+               words.c_str());
 }
 
 }  // namespace

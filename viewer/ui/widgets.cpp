@@ -74,6 +74,20 @@ void muted(const Frame& frame, std::string_view s) {
   ImGui::PopStyleColor();
 }
 
+std::string broken_at_blanks(std::string_view s, float width) {
+  std::string result, line;
+  for (std::size_t at = 0; at < s.size();) {
+    const std::size_t end = std::min(s.find(' ', at), s.size());
+    const std::string word(s.substr(at, end - at));
+    const std::string longer = line.empty() ? word : line + ' ' + word;
+    const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+    if (!fits) result += line + '\n';
+    line = fits ? longer : word;
+    at = end + 1;
+  }
+  return result + line;
+}
+
 void text_right(std::string_view s) {
   const float width = ImGui::CalcTextSize(s.data(), s.data() + s.size()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));

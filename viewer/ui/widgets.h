@@ -18,6 +18,8 @@ namespace aomd::ui {
 
 void text(std::string_view s);
 void muted(const Frame& frame, std::string_view s);
+/// With line ends instead of blanks, so that no line is wider; numbers are never cut as ImGui does.
+[[nodiscard]] std::string broken_at_blanks(std::string_view s, float width);
 /// Right-aligned in the present column.
 void text_right(std::string_view s);
 /// A table of names and values, `columns` wide (3: with changes). False where nothing of it shows: then

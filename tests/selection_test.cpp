@@ -1,0 +1,130 @@
+// Selecting, what is said about it, and why edges stay: as scripts drive it.
+
+#include <gtest/gtest.h>
+
+#include "session_helpers.h"
+
+namespace aomd::scene {
+namespace {
+
+using test::drive;
+
+TEST(Selecting, ReplacesAddsRemovesAndRefusesWhatIsNotThere) {
+  Session s;
+  drive(s, {"sample sphere 8", "select edge 3 5 4 3", "expect selected = 3", "select add vertex 0",
+            "expect selected = 4", "select remove edge 5", "expect selected = 3"});
+  EXPECT_EQ(s.selection.entities()[0], EntityRef(Vertex(0)));
+  EXPECT_EQ(selection_text(s.selection), "2 edges, 1 vertex");
+  EXPECT_THROW(execute(s, "select face 100000"), CommandError);
+  EXPECT_THROW(execute(s, "select face"), CommandError);
+  EXPECT_THROW(execute(s, "select nonsense"), CommandError);
+  EXPECT_EQ(s.selection.size(), 3u) << "a wrong line changes nothing";
+  drive(s, {"select none", "expect selected = 0"});
+  drive(s, {"sample bracket", "select class face:1"});
+  EXPECT_EQ(s.selection.size(), s.document.mesh().class_lists()->entities(2, ModelRef(2, 1)).size());
+}
+
+TEST(Selecting, GrowTakesWhatSharesAVertex) {
+  Session s;
+  drive(s, {"sample sphere 8", "select vertex 0", "select grow"});
+  const Mesh& mesh = s.document.mesh();
+  EXPECT_EQ(s.selection.size(), 1 + mesh.row<1>(Vertex(0)).size());
+  drive(s, {"select face 0", "select grow"});
+  std::set<Face> around;
+  for (const Vertex v : mesh.triangle(Face(0)))
+    for (const Face f : mesh.row<2>(v)) around.insert(f);
+  EXPECT_EQ(s.selection.size(), around.size());
+}
+
+TEST(Selecting, SurvivesStepsAsFarAsEntitiesLive) {
+  Session s;
+  drive(s, {"sample sphere 12", "coarsest on", "angle 60"});
+  std::string all = "select edge";
+  for (const Edge e : s.document.mesh().edges()) all += " " + std::to_string(e.index);
+  const auto before = static_cast<std::size_t>(s.document.mesh().count(1));
+  drive(s, {all});
+  EXPECT_EQ(s.selection.size(), before);
+  drive(s, {"step"});
+  EXPECT_EQ(s.selection.size(), before - 3) << "a collapse takes three edges";
+  for (const EntityRef e : s.selection.entities()) EXPECT_TRUE(s.document.mesh().alive(e));
+  drive(s, {"step -1"});
+  EXPECT_EQ(s.selection.size(), before - 3) << "what comes back is not selected again";
+  drive(s, {"sample sphere 8"});
+  EXPECT_TRUE(s.selection.empty());
+}
+
+TEST(Selecting, AnEdgeIsJudgedAsTheLoopWould) {
+  Session s;
+  drive(s, {"sample sphere 12", "run", "select refused angle"});
+  ASSERT_GT(s.selection.size(), 0u);
+  const std::string edge = std::to_string(s.selection.entities()[0].index);
+  drive(s, {"select edge " + edge});
+  ASSERT_NE(s.judgement(), nullptr);
+  const CollapseWay& way = s.judgement()->ways[s.judgement()->best];
+  EXPECT_EQ(way.outlook.verdict.reason, Reason::Angle);
+  EXPECT_NE(way.words.find("would turn by"), std::string::npos) << way.words;
+  EXPECT_FALSE(s.drawing().drawable().preview.faces.empty());
+  drive(s, {"preview off"});
+  EXPECT_TRUE(s.drawing().drawable().preview.faces.empty());
+  drive(s, {"preview best", "angle 90"});
+  EXPECT_NE(s.judgement()->ways[s.judgement()->best].outlook.verdict.reason, Reason::Angle)
+      << "new options are followed";
+}
+
+TEST(Selecting, TheColoursCountEveryEdgeOnce) {
+  Session s;
+  drive(s, {"sample scan 2000", "color verdict"});
+  ASSERT_NE(s.verdicts(), nullptr);
+  const auto sum = [&] {
+    std::int64_t n = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(reason_count); ++i) n += s.verdicts()->counts()[i];
+    return n;
+  };
+  EXPECT_EQ(sum(), s.facts().edges);
+  drive(s, {"step 5"});
+  EXPECT_EQ(sum(), s.facts().edges);
+  // After a few steps only their surroundings were judged again: all of it must agree with a fresh look.
+  for (int i = 0; i < reason_count; ++i) {
+    const auto reason = static_cast<Reason>(i);
+    EXPECT_EQ(static_cast<std::int64_t>(s.edges_refused_for(reason).size()),
+              s.verdicts()->counts()[static_cast<std::size_t>(i)])
+        << reason_word(reason);
+  }
+  drive(s, {"run"});
+  EXPECT_EQ(sum(), s.facts().edges);
+  EXPECT_EQ(s.verdicts()->counts()[0], 0) << "nothing is left that could go";
+  drive(s, {"color none"});
+  EXPECT_EQ(s.verdicts(), nullptr);
+}
+
+TEST(Selecting, LookingChangesNoResult) {
+  for (const char* strategy : {"strategy paper", "strategy quality"}) {
+    Session asked, silent;
+    drive(asked, {"sample scan 2000", strategy, "color verdict", "select edge 17", "angle 20", "hover 0 0",
+                  "sweep", "select refused angle", "undo", "redo", "color none"});
+    drive(silent, {"sample scan 2000", strategy, "angle 20", "sweep", "undo", "redo"});
+    EXPECT_EQ(asked.facts(), silent.facts()) << strategy;
+    for (const Vertex v : silent.document.mesh().vertices()) {
+      ASSERT_TRUE(asked.document.mesh().alive(v));
+      EXPECT_EQ(asked.document.mesh().position(v), silent.document.mesh().position(v));
+    }
+  }
+}
+
+TEST(Selecting, WhatIsCopiedNamesFactsAndNeighbours) {
+  Session s;
+  drive(s, {"sample plane-hole", "select vertex 0", "why"});
+  const std::string text = s.log.value_or("");
+  EXPECT_EQ(text.rfind("Vertex 0\nLies on: model ", 0), 0u) << text;
+  EXPECT_NE(text.find("Smoothing: "), std::string::npos) << text;
+  const std::size_t faces = s.document.mesh().row<2>(Vertex(0)).size();
+  EXPECT_NE(text.find("Faces " + std::to_string(faces) + ":"), std::string::npos) << text;
+  drive(s, {"sample tet-box", "select region 0", "why"});
+  EXPECT_NE(s.log->find("Vertices 4:"), std::string::npos) << *s.log;
+  EXPECT_EQ(s.judgement(), nullptr) << "volumes are not decimated";
+  drive(s, {"select vertex 0", "why"});
+  EXPECT_NE(s.log->find("Regions ("), std::string::npos) << "nothing stored leads up: " << *s.log;
+}
+
+}  // namespace
+}  // namespace aomd::scene
