@@ -119,6 +119,15 @@ TEST(Picking, ABoxTakesWhatCanBeSeenAsAWhole) {
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   EXPECT_EQ(corners, (std::vector<EntityRef>{Vertex(5), Vertex(6), Vertex(9), Vertex(10)}));
+  s.view.pick_level = PickLevel::Edge;
+  auto edges = s.within({-0.1, -0.1, 0}, {1.1, 1.1, 0});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<EntityRef> square;
+  for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 5u}, {0u, 5u}, {5u, 4u}, {4u, 0u}})
+    square.emplace_back(s.loaded->mesh.find_edge(Vertex(a), Vertex(b)));
+  std::sort(square.begin(), square.end());
+  EXPECT_EQ(edges, square);
   Scene ball(make_sample("sphere", 12));
   const auto seen = ball.within({-9, -9, 0}, {9, 9, 0});
   EXPECT_GT(seen.size(), 0u);

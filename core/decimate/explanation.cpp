@@ -222,7 +222,7 @@ ReasonWords reason_words(Reason reason) {
       {"Angle", "A face would turn by more than the angle limit."},
       {"Quality", "The triangles would not get a better shape."},
       {"Kept", "Its vertices are to stay where they are."},
-      {"Shape",
+      {"Small angle",
        "A face would get a smaller angle than is allowed: the least angle, and for quality at least 6 to 12 "
        "degrees."},
       {"Distance", "The surface would leave the original by more than the limit."},

@@ -19,8 +19,7 @@ void camera(Session& session, Arguments& arguments) {
 }
 
 void fit_selection(Session& session, Arguments& arguments) {
-  constexpr double context = 5;        // what is around matters as much
-  constexpr double around_one = 0.08;  // of the mesh, around a vertex
+  constexpr double context = 5, around_vertex = 2.5;  // what is around matters as much
   if (const std::string word = arguments.word("selection"); word != "selection")
     arguments.fail("'" + word + "' is not selection");
   arguments.end();
@@ -29,10 +28,12 @@ void fit_selection(Session& session, Arguments& arguments) {
   const Box whole = session.document.content().bounds;
   if (session.selection.empty()) return camera.fit(whole, session.view.aspect);
   const double far = camera.distance;
-  const Box box = box_of(mesh, session.selection.entities());
-  camera.fit(box, session.view.aspect);
-  const double near = box.diagonal() > 0 ? context * camera.distance : around_one * whole.diagonal();
-  camera.distance = std::min(far, near);
+  const glm::dvec3 middle = box_of(mesh, session.selection.entities()).center();
+  const bool vertex = session.selection.single().valid() && session.selection.single().dimension == 0;
+  const std::vector<EntityRef> around = vertex ? grown(mesh, session.selection) : std::vector<EntityRef>();
+  camera.fit(box_of(mesh, vertex ? around : session.selection.entities()), session.view.aspect);
+  camera.target = middle;
+  camera.distance = std::min(far, (vertex ? around_vertex : context) * camera.distance);
 }
 
 void fit(Session& session, Arguments& arguments) {

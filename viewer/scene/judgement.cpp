@@ -8,7 +8,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr Color ghost = rgb(0x12a594);
+constexpr Color ghost = rgb(0x22d3ee);
 constexpr Color rim = rgb(0x1b2430);
 constexpr float tint = 0.30f;
 
@@ -22,7 +22,7 @@ std::size_t passed(const CollapseWay& way) {
 struct Sketch {
   glm::dvec3 origin;
   std::vector<Corner> faces;
-  std::vector<Segment> lines;
+  std::vector<Segment> rims, lines;  ///< dark ones below, so that they read on every colour
   std::vector<Disc> discs;
 
   [[nodiscard]] glm::vec3 place(const glm::dvec3& p) const { return glm::vec3(p - origin); }
@@ -30,17 +30,19 @@ struct Sketch {
     const Color area = (color & 0x00ffffffu) | static_cast<Color>(255 * tint) << 24;
     for (std::size_t i = 0; i < 3; ++i) {
       faces.push_back({place(t[i]), 0, area, 0});
+      rims.push_back({place(t[i]), place(t[(i + 1) % 3]), rim, line_px + 1.8f});
       lines.push_back({place(t[i]), place(t[(i + 1) % 3]), color, line_px});
     }
   }
   void move(const glm::dvec3& from, const glm::dvec3& to) {
-    lines.push_back({place(from), place(to), rim, 4.2f});
+    rims.push_back({place(from), place(to), rim, 4.2f});
     lines.push_back({place(from), place(to), ghost, 2.4f});
     discs.push_back({place(to), ghost, 5.5f});
   }
   void finish(Overlay& overlay) {
     overlay.faces.assign(std::move(faces));
-    overlay.lines.assign(std::move(lines));
+    rims.insert(rims.end(), lines.begin(), lines.end());
+    overlay.lines.assign(std::move(rims));
     overlay.discs.assign(std::move(discs));
   }
 };
@@ -92,7 +94,7 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
   gather(mesh, c.kept, kept);
   Change change;
   describe(mesh, c, deleted, kept, change);
-  Sketch sketch{origin, {}, {}, {}};
+  Sketch sketch{origin, {}, {}, {}, {}};
   draw_change(change, way.outlook.verdict.entity, sketch);
   sketch.move(mesh.position(c.deleted), c.position);
   sketch.finish(overlay);
@@ -107,7 +109,7 @@ void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& o
   gather(mesh, move.vertex, star);
   Change change;
   describe(mesh, move.vertex, star, move.target, change);
-  Sketch sketch{origin, {}, {}, {}};
+  Sketch sketch{origin, {}, {}, {}, {}};
   if (move.target != mesh.position(move.vertex)) {
     draw_change(change, move.verdict.entity, sketch);
     sketch.move(mesh.position(move.vertex), move.target);

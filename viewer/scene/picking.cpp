@@ -7,8 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/mesh/column.h"
-
 namespace aomd::scene {
 namespace {
 
@@ -178,48 +176,51 @@ EntityRef Picker::at(const Shown& shown, const View& view, glm::dvec2 ndc) {
   return whole(shown, hit->face, view.pick_level);
 }
 
-bool Picker::visible(const Shown& shown, const View& view, const glm::dvec3& p, Face own) const {
-  const Projector project(view, shown.bounds);
+bool Picker::visible(const Shown& shown, const View& view, const Projector& project, const glm::dvec3& p,
+                     Face own) const {
   const Ray ray = view.camera.ray(project.ndc(project(p)), view.aspect, shown.bounds);
   const auto hit = first(shown, view, ray);
   const double distance = glm::dot(p - ray.origin, ray.direction);
   return !hit || hit->face == own || hit->distance >= distance * (1 - 1e-6);
 }
 
-std::vector<EntityRef> Picker::within(const Shown& shown, const View& view, glm::dvec2 low, glm::dvec2 high) {
-  build(shown);
-  const Projector project(view, shown.bounds);
-  const glm::dvec2 from = project.pixels(glm::min(low, high)), to = project.pixels(glm::max(low, high));
+// What a face contributes to a box: itself, or its vertices or edges, each where all of it is inside and can
+// be seen.
+void Picker::add_parts(const Shown& shown, const View& view, const Inside& inside, Face f,
+                       std::vector<EntityRef>& found) {
   const Mesh& drawn = shown.drawn;
-  Column<Vertex, std::uint8_t> inside(drawn.capacity(0), 0);
+  const auto t = drawn.triangle(f);
+  const auto seen = [&](const glm::dvec3& p) { return visible(shown, view, inside.project, p, f); };
+  const auto at = [&](std::size_t i) { return drawn.position(t[i]); };
+  if (view.pick_level == PickLevel::Vertex) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (inside.vertices[t[i]] && seen(at(i))) found.push_back(whole(shown, t[i]));
+  } else if (view.pick_level == PickLevel::Edge) {
+    for (std::size_t i = 0, k = 1; i < 3; ++i, k = (i + 1) % 3) {
+      if (!inside.vertices[t[i]] || !inside.vertices[t[k]] || (flags_of(shown, f) >> i & 1u) != 0) continue;
+      const Edge e = entity(shown, whole(shown, t[i]), whole(shown, t[k]));
+      if (e.valid() && seen(0.5 * (at(i) + at(k)))) found.push_back(e);
+    }
+  } else if (inside.vertices[t[0]] && inside.vertices[t[1]] && inside.vertices[t[2]]) {
+    const EntityRef e = whole(shown, f, view.pick_level);
+    if (e.valid() && seen((at(0) + at(1) + at(2)) / 3.0)) found.push_back(e);
+  }
+}
+
+std::vector<EntityRef> Picker::within(const Shown& shown, const View& view, glm::dvec2 low, glm::dvec2 high) {
+  if (!loose_.empty()) forget();  // too many rays to look at those for each
+  build(shown);
+  const Mesh& drawn = shown.drawn;
+  Inside inside{Projector(view, shown.bounds), Column<Vertex, std::uint8_t>(drawn.capacity(0), 0)};
+  const glm::dvec2 from = inside.project.pixels(glm::min(low, high)),
+                   to = inside.project.pixels(glm::max(low, high));
   for (const Vertex v : drawn.vertices()) {
-    const glm::dvec2 p = project(drawn.position(v));
-    inside[v] = p.x >= from.x && p.y >= from.y && p.x <= to.x && p.y <= to.y;
+    const glm::dvec2 p = inside.project(drawn.position(v));
+    inside.vertices[v] = p.x >= from.x && p.y >= from.y && p.x <= to.x && p.y <= to.y;
   }
   std::vector<EntityRef> found;
-  for (const Face f : drawn.faces()) {
-    const auto t = drawn.triangle(f);
-    if (view.hidden.contains(drawn.classification(f)) || !(inside[t[0]] | inside[t[1]] | inside[t[2]]))
-      continue;
-    const auto middle = [&](std::size_t i, std::size_t k) {
-      return 0.5 * (drawn.position(t[i]) + drawn.position(t[k]));
-    };
-    const glm::dvec3 center = (drawn.position(t[0]) + drawn.position(t[1]) + drawn.position(t[2])) / 3.0;
-    const bool all = inside[t[0]] && inside[t[1]] && inside[t[2]];
-    if (view.pick_level == PickLevel::Vertex) {
-      for (const Vertex v : t)
-        if (inside[v] && visible(shown, view, drawn.position(v), f)) found.push_back(whole(shown, v));
-    } else if (view.pick_level == PickLevel::Edge) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t k = (i + 1) % 3;
-        if (!inside[t[i]] || !inside[t[k]] || (flags_of(shown, f) >> i & 1u) != 0) continue;
-        const Edge e = entity(shown, whole(shown, t[i]), whole(shown, t[k]));
-        if (e.valid() && visible(shown, view, middle(i, k), f)) found.push_back(e);
-      }
-    } else if (all && visible(shown, view, center, f)) {
-      if (const EntityRef e = whole(shown, f, view.pick_level); e.valid()) found.push_back(e);
-    }
-  }
+  for (const Face f : drawn.faces())
+    if (!view.hidden.contains(drawn.classification(f))) add_parts(shown, view, inside, f, found);
   return found;
 }
 

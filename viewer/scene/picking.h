@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
 #include "viewer/scene/camera.h"
@@ -62,7 +63,14 @@ class Picker {
   };
   void build(const Shown& shown);
   [[nodiscard]] std::optional<Hit> first(const Shown& shown, const View& view, const Ray& ray) const;
-  [[nodiscard]] bool visible(const Shown& shown, const View& view, const glm::dvec3& p, Face own) const;
+  struct Inside {
+    Projector project;
+    Column<Vertex, std::uint8_t> vertices;
+  };
+  [[nodiscard]] bool visible(const Shown& shown, const View& view, const Projector& project,
+                             const glm::dvec3& p, Face own) const;
+  void add_parts(const Shown& shown, const View& view, const Inside& inside, Face f,
+                 std::vector<EntityRef>& found);
   [[nodiscard]] Edge entity(const Shown& shown, Vertex a, Vertex b);
 
   std::unique_ptr<const TriangleTree> tree_;

@@ -102,6 +102,8 @@ class Session {
   void refresh_selection(bool mesh_changed);
   void refresh_inspection(bool mesh_changed);
   void refresh_preview();
+  /// The mesh is on its way: looking would be in the way of that.
+  [[nodiscard]] bool busy() const { return document.running() || playing_; }
   void refresh_verdicts(const SurfaceChanges& changes);
   void judge_edges();
   void forget_selection();
@@ -123,7 +125,7 @@ class Session {
   std::optional<Hovered> hovered_;
   std::optional<VerdictField> verdicts_;
   DecimationOptions verdict_options_;
-  bool ran_ = false;
+  bool was_busy_ = false;
   std::optional<std::chrono::microseconds>
       judging_budget_;  ///< of a frame; none: all at once, without a window
   std::string hovered_words_;
@@ -131,7 +133,7 @@ class Session {
   std::optional<Inspection> inspection_;
   std::optional<Judgement> judgement_;
   DecimationOptions judged_options_;
-  bool judged_running_ = false;
+  bool judged_busy_ = false;
   std::optional<std::size_t> drawn_way_;
   std::uint64_t inspected_selection_ = 0;
   std::uint64_t drawn_selection_ = 0;

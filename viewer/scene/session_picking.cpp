@@ -33,7 +33,7 @@ void Session::hover(std::optional<glm::dvec2> ndc) {
   if (known) return;
   hovered_words_.clear();
   hovered_words_of_ = e;
-  if (e.dimension != 1 || document.running() || !document.judges_at_once()) return;
+  if (e.dimension != 1 || busy() || !document.judges_at_once()) return;
   if (const auto judged = judge(*document.for_judging(), document.mesh(), e))
     hovered_words_ = short_words(*judged);
 }
@@ -44,20 +44,20 @@ std::size_t Session::previewed_way() const {
 }
 
 void Session::refresh_inspection(bool mesh_changed) {
-  const bool running = document.running();
+  const bool at_work = busy();
   const bool same = selection.revision() == inspected_selection_ && !mesh_changed &&
-                    judged_options_ == document.options() && judged_running_ == running;
+                    judged_options_ == document.options() && judged_busy_ == at_work;
   if (same) return;
   inspected_selection_ = selection.revision();
   judged_options_ = document.options();
-  judged_running_ = running;
+  judged_busy_ = at_work;
   hovered_words_of_ = {};
   inspection_.reset();
   judgement_.reset();
   drawn_way_.reset();
   const EntityRef e = selection.single();
   if (!e.valid()) return;
-  const bool judges = e.dimension < 2 && !running;
+  const bool judges = e.dimension < 2 && !at_work;
   if (Decimation* decimation = judges ? document.for_judging() : nullptr)
     judgement_ = judge(*decimation, document.mesh(), e);
   inspection_ = inspect(document, e);

@@ -10,19 +10,19 @@ void Session::refresh_verdicts(const SurfaceChanges& changes) {
     drawing_.set_edge_codes(nullptr);
     return;
   }
-  const bool anew = !verdicts_ || changes.everything || verdict_options_ != document.options() || ran_;
-  if (!document.running() && anew) {
+  const bool anew = !verdicts_ || changes.everything || verdict_options_ != document.options() || was_busy_;
+  if (!busy() && anew) {
     verdicts_.emplace().start(document.mesh());
     verdict_options_ = document.options();
   } else if (verdicts_) {
     verdicts_->note(document.mesh(), changes);
   }
-  ran_ = document.running();
+  was_busy_ = busy();
   drawing_.set_edge_codes(verdicts_ ? verdicts_->codes() : nullptr);
 }
 
 void Session::judge_edges() {
-  if (!verdicts_ || document.running() || !verdicts_->pending()) return;
+  if (!verdicts_ || busy() || !verdicts_->pending()) return;
   drawing_.recode(document.mesh(),
                   verdicts_->judge(*document.for_judging(), document.mesh(), judging_budget_));
 }

@@ -15,17 +15,35 @@ namespace {
 
 constexpr std::size_t most_labels = 80;
 
-/// A word on a small plate around a place.
-void plate(const Frame& frame, const ImVec2& middle, const std::string& words) {
+/// The plates of one picture: none lies on another.
+class Plates {
+ public:
+  explicit Plates(const Frame& frame) : frame_(frame) {}
+  void add(const ImVec2& middle, const std::string& words);
+
+ private:
+  struct Plate {
+    ImVec2 from, to;
+  };
+  const Frame& frame_;
+  std::vector<Plate> taken_;
+};
+
+void Plates::add(const ImVec2& middle, const std::string& words) {
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const ImVec2 pad{0.3f * em(), 0.08f * em()};
   const ImVec2 from{std::round(middle.x - 0.5f * size.x), std::round(middle.y - 0.5f * size.y)};
-  ImVec4 back = frame.colors.panel;
+  const Plate plate{{from.x - pad.x, from.y - pad.y}, {from.x + size.x + pad.x, from.y + size.y + pad.y}};
+  const auto overlaps = [&](const Plate& p) {
+    return p.from.x < plate.to.x && plate.from.x < p.to.x && p.from.y < plate.to.y && plate.from.y < p.to.y;
+  };
+  if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
+  taken_.push_back(plate);
+  ImVec4 back = frame_.colors.panel;
   back.w = 0.88f;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({from.x - pad.x, from.y - pad.y}, {from.x + size.x + pad.x, from.y + size.y + pad.y},
-                     ImGui::GetColorU32(back), 0.25f * em());
-  list.AddText(from, ImGui::GetColorU32(frame.colors.text), words.c_str());
+  list.AddRectFilled(plate.from, plate.to, ImGui::GetColorU32(back), 0.25f * em());
+  list.AddText(from, ImGui::GetColorU32(frame_.colors.text), words.c_str());
 }
 
 /// Where an entity's middle is on the picture.
@@ -60,13 +78,17 @@ std::vector<EntityRef> labelled(const scene::Session& session) {
 void id_labels(Frame& frame, const scene::Projector& project, const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
   ImGui::PushFont(frame.fonts.small);
+  Plates plates(frame);
   for (const EntityRef e : labelled(frame.session)) {
     if (!mesh.alive(e)) continue;
     const ImVec2 at = place_of(project, mesh, e, viewport);
     const bool inside = at.x >= viewport.position.x && at.y >= viewport.position.y &&
                         at.x <= viewport.position.x + viewport.size.x &&
                         at.y <= viewport.position.y + viewport.size.y;
-    if (inside) plate(frame, at, std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index));
+    const float raised = e.dimension == 0 ? 0.9f * em() : 0;  // the dot stays free
+    if (inside)
+      plates.add({at.x, at.y - raised},
+                 std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index));
   }
   ImGui::PopFont();
 }
