@@ -211,7 +211,7 @@ TEST(Errors, CancelledLoadingIsDropped) {
 TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
   Session s;
   for (const char* line :
-       {"nonsense", "open", "sample", "sample cow", "step", "factor", "color verdict", "camera iso"})
+       {"nonsense", "open", "sample", "sample cow", "step", "factor", "color nonsense", "camera iso"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   drive(s, {"sample sphere 8"});
   for (const char* line : {"factor x",
@@ -221,7 +221,7 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
                            "step x",
                            "topology unsafe",
                            "undo 2",
-                           "color verdict",
+                           "color nonsense",
                            "show ghosts on",
                            "show edges maybe",
                            "highlight face",
@@ -244,7 +244,7 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
                            "panel adjacency perhaps"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   try {
-    execute(s, "color verdict");
+    execute(s, "color nonsense");
   } catch (const CommandError& error) {
     EXPECT_EQ(std::string(error.what()),
               "color: 'verdict' is none of classification, spacing, none (usage: color "

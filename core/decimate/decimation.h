@@ -62,8 +62,8 @@ class Decimation {
   [[nodiscard]] Reason last_refusal(Edge e) const { return loop_->last_refusal(e); }
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
-  /// What would become of an edge, for each way in which the strategy may collapse it: each end for Paper, one
-  /// for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
+  /// What would become of an edge, for each way in which the strategy may collapse it: each end for Paper,
+  /// one for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) { return loop_->outlook(edge); }
   /// The same for swapping it and for smoothing a vertex. None while Quality collapses: it judges them by
   /// where the original's points lie, which it finds out after that.

@@ -97,7 +97,8 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, nonmanifold, "
+       "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, "
+       "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
        "on|off.",

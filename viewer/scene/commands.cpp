@@ -19,8 +19,9 @@ std::string with_arguments(const Command& command) {
 
 template <typename Visit>
 void for_each_group(Visit&& visit) {
-  for (const auto group : {CommandGroup::File, CommandGroup::Options, CommandGroup::Operations,
-                           CommandGroup::History, CommandGroup::Selection, CommandGroup::View, CommandGroup::Scripts})
+  for (const auto group :
+       {CommandGroup::File, CommandGroup::Options, CommandGroup::Operations, CommandGroup::History,
+        CommandGroup::Selection, CommandGroup::View, CommandGroup::Scripts})
     visit(group);
 }
 
@@ -43,7 +44,8 @@ std::string escaped(std::string_view text) {
 }  // namespace
 
 std::string_view group_name(CommandGroup group) {
-  constexpr std::string_view names[] = {"Files", "Options", "Operations", "History", "Selection", "View", "Scripts"};
+  constexpr std::string_view names[] = {"Files",     "Options", "Operations", "History",
+                                        "Selection", "View",    "Scripts"};
   return names[static_cast<std::size_t>(group)];
 }
 

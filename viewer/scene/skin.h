@@ -18,8 +18,8 @@ struct SkinFace {
   bool has_inside = false;                                  ///< there is a region behind it
   bool has_outside = false;                                 ///< and one in front of it
   ModelRef inside, outside;                                 ///< what these regions are classified on
-  ModelRef model;  ///< what the face itself is classified on, where the mesh has it
-  Face face;       ///< invalid where the mesh does not have it
+  ModelRef model;                        ///< what the face itself is classified on, where the mesh has it
+  Face face;                             ///< invalid where the mesh does not have it
   Region inside_region, outside_region;  ///< invalid where there is none
 
   [[nodiscard]] std::span<const std::uint32_t> corners() const { return {vertices.data(), count}; }
