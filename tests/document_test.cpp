@@ -247,8 +247,8 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
     execute(s, "color nonsense");
   } catch (const CommandError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "color: 'verdict' is none of classification, spacing, none (usage: color "
-              "classification|spacing|none)");
+              "color: 'nonsense' is none of classification, spacing, verdict, none (usage: color "
+              "classification|spacing|verdict|none)");
   }
 }
 
