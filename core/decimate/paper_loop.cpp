@@ -37,7 +37,8 @@ double PaperLoop::spacing(Vertex v) const {
 }
 
 CollapseRules PaperLoop::rules() const {
-  return {.max_turn = limit_, .topology = options_.topology, .min_angle_deg = options_.min_angle_deg};
+  return {
+      .max_turn = limit_, .topology = options_.topology, .least_angle = LeastAngle(options_.min_angle_deg)};
 }
 
 void PaperLoop::restart(const DecimationOptions& options) {
@@ -115,7 +116,8 @@ bool PaperLoop::try_swap(Edge edge) {
 
 bool PaperLoop::try_smooth(Vertex v) {
   glm::dvec3 target;
-  if (options_.kept(v) || !judge_smooth(mesh_, v, {limit_, options_.model}, target).accepted()) return false;
+  const SmoothRules rules(limit_, options_.model, options_.min_angle_deg);
+  if (options_.kept(v) || !judge_smooth(mesh_, v, rules, target).accepted()) return false;
   if (guards_.any()) {
     gather(mesh_, v, star_);
     if (!guards_.judge(mesh_, v, star_, target).accepted()) return false;

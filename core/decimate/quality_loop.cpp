@@ -122,8 +122,9 @@ void QualityLoop::fill_queue() {
 // A mesh of slivers cannot reach its target without making some. Then only what the user asked for binds.
 bool QualityLoop::relax() {
   const bool stuck = goals_[stage_] > 0 && mesh_.count(2) > goals_[stage_];
-  if (!stuck || rules_.min_angle_deg <= options_.min_angle_deg) return false;
-  rules_.min_angle_deg = fit_.min_angle_deg = options_.min_angle_deg;
+  if (!stuck || !rules_.least_around.binds()) return false;
+  rules_.least_around = LeastAngle(0);
+  fit_.least_angle = rules_.least_angle;
   for (const Vertex v : mesh_.vertices()) dequeue(v);
   fill_queue();
   return true;
