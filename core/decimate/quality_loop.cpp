@@ -184,7 +184,7 @@ bool QualityLoop::collapse(const Contraction& c) {
   kept.quadric = state_[c.deleted].quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
   kept.quadric += stays;
   kept.area += state_[c.deleted].area;
-  normal_[c.kept] += normal_[c.deleted];
+  add_normal(c.kept, normal_[c.deleted]);
   original_.merged(c.deleted, c.kept);
   collapser_.apply_accepted(mesh_, c);
   refresh_around(c.kept);

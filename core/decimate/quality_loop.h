@@ -87,6 +87,7 @@ class QualityLoop final : public Loop {
   void fill_spacing();
 
   // Quadrics (quality_quadrics.cpp)
+  void add_normal(Vertex v, const glm::vec3& normal);
   void quadrics_of_faces();
   void quadrics_of_points();
   void quadrics_of_model_edges();
@@ -102,7 +103,8 @@ class QualityLoop final : public Loop {
   double unit_area_ = 1;               ///< areas are counted in it: numbers stay near 1
 
   Column<Vertex, State> state_;
-  Column<Vertex, glm::vec3> normal_;  ///< of the original faces that a vertex took in, times their areas
+  /// Of the original faces that a vertex took in, times their areas; 0 on model edges.
+  Column<Vertex, glm::vec3> normal_;
   VertexQueue queue_;
   std::vector<Candidate> found_;  ///< scratch: the candidates at one vertex, cheapest first
   Star star_;

@@ -43,7 +43,7 @@ void QualityLoop::set_rules() {
   fit_.pull = between(w, 0.001, 0.022, 0.07);
   fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
   fit_.model = options_.model;
-  edge_weight_ = static_cast<float>(between(w, 3e-4, 3e-4, 5e-3));
+  edge_weight_ = static_cast<float>(between(w, 3e-6, 3e-4, 5e-3));
   const double diagonal = original_.diagonal(), points = static_cast<double>(original_.points().size());
   unit_area_ = original_.area() > 0 ? original_.area() / points : 1;
   scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;

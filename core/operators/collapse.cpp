@@ -112,7 +112,7 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move
       const Column<Vertex, glm::vec3>& normals = *rules.original_normals;
       const glm::dvec3 original(normals[move.vertex] + normals[move.other] + normals[f.next] +
                                 normals[f.previous]);
-      if (!rules.max_away.allows(original, after))
+      if (original != glm::dvec3(0.0) && !rules.max_away.allows(original, after))
         return {Reason::Angle, f.face, cosine_between(original, after)};
     }
     if (!rules.least_angle.binds() && !rules.least_around.binds()) continue;

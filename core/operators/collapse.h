@@ -32,8 +32,8 @@ struct CollapseRules {
   /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop, so for
   /// Safe only. On a flat sheet no normal would ever stop a round hole from becoming a triangle.
   TurnLimit max_curve_turn{45.0};
-  /// By vertex, what the original surface around it looked like, any length; where given, contractions hold
-  /// the faces that they stretch against the sum at their corners too: small turns add up.
+  /// By vertex, what the original surface around it looked like, any length, or 0; where given, contractions
+  /// hold the faces that they stretch against the sum at their corners too: small turns add up.
   const Column<Vertex, glm::vec3>* original_normals = nullptr;
   TurnLimit max_away{60.0};   ///< from that sum
   LeastAngle least_angle{0};  ///< no stretched face gets a smaller one, unless it had one
