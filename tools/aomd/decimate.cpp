@@ -137,7 +137,8 @@ class Run {
     seconds_["decimate"] = watch_.lap();
     memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
-               {"journal", record_.journal.bytes()}};
+               {"journal", record_.journal.bytes()},
+               {"decimate_peak", peak_bytes()}};
     sweeps_ = decimation.sweeps();
   }
 
