@@ -49,7 +49,7 @@ class Program {
   void contract(Edit& made, const glm::dvec3& at, bool paper) {
     const CollapseRules rules{.max_turn = TurnLimit(170),
                               .topology = paper ? TopologyRule::Paper : TopologyRule::Safe,
-                              .min_angle_deg = paper ? 0.0 : 3.0};
+                              .least_angle = LeastAngle(paper ? 0.0 : 3.0)};
     const Contraction c{made.a, made.b, at};
     const Verdict v = collapser_.judge(mesh_, c, rules);
     made.reason = v.reason;

@@ -193,11 +193,11 @@ TEST(ContractionTest, NoFaceGetsAnAngleBelowTheLeast) {
     Bench b(zoo::grid(3));
     b.ready(edges);
     const double least = 45 - std::atan(0.5) * 180 / M_PI;
-    const Verdict v = b.judge(5, 6, {}, {.min_angle_deg = least + 1e-6});
+    const Verdict v = b.judge(5, 6, {}, {.least_angle = LeastAngle(least + 1e-6)});
     EXPECT_EQ(v.reason, Reason::Shape) << name(edges);
     EXPECT_EQ(v.entity, EntityRef(Face(0)));
     EXPECT_NEAR(v.number(), least, 1e-9);
-    EXPECT_EQ(b.judge(5, 6, {}, {.min_angle_deg = least - 1e-6}).reason, Reason::None);
+    EXPECT_EQ(b.judge(5, 6, {}, {.least_angle = LeastAngle(least - 1e-6)}).reason, Reason::None);
   }
 }
 
@@ -205,7 +205,21 @@ TEST(ContractionTest, AFaceThatHadASmallerAngleMayKeepIt) {
   Bench b(zoo::grid(3));
   b.ready(Edges::OnModelEdges);
   b.mesh.move(Vertex(5), {1, 0.05, 0});  // 0-1-5 has an angle below 3 degrees now
-  EXPECT_EQ(b.judge(5, 6, {}, {.min_angle_deg = 19}).reason, Reason::None);
+  EXPECT_EQ(b.judge(5, 6, {}, {.least_angle = LeastAngle(19)}).reason, Reason::None);
+}
+
+// 0-1-5 is a sliver that 5 takes along: 0-1-6 is better, and may be as poor as any face around 5 was.
+TEST(ContractionTest, WhereASliverWasAnotherMayBe) {
+  Bench b(zoo::grid(3));
+  b.ready(Edges::OnModelEdges);
+  const CollapseRules around{.least_around = LeastAngle(19)};
+  EXPECT_EQ(b.judge(5, 6, {}, around).reason, Reason::Shape) << "no face around 5 is poor";
+  b.mesh.move(Vertex(1), {0.05, 0, 0});  // 0-1-5 gets thin; 0-1-6 would be thinner still
+  EXPECT_EQ(b.judge(5, 6, {}, around).reason, Reason::Shape);
+  b.mesh.move(Vertex(1), {1, 0, 0});
+  b.mesh.move(Vertex(10), {1, 1.05, 0});  // a thin face at 5, away from 0-1-5
+  EXPECT_EQ(b.judge(5, 6, {}, around).reason, Reason::None);
+  EXPECT_EQ(b.judge(5, 6, {}, {.least_angle = LeastAngle(19)}).reason, Reason::Shape) << "face by face";
 }
 
 // The border 0-1-2-3 of the grid as a curve: where 1 and 2 meet, its pieces to 0 and to 3 both turn.

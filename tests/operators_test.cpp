@@ -279,6 +279,22 @@ TEST(SmoothTest, IsRefusedPastTheAngle) {
   EXPECT_NEAR(v.number(), 45, 1e-9);
 }
 
+//        2
+//     .  | `  .
+//   3----4-------------1     the average of the four lies at 2.25: the faces at 3 get thin
+//     `  | .  '
+//        0
+TEST(SmoothTest, NoFaceGetsAnAngleBelowTheLeast) {
+  Bench b(zoo::make({{0, -1, 0}, {10, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}},
+                    {{3, 0, 4}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}}));
+  glm::dvec3 target;
+  const Verdict v = judge_smooth(b.mesh, Vertex(4), {TurnLimit(10), nullptr, 30}, target);
+  EXPECT_EQ(v.reason, Reason::Shape);
+  EXPECT_EQ(v.entity, EntityRef(Face(0)));
+  EXPECT_NEAR(v.number(), std::atan(1 / 2.25) * 180 / M_PI, 1e-9);
+  EXPECT_TRUE(judge_smooth(b.mesh, Vertex(4), {TurnLimit(10), nullptr, 5}, target).accepted());
+}
+
 TEST(GeometryTest, TurnLimitAgreesWithTheAngle) {
   const glm::dvec3 x(2, 0, 0);
   for (const double limit : {1.0, 10.0, 89.0, 90.0, 91.0, 135.0, 179.0})

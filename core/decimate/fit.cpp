@@ -84,9 +84,9 @@ Verdict Fitter::judge_target(Vertex v, const glm::dvec3& target, const FitRules&
     const double quality = triangle_quality(target, p, q);
     if (quality < poor && quality < triangle_quality(from, p, q))
       return {Reason::Quality, f.face, smallest_angle_cosine(target, p, q)};
-    if (rules.min_angle_deg > 0 && smallest_angle_deg(target, p, q) < rules.min_angle_deg &&
-        smallest_angle_deg(target, p, q) < smallest_angle_deg(from, p, q))
-      return {Reason::Shape, f.face, smallest_angle_cosine(target, p, q)};
+    const double cosine = smallest_angle_cosine(target, p, q);
+    if (!rules.least_angle.allows(cosine, [&] { return smallest_angle_cosine(from, p, q); }))
+      return {Reason::Shape, f.face, cosine};
   }
   return {};
 }
@@ -142,9 +142,9 @@ Verdict Fitter::judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& 
     if (looks_away(original, now, rules)) return {Reason::Angle, pair.f, cosine_between(original, now)};
   }
   const double worst = std::max(smallest_angle_cosine(pd, pb, pc), smallest_angle_cosine(pc, pa, pd));
-  const double narrow = std::cos(rules.min_angle_deg * std::numbers::pi / 180);
-  if (worst > narrow &&
-      worst > std::max(smallest_angle_cosine(pa, pb, pc), smallest_angle_cosine(pb, pa, pd)))
+  if (!rules.least_angle.allows(worst, [&] {
+        return std::max(smallest_angle_cosine(pa, pb, pc), smallest_angle_cosine(pb, pa, pd));
+      }))
     return {Reason::Shape, pair.f, worst};
   if (!(swap_gain(pair, rules) > least_gain * rules.face_energy)) return {Reason::Quality, pair.f, worst};
   if (joined(mesh_, pair.c, pair.d)) return {Reason::Topology, pair.c};

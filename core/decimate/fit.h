@@ -22,8 +22,8 @@ struct FitRules {
   double mean_square = 1;  ///< the squared distance of an average point, set from the present state
   TurnLimit max_turn{
       30.0};  ///< of a face against what it was; after a swap, against the two old ones together
-  TurnLimit max_away{60.0};  ///< of a face against the original under it
-  double min_angle_deg = 0;
+  TurnLimit max_away{60.0};      ///< of a face against the original under it
+  LeastAngle least_angle{0};     ///< no face gets a smaller one, unless it had one (a swap: one of its two)
   const Model* model = nullptr;  ///< vertices go to its nearest point instead; none: where the fit puts them
 };
 

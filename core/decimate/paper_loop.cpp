@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/decimate/spacing.h"
-#include "core/operators/smooth.h"
 
 namespace aomd {
 namespace {
@@ -16,11 +15,11 @@ constexpr double first_reach = 1.5;  // towards a target: the factor that the fi
 
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      limit_(options.angle_deg),
       collapser_(mesh),
       changed_(mesh.capacity(0), 1),
       judged_(mesh.capacity(1), 0),
       refusal_(mesh.capacity(1), Reason::None) {
+  set_rules();
   fill_spacing();
   begin_sweep();
 }
@@ -36,14 +35,17 @@ double PaperLoop::spacing(Vertex v) const {
   return v.index < average_length_.size() ? average_length_[v] * reach_ : 0;
 }
 
-CollapseRules PaperLoop::rules() const {
-  return {.max_turn = limit_, .topology = options_.topology, .min_angle_deg = options_.min_angle_deg};
+void PaperLoop::set_rules() {
+  rules_.max_turn = smooth_.max_turn = TurnLimit(options_.angle_deg);
+  rules_.topology = options_.topology;
+  rules_.least_angle = smooth_.least_angle = LeastAngle(options_.min_angle_deg);
+  smooth_.model = options_.model;
 }
 
 void PaperLoop::restart(const DecimationOptions& options) {
   options_ = options;
   guards_.restart(mesh_, options);
-  limit_ = TurnLimit(options.angle_deg);
+  set_rules();
   reach_ = aims() ? first_reach : options_.factor;
   forget();
   improved_ = 0;
@@ -73,7 +75,7 @@ Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted)
   const std::size_t first = may_go[0] ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
-  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
+  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules_, deleted);
   if (!verdict.accepted()) return verdict;
   const std::size_t end = deleted == ends[0] ? 0 : 1;
   const Contraction contraction{deleted, ends[1 - end], mesh_.position(ends[1 - end])};
@@ -109,7 +111,7 @@ Limits PaperLoop::limits(ModelRef edge) const {
   Limits limits;
   limits.turn_deg = options_.angle_deg;
   if (edge.dimension() == 1 && options_.topology == TopologyRule::Safe)
-    limits.curve_deg = rules().max_curve_turn.angle_deg();
+    limits.curve_deg = rules_.max_curve_turn.angle_deg();
   limits.min_angle_deg = options_.min_angle_deg;
   limits.distance = options_.max_distance;
   return limits;
@@ -131,7 +133,7 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
 }
 
 Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
-  const Verdict verdict = judge_swap(mesh_, edge, limit_, pair);
+  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, pair);
   return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
 }
 
@@ -144,7 +146,7 @@ std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
 
 Verdict PaperLoop::judge_smoothing(Vertex v, glm::dvec3& target) {
   if (options_.kept(v)) return {Reason::Kept, v};
-  const Verdict verdict = judge_smooth(mesh_, v, {limit_, options_.model}, target);
+  const Verdict verdict = judge_smooth(mesh_, v, smooth_, target);
   if (!verdict.accepted() || !guards_.any()) return verdict;
   gather(mesh_, v, star_);
   return guards_.judge(mesh_, v, star_, target);

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/decimate/loop.h"
+#include "core/operators/smooth.h"
 #include "core/operators/swap.h"
 
 namespace aomd {
@@ -29,7 +30,7 @@ class PaperLoop final : public Loop {
   [[nodiscard]] double progress() const override;
 
  private:
-  [[nodiscard]] CollapseRules rules() const;
+  void set_rules();
   [[nodiscard]] Limits limits(ModelRef edge) const;
   [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Vertex& deleted);
   [[nodiscard]] Verdict judge_smoothing(Vertex v, glm::dvec3& target);
@@ -51,7 +52,8 @@ class PaperLoop final : public Loop {
   void next_phase();
   [[nodiscard]] std::uint32_t end_of_phase() const;
 
-  TurnLimit limit_;
+  CollapseRules rules_;
+  SmoothRules smooth_{TurnLimit(0)};
   Collapser collapser_;
   Star star_;
   Column<Vertex, double> average_length_;  ///< of the edges at a vertex, at the start

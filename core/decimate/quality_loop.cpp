@@ -122,8 +122,9 @@ void QualityLoop::fill_queue() {
 // A mesh of slivers cannot reach its target without making some. Then only what the user asked for binds.
 bool QualityLoop::relax() {
   const bool stuck = goals_[stage_] > 0 && mesh_.count(2) > goals_[stage_];
-  if (!stuck || rules_.min_angle_deg <= options_.min_angle_deg) return false;
-  rules_.min_angle_deg = fit_.min_angle_deg = options_.min_angle_deg;
+  if (!stuck || !rules_.least_around.binds()) return false;
+  rules_.least_around = LeastAngle(0);
+  fit_.least_angle = rules_.least_angle;
   for (const Vertex v : mesh_.vertices()) dequeue(v);
   fill_queue();
   return true;
@@ -183,7 +184,7 @@ bool QualityLoop::collapse(const Contraction& c) {
   kept.quadric = state_[c.deleted].quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
   kept.quadric += stays;
   kept.area += state_[c.deleted].area;
-  normal_[c.kept] += normal_[c.deleted];
+  add_normal(c.kept, normal_[c.deleted]);
   original_.merged(c.deleted, c.kept);
   collapser_.apply_accepted(mesh_, c);
   refresh_around(c.kept);
@@ -245,11 +246,11 @@ Verdict QualityLoop::judge(Edge edge, Candidate& candidate) {
   return judge(candidate.contraction);
 }
 
-Limits QualityLoop::limits(const TurnLimit& turn) const {
+Limits QualityLoop::limits(const TurnLimit& turn, double least_angle_deg) const {
   Limits limits;
   limits.turn_deg = turn.angle_deg();
   limits.away_deg = options_.has(Idea::Facing) ? rules_.max_away.angle_deg() : 0;
-  limits.min_angle_deg = rules_.min_angle_deg;
+  limits.min_angle_deg = least_angle_deg;
   limits.distance = options_.max_distance;
   return limits;
 }
@@ -260,7 +261,8 @@ std::vector<CollapseOutlook> QualityLoop::outlook(Edge edge) {
   Candidate candidate;
   o.verdict = judge(edge, candidate);
   o.contraction = candidate.contraction;
-  o.limits = limits(rules_.max_turn);
+  o.limits =
+      limits(rules_.max_turn, std::max(rules_.least_angle.angle_deg(), rules_.least_around.angle_deg()));
   if (mesh_.classification(edge).dimension() == 1 && rules_.topology == TopologyRule::Safe)
     o.limits.curve_deg = rules_.max_curve_turn.angle_deg();
   o.length = glm::length(mesh_.position(a) - mesh_.position(b));
@@ -276,7 +278,7 @@ std::optional<SwapOutlook> QualityLoop::swap_outlook(Edge edge) {
   SwapOutlook o;
   o.verdict = fitter_.judge_swap(a, b, fit_, o.pair);
   if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, o.pair);
-  o.limits = limits(fit_.max_turn);
+  o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }
 
@@ -287,7 +289,7 @@ std::optional<MoveOutlook> QualityLoop::move_outlook(Vertex v) {
   o.target = mesh_.position(v);
   o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, o.target);
   if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, fitter_.star(), o.target);
-  o.limits = limits(fit_.max_turn);
+  o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }
 

@@ -71,7 +71,7 @@ class QualityLoop final : public Loop {
   [[nodiscard]] Verdict judge(const Contraction& contraction);
   /// The same with what would go where, and at what cost: infinite where it is out of the question.
   [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
-  [[nodiscard]] Limits limits(const TurnLimit& turn) const;
+  [[nodiscard]] Limits limits(const TurnLimit& turn, double least_angle_deg) const;
 
   // Stages and improvement (quality_stages.cpp)
   void start(const DecimationOptions& options);
@@ -93,6 +93,7 @@ class QualityLoop final : public Loop {
   void fill_spacing();
 
   // Quadrics (quality_quadrics.cpp)
+  void add_normal(Vertex v, const glm::vec3& normal);
   void quadrics_of_faces();
   void quadrics_of_points();
   void quadrics_of_model_edges();
@@ -108,7 +109,8 @@ class QualityLoop final : public Loop {
   double unit_area_ = 1;               ///< areas are counted in it: numbers stay near 1
 
   Column<Vertex, State> state_;
-  Column<Vertex, glm::vec3> normal_;  ///< of the original faces that a vertex took in, times their areas
+  /// Of the original faces that a vertex took in, times their areas; 0 on model edges.
+  Column<Vertex, glm::vec3> normal_;
   VertexQueue queue_;
   std::vector<Candidate> found_;  ///< scratch: the candidates at one vertex, cheapest first
   Star star_;

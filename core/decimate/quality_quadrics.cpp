@@ -5,6 +5,11 @@
 
 namespace aomd {
 
+// On a model edge the surface looks several ways at once, which says nothing about the faces beside it.
+void QualityLoop::add_normal(Vertex v, const glm::vec3& normal) {
+  if (state_[v].model.dimension() > 1) normal_[v] += normal;
+}
+
 // Every face is a plane to its three vertices, by its area (Garland, Heckbert 1997).
 void QualityLoop::quadrics_of_faces() {
   for (const Face f : mesh_.faces()) {
@@ -17,7 +22,7 @@ void QualityLoop::quadrics_of_faces() {
     for (const Vertex v : t) {
       state_[v].quadric.add_plane(unit, 0, share);
       state_[v].area += share;
-      normal_[v] += share * unit;
+      add_normal(v, share * unit);
     }
   }
 }
@@ -34,7 +39,7 @@ void QualityLoop::quadrics_of_points() {
       const glm::vec3 off(mesh_.position(v) - p.position);
       state_[v].quadric.add_plane(p.normal, glm::dot(p.normal, off), share);
       state_[v].area += share;
-      normal_[v] += share * p.normal;
+      add_normal(v, share * p.normal);
     }
   }
 }

@@ -28,8 +28,7 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
 
 void QualityLoop::set_rules() {
   const double w = options_.regularity;
-  const double least_angle_deg =
-      std::max(options_.min_angle_deg, between(w, 8, 12, 12));  // but where it was smaller
+  const double usual_least_deg = between(w, 8, 12, 12);
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
   rules_.original_normals = options_.has(Idea::Facing) ? &normal_ : nullptr;
@@ -37,13 +36,14 @@ void QualityLoop::set_rules() {
   fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
   cubes_ = options_.has(Idea::ThirdPowers);
   places_ = options_.has(Idea::Placement);
-  rules_.min_angle_deg = least_angle_deg;
+  rules_.least_angle = LeastAngle(options_.min_angle_deg);
+  rules_.least_around = LeastAngle(usual_least_deg);
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   fit_.shape = between(w, 0.3, 1.5, 4);
   fit_.pull = between(w, 0.001, 0.022, 0.07);
-  fit_.min_angle_deg = least_angle_deg;
+  fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
   fit_.model = options_.model;
-  edge_weight_ = static_cast<float>(between(w, 3e-4, 3e-4, 5e-3));
+  edge_weight_ = static_cast<float>(between(w, 3e-6, 3e-4, 5e-3));
   const double diagonal = original_.diagonal(), points = static_cast<double>(original_.points().size());
   unit_area_ = original_.area() > 0 ? original_.area() / points : 1;
   scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;

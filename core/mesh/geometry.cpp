@@ -14,6 +14,8 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 TurnLimit::TurnLimit(double angle_deg)
     : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)), square_(cosine_ * cosine_) {}
 
+LeastAngle::LeastAngle(double angle_deg) : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)) {}
+
 double cosine_between(const glm::dvec3& a, const glm::dvec3& b) {
   const double squares = glm::dot(a, a) * glm::dot(b, b);
   return squares > 0 ? glm::dot(a, b) / std::sqrt(squares) : 0;

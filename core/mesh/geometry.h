@@ -32,6 +32,23 @@ class TurnLimit {
   double angle_deg_, cosine_, square_;
 };
 
+/// A limit on how small the smallest angle of a face may become.
+class LeastAngle {
+ public:
+  explicit LeastAngle(double angle_deg);
+  [[nodiscard]] double angle_deg() const { return angle_deg_; }
+  [[nodiscard]] bool binds() const { return angle_deg_ > 0; }
+  /// True when a smallest angle with the cosine `now` is at least the limit, or no smaller than the one
+  /// whose cosine `before` is called for.
+  template <typename Before>
+  [[nodiscard]] bool allows(double now, Before&& before) const {
+    return now <= cosine_ || now <= before();
+  }
+
+ private:
+  double angle_deg_, cosine_;
+};
+
 /// The cosine of the angle between two vectors; 0 where one has no length.
 [[nodiscard]] double cosine_between(const glm::dvec3& a, const glm::dvec3& b);
 

@@ -84,10 +84,22 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::a
   return {};
 }
 
+namespace {
+
+// The cosine of the smallest angle of all faces around a vertex.
+double smallest_angle_around(const Mesh& mesh, const Star& star, const glm::dvec3& centre) {
+  double cosine = 0.5;
+  for (const StarFace& f : star)
+    cosine =
+        std::max(cosine, smallest_angle_cosine(centre, mesh.position(f.next), mesh.position(f.previous)));
+  return cosine;
+}
+
+}  // namespace
+
 // The faces that stay when `moved` goes to `to`; those that also use `other` fall away.
 Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
                                   const CollapseRules& rules) {
-  const double narrow = rules.min_angle_deg > 0 ? std::cos(glm::radians(rules.min_angle_deg)) : 1;
   const glm::dvec3 from = mesh.position(move.vertex), to = move.to;
   for (const StarFace& f : star) {
     if (f.uses(move.other)) continue;
@@ -100,12 +112,14 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move
       const Column<Vertex, glm::vec3>& normals = *rules.original_normals;
       const glm::dvec3 original(normals[move.vertex] + normals[move.other] + normals[f.next] +
                                 normals[f.previous]);
-      if (!rules.max_away.allows(original, after))
+      if (original != glm::dvec3(0.0) && !rules.max_away.allows(original, after))
         return {Reason::Angle, f.face, cosine_between(original, after)};
     }
-    if (narrow == 1) continue;
+    if (!rules.least_angle.binds() && !rules.least_around.binds()) continue;
     const double cosine = smallest_angle_cosine(to, p, q);
-    if (cosine > narrow && cosine > smallest_angle_cosine(from, p, q)) return {Reason::Shape, f.face, cosine};
+    if (!rules.least_angle.allows(cosine, [&] { return smallest_angle_cosine(from, p, q); }) ||
+        !rules.least_around.allows(cosine, [&] { return smallest_angle_around(mesh, star, from); }))
+      return {Reason::Shape, f.face, cosine};
   }
   return {};
 }

@@ -32,11 +32,13 @@ struct CollapseRules {
   /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop, so for
   /// Safe only. On a flat sheet no normal would ever stop a round hole from becoming a triangle.
   TurnLimit max_curve_turn{45.0};
-  /// By vertex, what the original surface around it looked like, any length; where given, contractions hold
-  /// the faces that they stretch against the sum at their corners too: small turns add up.
+  /// By vertex, what the original surface around it looked like, any length, or 0; where given, contractions
+  /// hold the faces that they stretch against the sum at their corners too: small turns add up.
   const Column<Vertex, glm::vec3>* original_normals = nullptr;
-  TurnLimit max_away{60.0};  ///< from that sum
-  double min_angle_deg = 0;  ///< no stretched face gets an angle below it, unless it had a smaller one
+  TurnLimit max_away{60.0};   ///< from that sum
+  LeastAngle least_angle{0};  ///< no stretched face gets a smaller one, unless it had one
+  /// Nor a smaller one than this, unless some face around the same end had: slivers may go by way of others.
+  LeastAngle least_around{0};
 };
 
 /// A collapse that may also move the vertex it keeps.

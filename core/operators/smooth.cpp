@@ -37,6 +37,10 @@ Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::
     if (is_flat(target, p, q, after)) return {Reason::Flat, f};
     if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
       return {Reason::Angle, f, cosine_between(before, after)};
+    if (!rules.least_angle.binds()) continue;
+    const double cosine = smallest_angle_cosine(target, p, q);
+    if (!rules.least_angle.allows(cosine, [&] { return smallest_angle_cosine(from, p, q); }))
+      return {Reason::Shape, f, cosine};
   }
   return {};
 }

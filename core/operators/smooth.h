@@ -10,10 +10,12 @@ namespace aomd {
 
 /// What smoothing has to respect.
 struct SmoothRules {
-  SmoothRules(const TurnLimit& turn, const Model* snap_to = nullptr) : max_turn(turn), model(snap_to) {}
+  SmoothRules(const TurnLimit& turn, const Model* snap_to = nullptr, double least_angle_deg = 0)
+      : max_turn(turn), model(snap_to), least_angle(least_angle_deg) {}
 
   TurnLimit max_turn;
-  const Model* model;  ///< new positions are snapped to it; none: they stay where averaging puts them
+  const Model* model;      ///< new positions are snapped to it; none: they stay where averaging puts them
+  LeastAngle least_angle;  ///< no face gets a smaller one, unless it had one
 };
 
 /// Where smoothing would put a vertex, and whether it may: the average of its neighbours; on a model edge, of
