@@ -26,6 +26,7 @@ class PaperLoop final : public Loop {
 
  private:
   void set_rules();
+  [[nodiscard]] double first_reach() const;
   void fill_spacing();
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);
