@@ -72,6 +72,12 @@ TEST(FindCommands, ChoicesAreFoundByTheirOwnName) {
   EXPECT_TRUE(has_line(find("orthographic"), "camera "));  // a word of its help: no choice of its own
 }
 
+TEST(FindCommands, AChoiceThatHasBeenBegunIsCompletedANumberIsNot) {
+  EXPECT_EQ(find("show su").at(0).line, "show surface");
+  EXPECT_EQ(find("camera t").at(0).line, "camera top");
+  EXPECT_EQ(find("step 1").at(0).line, "step 1");  // not step 100, which has a key
+}
+
 TEST(FindCommands, LinesWithAKeySayIt) {
   const auto matches = find("camera front");
   EXPECT_EQ(matches.at(0).line, "camera front");

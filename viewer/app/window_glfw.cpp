@@ -216,7 +216,8 @@ void GlfwWindow::on_key(int key, int scancode, int action) {
     std::string chord = chord_name(key, glfwGetKeyName(key, scancode), held_modifiers(window_));
     if (!chord.empty()) events_.chords.push_back(std::move(chord));
   }
-  if (action != GLFW_REPEAT) keys_.push_back({key, action == GLFW_PRESS});
+  // Each waits for a frame of its own: where frames are slow, Enter must not queue behind typed letters.
+  if (action != GLFW_REPEAT && is_imgui_key(key)) keys_.push_back({key, action == GLFW_PRESS});
 }
 
 void GlfwWindow::connect_imgui(ImGuiIO& io) {

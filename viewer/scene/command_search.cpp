@@ -7,7 +7,8 @@ namespace aomd::scene {
 namespace {
 
 // The kinds of matches, far enough apart that no score within one reaches the next.
-constexpr int named_exactly = 4000, named_so_far = 3000, named_loosely = 2000, chosen = 1500, described = 500;
+constexpr int completed = 5000, named_exactly = 4000, named_so_far = 3000, named_loosely = 2000,
+              chosen = 1500, described = 500;
 constexpr int recent_bonus = 400;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -111,9 +112,17 @@ class Matches {
          kind + fit});
   }
 
+  /// A word that has been begun is meant to be that of a choice; a number is not meant to be a longer one.
+  [[nodiscard]] bool completes(const std::string& line) const {
+    return words_.size() > 1 && std::isalpha(static_cast<unsigned char>(text_.back())) != 0 &&
+           same_letters(line.substr(0, text_.size()), text_);
+  }
+
   void by_line(const Command& command, std::string line, bool complete) {
-    if (const int fit = fuzzy_score(text_, line); fit > 0)
-      add({&command, std::move(line), {}, complete, false, chosen + fit});
+    const int fit = fuzzy_score(text_, line);
+    if (fit == 0) return;
+    const int kind = completes(line) ? completed : chosen;
+    add({&command, std::move(line), {}, complete, false, kind + fit});
   }
 
   void by_help(const Command& command) {

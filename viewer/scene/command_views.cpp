@@ -107,6 +107,7 @@ void dialog(Session& session, Arguments& arguments) {
                                                                            {"none", Dialog::None}}};
   const Dialog wanted = choose(arguments, choices);
   arguments.end();
+  if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
   session.view.dialog = wanted;
   if (wanted != Dialog::Save) session.asked.clear();
 }
