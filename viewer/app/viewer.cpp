@@ -35,6 +35,12 @@ std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path&
   return folder;
 }
 
+/// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
+scene::Camera seen_in(scene::Camera camera, double before, double now) {
+  camera.distance *= std::max(1.0, std::min(before, widest) / std::min(now, widest));
+  return camera;
+}
+
 }  // namespace
 
 Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
@@ -171,11 +177,10 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
-io::Image Viewer::picture(glm::ivec2 size, bool transparent, bool interface) {
+io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   ImGuiIO& io = ImGui::GetIO();
   const scene::Camera camera = session_.view.camera;
   const double aspect = session_.view.aspect;
-  const bool bars = std::exchange(interface_.bars, interface_.bars && interface);
   const ImVec2 display = io.DisplaySize;
   const ImVec2 framebuffer = io.DisplayFramebufferScale;
   const ImVec2 mouse = io.MousePos;
@@ -184,13 +189,10 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent, bool interface) {
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
   for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
-  // Other than in a window that grows, nothing that was in sight may be cut off.
-  session_.view.camera.distance =
-      camera.distance * std::max(1.0, std::min(aspect, widest) / std::min(session_.view.aspect, widest));
+  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
   draw_frame(size, target.framebuffer(), transparent);
   lines_.clear();
   io::Image image = target.read(transparent);
-  interface_.bars = bars;
   session_.view.camera = camera;
   session_.view.aspect = aspect;
   io.DisplaySize = display;
@@ -198,12 +200,23 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent, bool interface) {
   return image;
 }
 
+io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
+  session_.refresh();
+  buffers_.upload(session_.drawing().drawable());
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
+  const render::PictureTarget target(gl_, size);
+  renderer_.render(buffers_, camera, settings(transparent), {0, 0, size.x, size.y}, target.framebuffer());
+  return target.read(transparent);
+}
+
 void Viewer::take_screenshots() {
   while (!session_.screenshots.empty()) {
     const scene::ScreenshotRequest request = session_.screenshots.front();
     session_.screenshots.pop_front();
     const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
-    io::write_png(request.file, picture(size, request.transparent, request.interface));
+    io::write_png(request.file, request.interface ? picture(size, request.transparent)
+                                                  : scene_picture(size, request.transparent));
     if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
   }
   session_.advance_series();

@@ -38,8 +38,10 @@ class Viewer {
   void run_window();
   /// Loads, carries out the script, and returns. Throws what went wrong.
   void run_headless();
-  /// Everything as a picture of `size` pixels; without panels, or without a background, where asked.
-  [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false, bool interface = true);
+  /// Everything as a picture of `size` pixels; without a background where asked.
+  [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false);
+  /// The scene alone, whatever panels there are. What they show goes on as it was.
+  [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false);
 
  private:
   struct ImGuiScope {

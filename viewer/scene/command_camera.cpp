@@ -24,6 +24,7 @@ void camera(Session& session, Arguments& arguments) {
   if (!spec.camera && pasted) throw CommandError("the clipboard holds no camera: " + spec.error);
   if (!spec.camera) arguments.fail(spec.error);
   session.view.camera = *spec.camera;
+  if (pasted) session.status = "Pasted the camera";
 }
 
 void fit(Session& session, Arguments& arguments) {
