@@ -12,7 +12,7 @@ namespace {
 
 constexpr double longest_play_s = 12;      // however long the history
 constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
-constexpr std::chrono::milliseconds slice_of_kept_run{200};
+constexpr std::chrono::milliseconds slice_of_kept_run{50};
 
 SkinStyle skin_style(const View& view) {
   SkinStyle style;
