@@ -36,6 +36,7 @@ struct RenderSettings {
   float edge_width_px = 1.1f;  ///< of mesh edges, at pixel scale 1
   float pixel_scale = 1.0f;    ///< framebuffer pixels a logical pixel: scales all widths and radii
   SceneTheme theme = light_scene_theme();
+  bool transparent = false;  ///< nothing behind the mesh: colours are then multiplied by their alpha
   /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
   std::optional<glm::dvec4> clip_plane = {};
 };
@@ -49,7 +50,8 @@ class Renderer {
   Renderer(const Gl& gl, const ShaderSources& sources);
 
   /// Draws into `rect` of framebuffer `destination` (0 is the window's) through an own target with several
-  /// samples. Nothing outside `rect` changes. An empty rect is left alone.
+  /// samples; piece by piece where `rect` is larger than that may become. Nothing outside `rect` changes. An
+  /// empty rect is left alone.
   void render(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
               const PixelRect& rect, GLuint destination = 0);
   /// The same into the framebuffer that is bound, which needs depth; the viewport must be `size` large.
@@ -58,8 +60,14 @@ class Renderer {
   [[nodiscard]] int samples() const { return target_.samples(); }
 
  private:
+  /// A piece of a picture of `whole` pixels, from its lower left corner.
+  struct Piece {
+    glm::ivec2 whole{0}, from{0}, size{0};
+  };
   struct Frame;
-  void draw_background(const SceneTheme& theme);
+  void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
+                  const Piece& piece);
+  void draw_background(const SceneTheme& theme, const Piece& piece);
   void draw_surface(const CornerBuffer& corners, const Frame& frame);
   void draw_strokes(const SegmentBuffer& segments);
   void draw_strokes(const DiscBuffer& discs);

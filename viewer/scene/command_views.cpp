@@ -97,14 +97,19 @@ void panel(Session& session, Arguments& arguments) {
 }
 
 void dialog(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Dialog>, 6> choices = {{{"open", Dialog::Open},
+  constexpr std::array<std::pair<std::string_view, Dialog>, 8> choices = {{{"open", Dialog::Open},
                                                                            {"save", Dialog::Save},
                                                                            {"screenshot", Dialog::Screenshot},
                                                                            {"shortcuts", Dialog::Shortcuts},
                                                                            {"about", Dialog::About},
+                                                                           {"unsaved", Dialog::Unsaved},
+                                                                           {"recovery", Dialog::Recovery},
                                                                            {"none", Dialog::None}}};
-  session.view.dialog = choose(arguments, choices);
+  const Dialog wanted = choose(arguments, choices);
   arguments.end();
+  if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
+  session.view.dialog = wanted;
+  if (wanted != Dialog::Save) session.asked.clear();
 }
 
 void dismiss(Session& session, Arguments& arguments) {
@@ -158,8 +163,9 @@ std::vector<Command> view_commands() {
        panel,
        {{"Tab", "panel all toggle"}, {"D", "panel decimation on"}, {"A", "panel adjacency on"}}},
       {"dialog",
-       "open|save|screenshot|shortcuts|about|none",
-       "Opens one of the dialogs.",
+       "open|save|screenshot|shortcuts|about|unsaved|recovery|none",
+       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists what "
+       "programs that died have left.",
        CommandGroup::View,
        dialog,
        {{"F1", "dialog shortcuts"}}},

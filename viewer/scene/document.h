@@ -45,6 +45,11 @@ class Document {
   }
   /// Whether the present classification is known to be on it.
   [[nodiscard]] bool lies_on_model() const;
+  /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed and changed
+  /// back by new operations differs.
+  [[nodiscard]] bool unsaved() const;
+  /// Where the present mesh was saved last; empty where it was not.
+  [[nodiscard]] const std::filesystem::path& saved_file() const { return saved_file_; }
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
   /// How long the present options want the edges at each vertex to be; infinite without a limit, where
@@ -67,6 +72,11 @@ class Document {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
   void replace(std::unique_ptr<LoadedMesh> loaded);
+  /// Takes over what had been done to the present mesh, which has just been loaded with that history, and
+  /// what had been set. Throws as set_spacing and set_model, in the end: all else is then restored.
+  void restore(const SavedWork& work);
+  /// The mesh as it is now is in that file.
+  void mark_saved(std::filesystem::path file);
   /// Keeps what has been done; cheap while nothing runs.
   void set_options(const DecimationOptions& options) { options_ = options; }
   /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as parse_spacing
@@ -146,6 +156,9 @@ class Document {
   bool focused_ = false;
   std::size_t first_sweep_of_run_ = 0;
   std::optional<AdjacencyChange> adjacency_change_;
+  std::filesystem::path saved_file_;
+  std::size_t saved_step_ = 0;
+  std::uint64_t saved_epoch_ = 0;
 };
 
 }  // namespace aomd::scene

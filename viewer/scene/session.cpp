@@ -12,6 +12,7 @@ namespace {
 
 constexpr double longest_play_s = 12;      // however long the history
 constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
+constexpr std::chrono::milliseconds slice_of_kept_run{50};
 
 SkinStyle skin_style(const View& view) {
   SkinStyle style;
@@ -30,7 +31,17 @@ std::string size_words(const MeshFacts& facts) {
 
 }  // namespace
 
+void Session::keep_work(const std::filesystem::path& folder) {
+  recovery = std::make_unique<RecoveryKeeper>(folder);
+  found_work = find_saved_work(folder);
+}
+
+void Session::keep() {
+  if (recovery) recovery->update(document);
+}
+
 void Session::start_loading(LoadRequest request) {
+  request.recoverable = recovery != nullptr;
   loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
@@ -59,6 +70,44 @@ void Session::take_loaded(Loader::Result result) {
   view.camera.fit(document.content().bounds, view.aspect);
   status = document.content().name + ": " + size_words(facts());
   for (const std::string& note : document.content().notes) status += ", " + note;
+  if (const auto work = document.content().source.work) restore(*work);
+}
+
+/// What was found goes only once this program keeps it itself.
+void Session::restore(const SavedWork& work) {
+  const auto shared = document.content().source.work;
+  std::erase(found_work, shared);
+  if (recovery) recovery->take_over(shared);
+  document.restore(work);
+  status = "Restored " + work.name() + ": " + grouped(static_cast<std::int64_t>(work.cursor)) +
+           " operations, " + grouped(document.mesh().count(2)) + " faces";
+}
+
+void Session::start_series(PictureSeries::Kind kind, const std::filesystem::path& folder, int count,
+                           std::optional<glm::ivec2> size) {
+  play(false);
+  document.cancel_run();
+  series_.emplace(kind, folder, count, size, document, view);
+  status = "Exporting " + std::to_string(series_->count()) + " pictures ...";
+}
+
+void Session::advance_series() {
+  if (!series_ || !screenshots.empty()) return;
+  if (auto picture = series_->next(document, view)) {
+    screenshots.push_back(std::move(*picture));
+    return;
+  }
+  series_->put_back(document, view);
+  status = "Saved " + std::to_string(series_->count()) + " pictures in " + series_->folder().string();
+  series_.reset();
+}
+
+void Session::cancel_series() {
+  if (!series_) return;
+  screenshots.clear();
+  series_->put_back(document, view);
+  status = "Export cancelled after " + std::to_string(series_->made()) + " pictures";
+  series_.reset();
 }
 
 void Session::play(bool on) {
@@ -88,13 +137,19 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   if (auto result = loader_.take(false)) take_loaded(std::move(*result));
   run_on(budget);
   if (playing_) advance_playing(frame_s);
+  keep();
 }
 
 void Session::finish() {
   if (auto result = loader_.take(true)) take_loaded(std::move(*result));
+  while (recovery && document.running()) {
+    run_on(slice_of_kept_run);
+    keep();
+  }
   run_on({});
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
+  keep();
 }
 
 void Session::refresh() {

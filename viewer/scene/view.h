@@ -13,7 +13,7 @@ namespace aomd::scene {
 /// Spacing: the wanted length of edges, on surfaces that can be decimated.
 enum class Coloring { Classification, Spacing, None };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About };
+enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency };
@@ -23,6 +23,8 @@ struct Panels {
   bool side = true;  ///< the one on the right
   bool timeline = true;
   Page page = Page::Decimation;
+  float mesh_ems = 0;  ///< widths in units of the font's size; 0: the usual ones
+  float side_ems = 0;
   friend bool operator==(const Panels&, const Panels&) = default;
 };
 
@@ -41,6 +43,7 @@ struct View {
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;
+  std::string palette_text;  ///< what stands in the palette when it opens
 };
 
 }  // namespace aomd::scene

@@ -7,7 +7,9 @@
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
+#include "viewer/ui/splitter.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/ui/work_dialogs.h"
 
 namespace aomd::ui {
 namespace {
@@ -41,8 +43,10 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   if (bars) {
     draw_panels(frame);
+    draw_splitters(frame, layout_);
     draw_messages(frame, layout_.viewport);
     draw_dialogs(frame, dialogs_);
+    draw_series_progress(frame);
   }
   handle_mouse(frame);
   return std::move(frame.lines);
@@ -69,6 +73,8 @@ void Interface::draw_panels(Frame& frame) {
 }
 
 std::string Interface::line_for_chord(const scene::Session& session, std::string_view chord) {
+  if (session.series() != nullptr && session.view.dialog == scene::Dialog::None)
+    return chord == "Escape" ? "cancel" : "";
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};

@@ -22,8 +22,11 @@ struct Layout {
   Area viewport;  ///< what is left
 };
 
-/// Side panels take between a fifth and a third of the width and give way in small windows. `em` is the
-/// font's size.
+/// What the command panel-width takes.
+[[nodiscard]] float clamped_panel_ems(float ems);
+
+/// Side panels take between a fifth and a third of the width, or what the user chose, up to 0.42 of it, and
+/// give way in small windows. `em` is the font's size.
 [[nodiscard]] Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em);
 
 }  // namespace aomd::ui

@@ -96,6 +96,7 @@ void entity_row(Frame& frame, const Item& item) {
   tooltip(on ? "Highlighted. Click to end that." : "Click to highlight what lies on it.");
   ImGui::TableNextColumn();
   text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
+  tooltip("Mesh entities of the same dimension on it");
   ImGui::PopID();
   ImGui::PopID();
 }
@@ -169,6 +170,7 @@ void legend_panel(Frame& frame) {
     if (ImGui::SmallButton("Show all")) frame.emit("hide");
     command_tooltip("hide");
   }
+  copy_button(frame, "legend");
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.12f * em()));
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   const float height = std::max(6 * em(), ImGui::GetContentRegionAvail().y);

@@ -27,6 +27,25 @@ void samples_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+/// Where to and how many is asked for in the palette, which has the whole line ready.
+void export_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Export pictures", frame.has_mesh())) return;
+  command_item(frame, "Of a turn\u2026", "palette export turntable ~/turntable 60");
+  command_item(frame, "Of the history\u2026", "palette export history ~/history 60", false,
+               frame.document().journal().size() > 0);
+  ImGui::EndMenu();
+}
+
+void copy_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Copy as text", frame.has_mesh())) return;
+  command_item(frame, "Counts", "copy counts");
+  command_item(frame, "Classification", "copy legend");
+  command_item(frame, "Adjacencies", "copy adjacency");
+  command_item(frame, "Refusals of the last sweep", "copy refusals");
+  command_item(frame, "All sweeps", "copy sweeps");
+  ImGui::EndMenu();
+}
+
 void file_menu(Frame& frame, const RecentFiles& recent) {
   if (!ImGui::BeginMenu("File")) return;
   command_item(frame, "Open\u2026", "dialog open");
@@ -35,7 +54,12 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   ImGui::Separator();
   command_item(frame, "Save as\u2026", "dialog save", false, frame.has_mesh());
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
+  export_menu(frame);
   ImGui::Separator();
+  if (!frame.session.found_work.empty()) {
+    command_item(frame, "Recover unsaved work\u2026", "dialog recovery");
+    ImGui::Separator();
+  }
   command_item(frame, "Quit", "quit");
   ImGui::EndMenu();
 }
@@ -45,6 +69,8 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Undo", "undo", false, frame.document().can_undo());
   command_item(frame, "Redo", "redo", false, frame.document().can_redo());
   command_item(frame, "Reset", "reset", false, frame.document().can_undo());
+  ImGui::Separator();
+  copy_menu(frame);
   ImGui::Separator();
   command_item(frame, "Step", "step", false, frame.can_decimate());
   command_item(frame, "Step back", "step -1", false, frame.document().can_undo());
@@ -71,6 +97,9 @@ void camera_menu(Frame& frame) {
                camera.orthographic);
   const bool z_up = camera.up_axis == scene::UpAxis::Z;
   command_item(frame, "Z is up", z_up ? "camera up=y" : "camera up=z", z_up);
+  ImGui::Separator();
+  command_item(frame, "Copy", "camera copy");
+  command_item(frame, "Paste", "camera paste");
   ImGui::EndMenu();
 }
 
@@ -112,6 +141,7 @@ void view_menu(Frame& frame) {
 
 void help_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Help")) return;
+  command_item(frame, "All commands\u2026", "palette");
   command_item(frame, "Keyboard and mouse", "dialog shortcuts");
   command_item(frame, "About", "dialog about");
   ImGui::EndMenu();
