@@ -8,6 +8,7 @@ aomd_test(document_options_test aomd_scene)
 aomd_test(model_view_test aomd_scene)
 aomd_test(drawing_test aomd_scene)
 aomd_test(skin_test aomd_scene)
+aomd_test(compare_view_test aomd_scene)
 aomd_test(commands_test aomd_scene)
 target_compile_definitions(commands_test PRIVATE AOMD_SOURCE="${PROJECT_SOURCE_DIR}")
 

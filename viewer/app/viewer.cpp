@@ -59,7 +59,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
       layer_(std::make_unique<ui::ImGuiLayer>(gl_,
                                               render::load_shader_sources(folder_or_none(options.shaders)))),
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
-      buffers_(gl_) {
+      buffers_(gl_),
+      original_buffers_(gl_) {
   session_.view.theme = options.theme;
   interface_.bars = options.interface;
   interface_.interactive = !headless;
@@ -93,7 +94,8 @@ void Viewer::update_aspect() {
   const ui::Layout layout =
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, options_.interface, em_);
   const double before = session_.view.aspect;
-  session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+  const ui::Area picture = ui::picture_area(layout.viewport, session_.view.side_by_side, false);
+  session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
   const double widest = 1.4;
   if (!session_.document.empty())
@@ -106,6 +108,10 @@ render::RenderSettings Viewer::settings() const {
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
+  settings.glass =
+      session_.view.interior_edges && !session_.document.empty() && session_.document.content().volume();
+  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
+    settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
@@ -121,9 +127,26 @@ void Viewer::lay_out_frame() {
   update_aspect();
 }
 
+/// One picture, or two of the same size with a line between them.
+void Viewer::draw_scene(const render::PixelRect& rect, GLuint destination) {
+  buffers_.upload(session_.drawing().drawable());
+  scene::SurfaceDrawing* original = session_.original_drawing();
+  if (original != nullptr) original_buffers_.upload(original->drawable());
+  render::RenderSettings how = settings();
+  const scene::Camera& camera = session_.view.camera;
+  if (original == nullptr || !session_.view.side_by_side) {
+    if (original != nullptr) how.ghost = &original_buffers_;
+    renderer_.render(buffers_, camera, how, rect, destination);
+    return;
+  }
+  const int half = (rect.width - 1) / 2;
+  renderer_.render(original_buffers_, camera, how, {rect.x, rect.y, half, rect.height}, destination);
+  renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
+                   destination);
+}
+
 void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
   lay_out_frame();
-  buffers_.upload(session_.drawing().drawable());
   if (pixels.x < 1 || pixels.y < 1) return;
 
   const ImVec4 panel = ui::theme_colors(ui::theme_kind(session_.view.theme)).panel;
@@ -138,8 +161,7 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
   const int top = at(area.position.y * scale.y);
   const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
   const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  renderer_.render(buffers_, session_.view.camera, settings(),
-                   {left, pixels.y - bottom, right - left, bottom - top}, destination);
+  draw_scene({left, pixels.y - bottom, right - left, bottom - top}, destination);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 

@@ -62,6 +62,7 @@ class Viewer {
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no drawing.
   void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination);
+  void draw_scene(const render::PixelRect& rect, GLuint destination);
   [[nodiscard]] render::RenderSettings settings() const;
 
   Window& window_;
@@ -74,6 +75,7 @@ class Viewer {
   std::unique_ptr<ui::ImGuiLayer> layer_;
   render::Renderer renderer_;
   render::DrawableBuffers buffers_;
+  render::DrawableBuffers original_buffers_;  ///< filled where the mesh as loaded is shown
   ui::Interface interface_;
   scene::Script script_;
   std::ofstream record_;

@@ -148,6 +148,20 @@ bool looks_inward(const Mesh& mesh, std::span<const std::uint32_t> side, Region 
   return glm::dot(normal, middle(mesh, side) - middle(mesh, mesh.vertices_of(region, buffer))) < 0;
 }
 
+/// Puts what is behind the plane to the end. Returns the entries before it.
+std::span<const Entry> kept(const Mesh& mesh, const glm::dvec4& plane, std::vector<Entry>& entries) {
+  const bool has_region = entries.front().place != is_face;
+  VertexBuffer buffer;
+  const auto end = std::stable_partition(entries.begin(), entries.end(), [&](const Entry& e) {
+    if (has_region && e.place == is_face) return true;
+    const glm::dvec3 center = middle(mesh, mesh.vertices_of(SideMatcher::entity(e), buffer));
+    return glm::dot(glm::dvec3(plane), center) + plane.w >= 0;
+  });
+  // A face between regions that are gone goes with them.
+  if (has_region && entries.front().place == is_face) return {};
+  return {entries.begin(), end};
+}
+
 /// What the entities on the same vertices come to, without the vertices.
 SkinFace skin_face(const Mesh& mesh, std::span<const Entry> entries) {
   SkinFace face;
@@ -186,9 +200,13 @@ Box box_of(const Mesh& mesh, const std::vector<SkinFace>& faces) {
 
 }  // namespace
 
-Skin::Skin(const Mesh& mesh) {
+Skin::Skin(const Mesh& mesh, const std::optional<glm::dvec4>& plane) {
   SideMatcher matcher(mesh);
-  matcher.each_match([&](std::span<const Entry> entries) {
+  std::vector<Entry> scratch;
+  matcher.each_match([&](std::span<const Entry> all) {
+    if (plane) scratch.assign(all.begin(), all.end());
+    const std::span<const Entry> entries = plane ? kept(mesh, *plane, scratch) : all;
+    if (entries.empty()) return;
     SkinFace face = skin_face(mesh, entries);
     if (!to_be_seen(face)) return;
     matcher.take_corners(entries.front(), face);

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "core/mesh/mesh.h"
 #include "viewer/scene/box.h"
@@ -29,7 +32,10 @@ struct SkinFace {
 /// lies on a model face. O(regions + faces); of the memory that takes only the result stays.
 class Skin {
  public:
-  explicit Skin(const Mesh& mesh);
+  explicit Skin(const Mesh& mesh) : Skin(mesh, {}) {}
+  /// As if regions, and faces without one, were not there whose middle is behind the plane: dot(xyz, p) + w <
+  /// 0.
+  Skin(const Mesh& mesh, const std::optional<glm::dvec4>& plane);
 
   [[nodiscard]] std::span<const SkinFace> faces() const { return faces_; }
   /// How many of them belong to the outer surface.

@@ -14,6 +14,14 @@ constexpr float side_ems = 18.5f;
 
 }  // namespace
 
+Area picture_area(const Area& viewport, bool side_by_side, bool right) {
+  if (!side_by_side) return viewport;
+  Area half = viewport;
+  half.size.x = std::max(1.0f, std::floor(0.5f * (viewport.size.x - 1)));
+  if (right) half.position.x += viewport.size.x - half.size.x;
+  return half;
+}
+
 Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em) {
   Layout layout;
   const float menu = bars ? std::round(menu_ems * em) : 0;

@@ -22,6 +22,9 @@ struct Layout {
   Area viewport;  ///< what is left
 };
 
+/// Where a picture of the scene is: all of the viewport, or with two side by side the right half or the left.
+[[nodiscard]] Area picture_area(const Area& viewport, bool side_by_side, bool right);
+
 /// Side panels take between a fifth and a third of the width and give way in small windows. `em` is the
 /// font's size.
 [[nodiscard]] Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em);
