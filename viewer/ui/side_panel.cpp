@@ -20,16 +20,21 @@ constexpr std::array<PageTitle, 3> pages = {{
 constexpr float between_ems = 0.9f;
 
 /// A title that turns to its page; the one that is up is underlined.
-void page_title(Frame& frame, const PageTitle& page, bool up) {
-  const ImVec2 size = ImGui::CalcTextSize(page.title);
+void page_title(Frame& frame, const PageTitle& page, ImFont* font, bool up) {
+  ImGui::PushFont(frame.fonts.heading);
+  const float height = ImGui::GetFontSize(), line = 0.3f * em();
+  ImGui::PopFont();
+  ImGui::PushFont(font);
+  const ImVec2 size{ImGui::CalcTextSize(page.title).x, height};
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(page.title, {size.x, size.y + 0.3f * em()});
+  const bool pressed = ImGui::InvisibleButton(page.title, {size.x, height + line});
   const ImVec4 color = up || ImGui::IsItemHovered() ? frame.colors.text : frame.colors.text_muted;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(at, ImGui::GetColorU32(color), page.title);
   if (up)
     list.AddRectFilled({at.x, at.y + size.y + 0.16f * em()}, {at.x + size.x, at.y + size.y + 0.3f * em()},
                        ImGui::GetColorU32(frame.colors.accent));
+  ImGui::PopFont();
   if (pressed) frame.emit(page.line);
 }
 
@@ -48,10 +53,8 @@ ImFont* title_font(const Frame& frame) {
 void page_titles(Frame& frame) {
   ImFont* font = title_font(frame);
   for (const PageTitle& page : pages) {
-    ImGui::PushFont(font);
     if (page.page != pages[0].page) ImGui::SameLine(0, between_ems * em());
-    page_title(frame, page, page.page == frame.session.view.panels.page);
-    ImGui::PopFont();
+    page_title(frame, page, font, page.page == frame.session.view.panels.page);
     command_tooltip(page.line);
   }
 }
