@@ -145,6 +145,7 @@ std::vector<Corner> draw_sections(const Mesh& mesh, const CellStyle& style, cons
   Points polygon;
   each_region(mesh, style, [&](Region r, std::span<const std::uint32_t>, const Points& points) {
     cut(shape_template(mesh.shape(r)), points, *style.plane, polygon);
+    if (polygon.size() < 3) return;
     for (glm::dvec3& p : polygon) p += inward;
     const ModelRef model = mesh.classification(r);
     drawing.add(polygon, region_color(style, model), bright(style, model));

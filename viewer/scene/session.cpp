@@ -73,6 +73,7 @@ void Session::take_loaded(Loader::Result result) {
   original_drawing_.set_bounds(document.content().bounds);
   skin_surface_.reset();
   clipped_skin_.reset();
+  cutter_.reset();
   cells_.reset();
   refresh();
   loaded_facts_ = facts();
@@ -140,7 +141,9 @@ void Session::refresh_skin() {
     changes.everything = true;
     if (place != skin_place_ && !content.volume()) facts_.update(content.mesh, changes);
     if (moved || plane != skin_plane_) clipped_skin_.reset();
-    if (plane && !clipped_skin_) clipped_skin_.emplace(content.mesh, plane);
+    if (moved) cutter_.reset();
+    if (plane && !cutter_) cutter_ = std::make_unique<SkinCutter>(content.mesh);
+    if (plane && !clipped_skin_) clipped_skin_.emplace(cutter_->before(*plane));
     skin_plane_ = plane;
     skin_surface_.emplace(
         make_skin_surface(content.mesh, clipped_skin_ ? *clipped_skin_ : *content.skin, style));

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -90,6 +91,7 @@ class Session {
   SurfaceDrawing original_drawing_;
   bool shows_original_ = false;
   std::uint64_t original_generation_ = 0;  ///< of the mesh that original_drawing_ has; 0: none
+  std::unique_ptr<SkinCutter> cutter_;     ///< of the present skin's mesh, once a plane was there
   std::optional<Skin> clipped_skin_;       ///< of the regions before the plane, where it takes whole ones
   std::optional<glm::dvec4> skin_plane_;
   std::optional<CellStyle> cells_;           ///< what is drawn of the inside; none: nothing

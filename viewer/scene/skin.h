@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,10 +32,7 @@ struct SkinFace {
 /// lies on a model face. O(regions + faces); of the memory that takes only the result stays.
 class Skin {
  public:
-  explicit Skin(const Mesh& mesh) : Skin(mesh, {}) {}
-  /// As if regions, and faces without one, were not there whose middle is behind the plane: dot(xyz, p) + w <
-  /// 0.
-  Skin(const Mesh& mesh, const std::optional<glm::dvec4>& plane);
+  explicit Skin(const Mesh& mesh);
 
   [[nodiscard]] std::span<const SkinFace> faces() const { return faces_; }
   /// How many of them belong to the outer surface.
@@ -43,9 +40,30 @@ class Skin {
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 
  private:
+  friend class SkinCutter;
+  Skin() = default;
+  void finish(const Mesh& mesh);
+
   std::vector<SkinFace> faces_;
   std::int64_t outer_ = 0;
   Box bounds_;
+};
+
+class SideMatcher;
+
+/// Skins of parts of one mesh, which must outlive it and not change. O(sides log sides) once, and about 20
+/// bytes a side.
+class SkinCutter {
+ public:
+  explicit SkinCutter(const Mesh& mesh);
+  ~SkinCutter();
+  /// As if regions, and faces without one, were not there whose middle is behind the plane: dot(xyz, p) + w <
+  /// 0. O(regions + faces), several times as fast as a Skin.
+  [[nodiscard]] Skin before(const glm::dvec4& plane) const;
+
+ private:
+  const Mesh& mesh_;
+  std::unique_ptr<SideMatcher> sides_;
 };
 
 }  // namespace aomd::scene
