@@ -66,7 +66,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
       layer_(std::make_unique<ui::ImGuiLayer>(gl_,
                                               render::load_shader_sources(folder_or_none(options.shaders)))),
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
-      buffers_(gl_) {
+      buffers_(gl_),
+      original_buffers_(gl_) {
   session_.view.theme = options.theme.value_or(scene::Theme::Light);
   interface_.bars = options.interface;
   interface_.interactive = !headless;
@@ -127,7 +128,8 @@ void Viewer::update_aspect() {
   const ui::Layout layout =
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, interface_.bars, em_);
   const double before = session_.view.aspect;
-  session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+  const ui::Area picture = ui::picture_area(layout.viewport, session_.view.side_by_side, false);
+  session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
   if (!session_.document.empty())
     session_.view.camera.distance *= std::min(before, widest) / std::min(session_.view.aspect, widest);
@@ -140,6 +142,10 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
+  settings.glass =
+      session_.view.interior_edges && !session_.document.empty() && session_.document.content().volume();
+  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
+    settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
@@ -155,9 +161,26 @@ void Viewer::lay_out_frame() {
   update_aspect();
 }
 
+/// One picture, or two of the same size with a line between them.
+void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
+                        bool transparent) {
+  buffers_.upload(session_.drawing().drawable());
+  scene::SurfaceDrawing* original = session_.original_drawing();
+  if (original != nullptr) original_buffers_.upload(original->drawable());
+  render::RenderSettings how = settings(transparent);
+  if (original == nullptr || !session_.view.side_by_side) {
+    if (original != nullptr) how.ghost = &original_buffers_;
+    renderer_.render(buffers_, camera, how, rect, destination);
+    return;
+  }
+  const int half = (rect.width - 1) / 2;
+  renderer_.render(original_buffers_, camera, how, {rect.x, rect.y, half, rect.height}, destination);
+  renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
+                   destination);
+}
+
 void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent) {
   lay_out_frame();
-  buffers_.upload(session_.drawing().drawable());
   if (pixels.x < 1 || pixels.y < 1) return;
 
   const ImVec4 panel = ui::theme_colors(ui::theme_kind(session_.view.theme)).panel;
@@ -172,8 +195,8 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   const int top = at(area.position.y * scale.y);
   const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
   const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  renderer_.render(buffers_, session_.view.camera, settings(transparent),
-                   {left, pixels.y - bottom, right - left, bottom - top}, destination);
+  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top}, destination,
+             transparent);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
@@ -202,11 +225,10 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
 
 io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
   session_.refresh();
-  buffers_.upload(session_.drawing().drawable());
   const double aspect = static_cast<double>(size.x) / size.y;
   const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
   const render::PictureTarget target(gl_, size);
-  renderer_.render(buffers_, camera, settings(transparent), {0, 0, size.x, size.y}, target.framebuffer());
+  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
   return target.read(transparent);
 }
 

@@ -69,6 +69,8 @@ class Viewer {
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no drawing.
   void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent = false);
+  void draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
+                  bool transparent);
   void take_screenshots_or_tell();
   [[nodiscard]] render::RenderSettings settings(bool transparent) const;
 
@@ -82,6 +84,7 @@ class Viewer {
   std::unique_ptr<ui::ImGuiLayer> layer_;
   render::Renderer renderer_;
   render::DrawableBuffers buffers_;
+  render::DrawableBuffers original_buffers_;  ///< filled where the mesh as loaded is shown
   ui::Interface interface_;
   scene::Script script_;
   std::ofstream record_;

@@ -36,7 +36,8 @@ SceneTheme light_scene_theme() {
           .edge = with_alpha(rgb(0x1b2430), 150),
           .back_face = with_alpha(rgb(0xb4533c), 165),
           .highlight = with_alpha(rgb(0xff2f92), 205),
-          .outline = rgb(0xffffff)};
+          .outline = rgb(0xffffff),
+          .glass = with_alpha(rgb(0x2f6fd0), 56)};
 }
 
 SceneTheme dark_scene_theme() {
@@ -45,7 +46,8 @@ SceneTheme dark_scene_theme() {
           .edge = with_alpha(rgb(0x0b0e13), 165),
           .back_face = with_alpha(rgb(0x9c4632), 165),
           .highlight = with_alpha(rgb(0xff4da3), 205),
-          .outline = rgb(0x0e1116)};
+          .outline = rgb(0x0e1116),
+          .glass = with_alpha(rgb(0x7fb2ff), 48)};
 }
 
 /// What all programs need to know about one picture.
@@ -104,6 +106,7 @@ Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
     : gl_(gl),
       background_(gl, sources, "background"),
       surface_(gl, sources, "surface"),
+      glass_(gl, sources, "glass"),
       stroke_(gl, sources, "stroke"),
       nothing_(gl),
       target_(gl, wanted_samples) {}
@@ -144,12 +147,21 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);
   if (settings.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
-  if (settings.show_surface) draw_surface(buffers.corners, frame);
+  if (settings.show_surface && !settings.glass) {
+    draw_surface(buffers.corners, frame);
+    draw_surface(buffers.cells, frame);
+  }
   // The soft rims of lines must not keep out the lines that go on behind them.
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (settings.glass) {
+    frame.apply_strokes(stroke_);
+    draw_strokes(buffers.interior_edges);
+    if (settings.show_surface) draw_glass(buffers.corners, frame);
+  }
+  if (settings.ghost != nullptr) draw_glass(settings.ghost->corners, frame);
   frame.apply_strokes(stroke_);
   if (settings.show_model_edges) draw_strokes(buffers.model_edges);
   draw_strokes(buffers.highlight_lines);
@@ -182,6 +194,21 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+/// Its faces in front only. Behind faces in the same place, so that nothing flickers where both agree.
+void Renderer::draw_glass(const CornerBuffer& corners, const Frame& frame) {
+  if (corners.count() == 0) return;
+  frame.apply(glass_);
+  glass_.set("glass_color", unpack_color(frame.settings.theme.glass));
+  glass_.set("orthographic", frame.orthographic ? 1 : 0);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.Enable(GL_POLYGON_OFFSET_FILL);
+  gl_.PolygonOffset(1, 4);
+  corners.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  gl_.Disable(GL_CULL_FACE);
 }
 
 void Renderer::draw_strokes(const SegmentBuffer& segments) {

@@ -23,6 +23,7 @@ struct SceneTheme {
   scene::Color back_face = 0;  ///< what faces seen from behind tend to; its alpha is how far
   scene::Color highlight = 0;  ///< of highlighted faces; its alpha is how far
   scene::Color outline = 0;    ///< around discs
+  scene::Color glass = 0;      ///< of surfaces that others are seen through; its alpha is how dense it is
 };
 
 [[nodiscard]] SceneTheme light_scene_theme();
@@ -30,6 +31,7 @@ struct SceneTheme {
 
 struct RenderSettings {
   bool show_surface = true;
+  bool glass = false;      ///< the surface as glass, with the edges inside of it
   bool show_edges = true;  ///< mesh edges; they fade where triangles shrink to a few pixels
   bool show_model_edges = true;
   bool show_model_vertices = true;
@@ -39,6 +41,8 @@ struct RenderSettings {
   bool transparent = false;  ///< nothing behind the mesh: colours are then multiplied by their alpha
   /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
   std::optional<glm::dvec4> clip_plane = {};
+  /// A surface that is drawn as glass over everything; what lies on the one below does not show.
+  const DrawableBuffers* ghost = nullptr;
 };
 
 /// Programs and targets of one context, which must be current whenever a member runs.
@@ -69,12 +73,14 @@ class Renderer {
                   const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
   void draw_surface(const CornerBuffer& corners, const Frame& frame);
+  void draw_glass(const CornerBuffer& corners, const Frame& frame);
   void draw_strokes(const SegmentBuffer& segments);
   void draw_strokes(const DiscBuffer& discs);
 
   const Gl& gl_;
   ShaderProgram background_;
   ShaderProgram surface_;
+  ShaderProgram glass_;
   ShaderProgram stroke_;  ///< lines and discs
   VertexBuffer nothing_;  ///< the background's triangle comes from gl_VertexID
   MultisampleTarget target_;

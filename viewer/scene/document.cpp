@@ -67,6 +67,7 @@ const SweepStatistics* Document::last_sweep() const {
 
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   loaded_ = std::move(loaded);
+  as_loaded_.reset();
   options_.spacing.reset();
   marks_.clear();
   ++generation_;
@@ -122,6 +123,14 @@ void Document::visit(std::size_t step, const std::function<void()>& look) {
   }
   journal.seek(mesh, cursor);
   stale_ = stale_ || (cursor != step && loaded_->decimation);
+}
+
+// Going there and back leaves all as it was: the decimation need not know.
+AsLoaded& Document::as_loaded() {
+  const bool stale = stale_;
+  if (!as_loaded_) visit(0, [&] { as_loaded_ = std::make_unique<AsLoaded>(loaded_->mesh); });
+  stale_ = stale;
+  return *as_loaded_;
 }
 
 /// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/scene/as_loaded.h"
 #include "viewer/scene/loaded_mesh.h"
 #include "viewer/scene/surface_changes.h"
 
@@ -71,6 +72,11 @@ class Document {
   [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
+  /// The present mesh at the start of its history, made at the first need: O(steps + entities), and where
+  /// steps are applied nothing may be running. A mesh of triangles must be there.
+  [[nodiscard]] AsLoaded& as_loaded();
+  /// Whether as_loaded() can be had now.
+  [[nodiscard]] bool can_look_back() const { return as_loaded_ || !running_; }
   void replace(std::unique_ptr<LoadedMesh> loaded);
   /// Takes over what had been done to the present mesh, which has just been loaded with that history, and
   /// what had been set. Throws as set_spacing and set_model, in the end: all else is then restored.
@@ -139,6 +145,7 @@ class Document {
   void move_to(std::size_t step, bool single);
 
   std::unique_ptr<LoadedMesh> loaded_;
+  std::unique_ptr<AsLoaded> as_loaded_;
   DecimationOptions options_;
   std::string spacing_source_;  ///< of options_.spacing
   ClassifyOptions classify_;

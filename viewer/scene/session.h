@@ -9,15 +9,19 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
+
+#include "viewer/scene/cell_drawing.h"
 #include "viewer/scene/clipboard.h"
 #include "viewer/scene/document.h"
+#include "viewer/scene/field_keeper.h"
+#include "viewer/scene/histogram_keeper.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
 #include "viewer/scene/picture_series.h"
 #include "viewer/scene/recovery.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_drawing.h"
-#include "viewer/scene/vertex_field.h"
 #include "viewer/scene/view.h"
 
 namespace aomd::scene {
@@ -72,8 +76,13 @@ class Session {
   /// The facts right after loading.
   [[nodiscard]] const MeshFacts& loaded_facts() const { return loaded_facts_; }
   /// What the surface's colours show besides classification; null where they show none.
-  [[nodiscard]] const VertexField* field() const { return field_ ? &*field_ : nullptr; }
+  [[nodiscard]] const ScalarField* field() const { return fields_.field().get(); }
+  /// Null unless somebody looks at them.
+  [[nodiscard]] const Histograms* histograms() const { return histograms_.histograms(); }
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
+  /// The mesh as loaded, in the same colours; null where it is not shown.
+  [[nodiscard]] SurfaceDrawing* original_drawing() { return shows_original_ ? &original_drawing_ : nullptr; }
+  [[nodiscard]] bool shows_original() const { return shows_original_; }
 
  private:
   void take_loaded(Loader::Result result);
@@ -82,8 +91,11 @@ class Session {
   void advance_playing(double frame_s);
   void run_on(std::optional<std::chrono::microseconds> budget);
   void refresh_surface();
-  void refresh_field(bool anew);
+  void refresh_field(const Mesh& shown, SurfaceChanges& changes);
   void refresh_skin();
+  void refresh_cells();
+  void refresh_original();
+  void refresh_marks(bool changed);
 
   Loader loader_;
   std::optional<PictureSeries> series_;
@@ -93,8 +105,16 @@ class Session {
   FactsKeeper facts_;
   MeshFacts loaded_facts_;
   SurfaceDrawing drawing_;
-  std::optional<VertexField> field_;
-  DecimationOptions field_options_;
+  FieldKeeper fields_, original_fields_;
+  HistogramKeeper histograms_;
+  std::optional<MarkedBar> drawn_mark_;
+  SurfaceDrawing original_drawing_;
+  bool shows_original_ = false;
+  std::uint64_t original_generation_ = 0;  ///< of the mesh that original_drawing_ has; 0: none
+  std::unique_ptr<SkinCutter> cutter_;     ///< of the present skin's mesh, once a plane was there
+  std::optional<Skin> clipped_skin_;       ///< of the regions before the plane, where it takes whole ones
+  std::optional<glm::dvec4> skin_plane_;
+  std::optional<CellStyle> cells_;           ///< what is drawn of the inside; none: nothing
   std::optional<SkinSurface> skin_surface_;  ///< of the present skin, where there is one
   SkinStyle skin_style_;
   HistoryPlace skin_place_;

@@ -42,6 +42,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), interactive, {}};
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   if (bars) {
+    picture_labels(frame, layout_.viewport);
     draw_panels(frame);
     draw_splitters(frame, layout_);
     draw_messages(frame, layout_.viewport);
@@ -65,9 +66,11 @@ void Interface::draw_panels(Frame& frame) {
   docked("##mesh", layout_.mesh, ImGuiWindowFlags_None, [&] {
     mesh_panel(frame);
     gap();
+    clip_controls(frame);
     legend_panel(frame);
   });
-  docked("##side", layout_.side, ImGuiWindowFlags_None, [&] { side_panel(frame, drafts_); });
+  docked("##side", layout_.side, ImGuiWindowFlags_None,
+         [&] { side_panel(frame, drafts_, histogram_drafts_); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
@@ -83,7 +86,8 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
 
 void Interface::handle_mouse(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Area& area = layout_.viewport;
+  const bool right = io.MousePos.x > layout_.viewport.position.x + 0.5f * layout_.viewport.size.x;
+  const Area area = picture_area(layout_.viewport, frame.session.view.side_by_side, right);
   if (!frame.has_mesh() || area.size.x < 2 || area.size.y < 2) return;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool other =

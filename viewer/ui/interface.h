@@ -38,6 +38,7 @@ class Interface {
   Layout layout_;
   DialogState dialogs_;
   DecimationDrafts drafts_;
+  HistogramDrafts histogram_drafts_;
   bool dragging_ = false;  ///< a drag that began on the scene
 };
 

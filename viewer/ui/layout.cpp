@@ -23,6 +23,13 @@ float panel_width(float chosen_ems, float usual_ems, float display, float em) {
 }  // namespace
 
 float clamped_panel_ems(float ems) { return std::clamp(ems, 8.0f, 60.0f); }
+Area picture_area(const Area& viewport, bool side_by_side, bool right) {
+  if (!side_by_side) return viewport;
+  Area half = viewport;
+  half.size.x = std::max(1.0f, std::floor(0.5f * (viewport.size.x - 1)));
+  if (right) half.position.x += viewport.size.x - half.size.x;
+  return half;
+}
 
 Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em) {
   Layout layout;

@@ -103,26 +103,54 @@ void camera_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+void color_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Colours")) return;
+  const scene::Coloring present = frame.session.view.coloring;
+  const bool surface = frame.has_mesh() && !frame.document().content().skin;
+  const auto item = [&](const char* name, const char* line, scene::Coloring coloring, bool enabled = true) {
+    command_item(frame, name, line, present == coloring, enabled);
+  };
+  item("Classification", "color classification", scene::Coloring::Classification);
+  item("Wanted edge length", "color spacing", scene::Coloring::Spacing, surface);
+  item("Smallest angle", "color quality", scene::Coloring::Quality);
+  item("Distance to the original", "color distance", scene::Coloring::Distance, surface);
+  item("Curvature", "color curvature", scene::Coloring::Curvature);
+  item("One colour", "color none", scene::Coloring::None);
+  ImGui::EndMenu();
+}
+
+void clip_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Clip and shrink", frame.has_mesh())) return;
+  const scene::View& view = frame.session.view;
+  for (const char* axis : {"x", "y", "z"})
+    command_item(frame, (std::string("Across ") + axis).c_str(), std::string("clip ") + axis + " 0.5");
+  command_item(frame, "Whole cells across x", "clip x 0.5 cells");
+  command_item(frame, "No clipping", "clip off", false, view.clip.has_value());
+  ImGui::Separator();
+  command_item(frame, "Shrunken cells", view.shrink > 0 ? "shrink 0" : "shrink 0.3", view.shrink > 0);
+  ImGui::EndMenu();
+}
+
 void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
+  const bool volume = frame.has_mesh() && frame.document().content().volume();
+  const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   camera_menu(frame);
+  color_menu(frame);
+  clip_menu(frame);
+  ImGui::Separator();
+  command_item(frame, "Original over it", "show original toggle", view.original, surface);
+  command_item(frame, "Original beside it", "compare toggle", view.side_by_side, surface);
   ImGui::Separator();
   command_item(frame, "Surface", "show surface toggle", view.surface);
   command_item(frame, "Edges", "show edges toggle", view.edges);
   command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
   command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
-  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces,
-               frame.has_mesh() && frame.document().content().volume());
+  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces, volume);
+  command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges, volume);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
-  ImGui::Separator();
-  command_item(frame, "Colour by classification", "color classification",
-               view.coloring == scene::Coloring::Classification);
-  command_item(frame, "Colour by wanted edge length", "color spacing",
-               view.coloring == scene::Coloring::Spacing,
-               frame.has_mesh() && !frame.document().content().skin);
-  command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
   const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };
@@ -132,6 +160,9 @@ void view_menu(Frame& frame) {
   command_item(frame, "Adjacencies T(I,J)",
                up(scene::Page::Adjacency) ? "panel adjacency off" : "panel adjacency on",
                up(scene::Page::Adjacency));
+  command_item(frame, "Histograms",
+               up(scene::Page::Histograms) ? "panel histograms off" : "panel histograms on",
+               up(scene::Page::Histograms));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();
