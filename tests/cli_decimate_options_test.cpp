@@ -211,6 +211,7 @@ TEST_F(DecimateOptionsCommand, EveryReasonAndOptionIsInTheReport) {
                              "improve",
                              "swap",
                              "smooth",
+                             "threads",
                              "topology",
                              "keep",
                              "snap",

@@ -246,9 +246,10 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
   try {
     execute(s, "color nonsense");
   } catch (const CommandError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "color: 'nonsense' is none of classification, spacing, verdict, none (usage: color "
-              "classification|spacing|verdict|none)");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "color: 'nonsense' is none of classification, spacing, quality, distance, curvature, verdict, none "
+        "(usage: color classification|spacing|quality|distance|curvature|verdict|none)");
   }
 }
 

@@ -58,6 +58,7 @@ void expect_lists(const Mesh& mesh, const OriginalSurface& original) {
 
 TEST(OriginalSurfaceTest, PointsHaveTheAreaAndNormalsOfTheirSurface) {
   Mesh mesh(zoo::bow_tie());
+  mesh.set(0, 2);
   const OriginalSurface original(mesh);
   ASSERT_EQ(original.points().size(), 5u) << "the vertex that nothing uses is none";
   EXPECT_NEAR(original.area(), 2, 1e-12);
@@ -71,7 +72,8 @@ TEST(OriginalSurfaceTest, NormalsHaveLengthOneAtAnyScale) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     MeshData data = zoo::octahedron();
     for (glm::dvec3& p : data.positions) p *= scale;
-    const Mesh mesh(data);
+    Mesh mesh(data);
+    mesh.set(0, 2);
     const OriginalSurface original(mesh);
     for (const OriginalPoint& p : original.points())
       EXPECT_NEAR(glm::length(glm::dvec3(p.normal)), 1, 1e-5) << scale;
@@ -162,7 +164,8 @@ TEST(FitterTest, ALiftedVertexGoesBack) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, target).accepted());
+  Star star;
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, target).accepted());
   EXPECT_LT(std::abs(target.z), 0.02);
   EXPECT_LT(glm::length(target - glm::dvec3(2, 2, 0)), 0.1);
 }
@@ -175,12 +178,13 @@ TEST(FitterTest, VerticesOnModelEdgesAndOverTurnedFacesStay) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  const Verdict border = fitter.judge_move(Vertex(2), {}, target);
+  Star star;
+  const Verdict border = fitter.judge_move(Vertex(2), {}, star, target);
   EXPECT_EQ(border.reason, Reason::Classification);
   EXPECT_EQ(border.entity, EntityRef(Vertex(2)));
   mesh.move(Vertex(12), {2, 2, 3});  // a spike, whose faces would turn by 71 degrees
   original.locate(mesh);
-  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, target).reason, Reason::Angle);
+  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, star, target).reason, Reason::Angle);
 }
 
 TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
@@ -189,7 +193,8 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
   OriginalSurface original(mesh);
   original.locate(mesh);
   glm::dvec3 target;
-  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, target).reason, Reason::Flat);
+  Star star;
+  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, star, target).reason, Reason::Flat);
 }
 
 //      2
@@ -199,6 +204,7 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
 //      3
 struct Roof {
   Roof() : fine(points()), coarse(zoo::make({{-1, 0, 0.2}, {1, 0, 0.2}, {0, 1, 0}, {0, -1, 0}}, across())) {
+    fine.set(0, 2);
     coarse.set(0, 2);
     original.emplace(fine);
     original->locate_anywhere(coarse);

@@ -111,6 +111,48 @@ TEST(Picking, HiddenClassesAreLookedThrough) {
   EXPECT_EQ(s.at({0.7, 0.3, 0}), EntityRef(Face(2)));
 }
 
+TEST(Picking, WhatIsClippedAwayIsLookedThrough) {
+  Scene s(zoo::grid(3));
+  s.view.clip = Clip{0, 0.5};
+  EXPECT_EQ(s.at({1.3, 1.1, 0}), EntityRef(Face(8)));
+  EXPECT_EQ(s.at({1.7, 1.3, 0}), EntityRef()) << "the other part of the same face";
+  EXPECT_EQ(s.within({-1, -1, 0}, {4, 4, 0}).size(), 6u) << "whole ones only";
+  s.view.clip->flip = true;
+  EXPECT_EQ(s.at({1.3, 1.1, 0}), EntityRef());
+  EXPECT_EQ(s.at({1.7, 1.3, 0}), EntityRef(Face(8)));
+  s.view.clip = Clip{0, 0.6};
+  s.view.pick_level = PickLevel::Vertex;
+  EXPECT_EQ(s.at({1.7, 1.3, 0}), EntityRef(Vertex(5))) << "6 is nearer and not there";
+}
+
+TEST(Picking, WholeFacesAreClippedByTheirMiddles) {
+  Scene s(zoo::grid(3));
+  s.view.clip = Clip{0, 0.5, true};
+  EXPECT_EQ(s.at({1.3, 1.1, 0}), EntityRef());
+  EXPECT_EQ(s.at({1.3, 1.7, 0}), EntityRef(Face(9)));
+  EXPECT_EQ(s.at({1.65, 1.85, 0}), EntityRef(Face(9))) << "beyond the plane, of a face that is there";
+  EXPECT_EQ(s.within({-1, -1, 0}, {4, 4, 0}).size(), 9u);
+}
+
+TEST(Picking, AClippedBallShowsItsInside) {
+  Scene s(make_sample("sphere", 12));
+  s.view.pick_level = PickLevel::Face;
+  const auto height = [&] {
+    const EntityRef face = s.at({0.13, 0.07, 0});
+    EXPECT_EQ(face.dimension, 2);
+    const Mesh& mesh = s.loaded->mesh;
+    return mesh.position(mesh.triangle(Face(face.index))[0]).z;
+  };
+  EXPECT_GT(height(), 0);
+  s.view.clip = Clip{2, 0.5};
+  EXPECT_LT(height(), 0);
+  s.view.clip->flip = true;
+  EXPECT_GT(height(), 0);
+  s.view.camera.orthographic = false;
+  s.view.clip->flip = false;
+  EXPECT_LT(height(), 0);
+}
+
 TEST(Picking, ABoxTakesWhatCanBeSeenAsAWhole) {
   Scene s(zoo::grid(3));
   EXPECT_EQ(s.within({-0.1, -0.1, 0}, {1.1, 1.1, 0}), (std::vector{EntityRef(Face(0)), EntityRef(Face(1))}));

@@ -36,6 +36,66 @@ TEST(Selecting, GrowTakesWhatSharesAVertex) {
   EXPECT_EQ(s.selection.size(), around.size());
 }
 
+TEST(Selecting, ABarOfAHistogramIsWhatItCounts) {
+  Session s;
+  drive(s, {"sample torus", "factor 4", "sweep", "panel histograms on", "select bar angle 31"});
+  const HistogramPair& angles = s.histograms()->of(HistogramKind::Angle);
+  EXPECT_GT(s.selection.size(), 0u);
+  EXPECT_EQ(s.selection.size(), angles.now.counts[angles.now.bin(31)]);
+  EXPECT_EQ(s.selection.entities()[0].dimension, 2);
+  drive(s, {"panel decimation on", "select bar valence 6"});
+  for (const EntityRef e : s.selection.entities())
+    EXPECT_EQ(s.document.mesh().row<1>(Vertex(e.index)).size(), 6u);
+  EXPECT_GT(s.selection.size(), 0u);
+  drive(s, {"select bar length 0.01"});
+  EXPECT_TRUE(s.selection.empty());
+  EXPECT_THROW(execute(s, "select bar area 1"), CommandError);
+  EXPECT_THROW(execute(s, "select bar angle"), CommandError);
+  drive(s, {"sample tet-box", "select bar angle 45"});
+  EXPECT_GT(s.selection.size(), 0u);
+  EXPECT_EQ(s.selection.entities()[0].dimension, 3) << "of a volume regions";
+}
+
+/// Whether a region reaches to both sides of a height, or lies below it.
+struct Reach {
+  double low = 1e9, high = -1e9;
+  Reach(const Mesh& mesh, EntityRef region) {
+    VertexBuffer buffer;
+    for (const std::uint32_t v : mesh.vertices_of(region, buffer)) {
+      low = std::min(low, mesh.position(Vertex(v)).z);
+      high = std::max(high, mesh.position(Vertex(v)).z);
+    }
+  }
+};
+
+TEST(Selecting, SectionsAndShrunkenRegionsGiveTheirRegions) {
+  Session s;
+  drive(s, {"sample tet-box", "camera top", "clip z 0.45", "pick 0.03 0.05"});
+  const Mesh& mesh = s.document.mesh();
+  const Box box = s.document.content().bounds;
+  ASSERT_EQ(s.selection.single().dimension, 3);
+  const Reach cut(mesh, s.selection.single());
+  const double plane = box.low.z + 0.45 * (box.high.z - box.low.z);
+  EXPECT_TRUE(cut.low < plane && plane < cut.high) << cut.low << " " << plane << " " << cut.high;
+  const std::size_t tinted = s.drawing().drawable().selected.faces.size();
+  drive(s, {"clip off"});
+  EXPECT_LT(s.drawing().drawable().selected.faces.size(), tinted) << "the section is tinted with it";
+  drive(s, {"camera iso", "shrink 0.3", "pick-level region", "select box -1 -1 1 1"});
+  EXPECT_GT(s.selection.size(), 1u);
+  drive(s, {"pick 0.03 0.05"});
+  EXPECT_EQ(s.selection.single().dimension, 3);
+  drive(s, {"pick-level vertex", "pick 0.03 0.05"});
+  EXPECT_TRUE(s.selection.empty());
+}
+
+TEST(Selecting, NothingIsSaidOfTheEdgesOfAVolume) {
+  Session s;
+  drive(s, {"sample sphere 8", "color verdict"});
+  EXPECT_NE(s.verdicts(), nullptr);
+  drive(s, {"sample tet-box"});
+  EXPECT_EQ(s.verdicts(), nullptr);
+}
+
 TEST(Selecting, SurvivesStepsAsFarAsEntitiesLive) {
   Session s;
   drive(s, {"sample sphere 12", "coarsest on", "angle 60"});

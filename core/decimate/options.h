@@ -56,6 +56,7 @@ struct DecimationOptions {
   int improve_passes = 4;  ///< Paper: sweeps that are followed by swaps and smoothing
   bool swap = true;
   bool smooth = true;
+  int threads = 1;  ///< Quality: used wherever there is something to share out; the result is the same
   /// Vertices (nonzero) that stay where they are; none: all may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the mesh lies

@@ -1,49 +1,80 @@
 #include "core/decimate/original_surface.h"
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
-#include <utility>
+#include <numeric>
+#include <vector>
 
 #include "core/mesh/geometry.h"
+#include "core/mesh/parallel.h"
 #include "core/model/box.h"
 #include "core/model/triangle_tree.h"
 
 namespace aomd {
+namespace {
 
-OriginalSurface::OriginalSurface(const Mesh& mesh) : taken_by_(mesh.capacity(0)) {
-  std::vector<std::uint32_t> point_of(mesh.capacity(0), no_index);
-  Box box;
-  for (const Face f : mesh.faces())
-    for (const Vertex v : mesh.triangle(f)) box.add(mesh.position(v));
-  diagonal_ = box.diagonal();
-  const double scale =
-      diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
-  for (const Face f : mesh.faces()) {
-    const auto t = mesh.triangle(f);
-    const glm::dvec3 normal = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
-    const double area = glm::length(normal) / 2;
-    area_ += area;
-    for (const Vertex v : t) {
-      if (point_of[v.index] == no_index) {
-        point_of[v.index] = static_cast<std::uint32_t>(points_.size());
-        points_.push_back({.position = mesh.position(v)});
-        vertex_of_.push_back(v);
-      }
-      OriginalPoint& p = points_[point_of[v.index]];
-      p.normal += glm::vec3(scale * normal);
-      p.weight += static_cast<float>(area / 3);
-    }
-  }
-  for (OriginalPoint& p : points_)
-    if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
-      p.normal = glm::vec3(glm::dvec3(p.normal) / length);
-  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+constexpr std::size_t points_a_piece = 1024;
+
+// Sums of a fixed number of faces are added up in their order: the same digits with any number of threads.
+double area_of(const Mesh& mesh, int threads) {
+  constexpr std::size_t faces_a_sum = 4096;
+  std::vector<double> sums(mesh.capacity(2) / faces_a_sum + 1, 0);
+  parallel_for(sums.size(), threads, 1, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(2), begin * faces_a_sum, end * faces_a_sum, [&](std::uint32_t f) {
+      const auto t = mesh.triangle(Face(f));
+      sums[f / faces_a_sum] +=
+          0.5 * glm::length(area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])));
+    });
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
+}  // namespace
+
+OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh.capacity(0)) {
+  for (const Vertex v : mesh.vertices()) {
+    taken_by_[v] = v;
+    if (!mesh.row<2>(v).empty()) vertex_of_.push_back(v);
+  }
+  points_.resize(vertex_of_.size());
+  parallel_for(points_.size(), threads, points_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i);
+  });
+  Box box;
+  for (const OriginalPoint& p : points_) box.add(p.position);
+  diagonal_ = box.diagonal();
+  area_ = area_of(mesh, threads);
+}
+
+void OriginalSurface::set_point(const Mesh& mesh, std::size_t i) {
+  glm::dvec3 normal(0.0);
+  double area = 0;  // twice that of the faces around it
+  for (const Face f : mesh.row<2>(vertex_of_[i])) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 n = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    normal += n;
+    area += glm::length(n);
+  }
+  OriginalPoint& p = points_[i];
+  p.position = mesh.position(vertex_of_[i]);
+  p.weight = static_cast<float>(area / 6);
+  if (area > 0) normal /= area;  // at any scale it can be squared then
+  if (const double length = glm::length(normal); length > 0) p.normal = glm::vec3(normal / length);
+}
+
+// Several threads may shorten the same path at once: whatever they write leads to the same end.
 Vertex OriginalSurface::taken_by(Vertex v) {
+  const auto next = [this](Vertex of) {
+    return Vertex(std::atomic_ref(taken_by_[of].index).load(std::memory_order_relaxed));
+  };
   Vertex last = v;
-  while (taken_by_[last] != last) last = taken_by_[last];
-  while (taken_by_[v] != last) v = std::exchange(taken_by_[v], last);
+  for (Vertex after = next(last); after != last; after = next(last)) last = after;
+  for (Vertex after = next(v); after != last; after = next(v)) {
+    std::atomic_ref(taken_by_[v].index).store(last.index, std::memory_order_relaxed);
+    v = after;
+  }
   return last;
 }
 
@@ -97,37 +128,44 @@ void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) const {
   }
 }
 
-void OriginalSurface::locate(const Mesh& mesh) {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    OriginalPoint& p = points_[i];
-    if (p.face != no_index && mesh.alive(Face(p.face))) {
-      const auto t = mesh.triangle(Face(p.face));
-      glm::dvec3 at;
-      p.distance2 = static_cast<float>(
-          nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), at));
-      p.barycentric = at;
-    } else {
-      start_at_vertex(mesh, p, taken_by(vertex_of_[i]));
-    }
-    if (p.face != no_index) find_face(mesh, p);
+void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
+  OriginalPoint& p = points_[i];
+  if (p.face != no_index && mesh.alive(Face(p.face))) {
+    const auto t = mesh.triangle(Face(p.face));
+    glm::dvec3 at;
+    p.distance2 = static_cast<float>(
+        nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), at));
+    p.barycentric = at;
+  } else {
+    start_at_vertex(mesh, p, taken_by(vertex_of_[i]));
   }
+  if (p.face != no_index) find_face(mesh, p);
+}
+
+void OriginalSurface::locate(const Mesh& mesh, int threads) {
+  parallel_for(points_.size(), threads, points_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) locate_point(mesh, i);
+  });
   link_points(mesh);
 }
 
-void OriginalSurface::locate_anywhere(const Mesh& mesh) {
+// Of equally near faces the hint decides: it is forgotten at the same points for any number of threads.
+void OriginalSurface::locate_anywhere(const Mesh& mesh, int threads) {
   taken_by_.resize(mesh.capacity(0));
   for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
   const Triangles triangles = triangles_of(mesh);
   const TriangleTree tree(triangles.corners);
-  std::uint32_t hint = no_index;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    OriginalPoint& p = points_[i];
-    const TriangleTree::Nearest nearest = tree.nearest(p.position, hint);
-    hint = nearest.triangle;
-    p.face = hint == no_index ? no_index : triangles.faces[tree.source(hint)].index;
-    if (p.face != no_index) vertex_of_[i] = mesh.triangle(Face(p.face))[0];
-  }
-  locate(mesh);
+  parallel_for(points_.size() / points_a_piece + 1, threads, 1, [&](std::size_t begin, std::size_t end) {
+    std::uint32_t hint = no_index;
+    for (std::size_t i = begin * points_a_piece; i < std::min(end * points_a_piece, points_.size()); ++i) {
+      OriginalPoint& p = points_[i];
+      if (i % points_a_piece == 0) hint = no_index;
+      hint = tree.nearest(p.position, hint).triangle;
+      p.face = hint == no_index ? no_index : triangles.faces[tree.source(hint)].index;
+      if (p.face != no_index) vertex_of_[i] = mesh.triangle(Face(p.face))[0];
+    }
+  });
+  locate(mesh, threads);
 }
 
 void OriginalSurface::link_points(const Mesh& mesh) {

@@ -29,8 +29,9 @@ struct OriginalPoint {
 /// local minimum.
 class OriginalSurface {
  public:
-  /// O(vertices + faces). T(2,0) must be stored.
-  explicit OriginalSurface(const Mesh& mesh);
+  /// O(vertices + faces). T(0,2) and T(2,0) must be stored. Here and below the result does not depend on the
+  /// number of threads.
+  explicit OriginalSurface(const Mesh& mesh, int threads = 1);
 
   [[nodiscard]] const std::vector<OriginalPoint>& points() const { return points_; }
   /// The diagonal of its box, and its area.
@@ -41,9 +42,9 @@ class OriginalSurface {
   void merged(Vertex deleted, Vertex kept) { taken_by_[deleted] = kept; }
   /// Finds the face of every point: from the vertices that took it in since the last time, else from the face
   /// it lay on. T(0,2) and T(2,0) must be stored. O(points).
-  void locate(const Mesh& mesh);
+  void locate(const Mesh& mesh, int threads = 1);
   /// Forgets all faces and finds each anew by a search over all of `mesh`. O(points log faces).
-  void locate_anywhere(const Mesh& mesh);
+  void locate_anywhere(const Mesh& mesh, int threads = 1);
   /// Sum over the points of weight times squared distance, as of the last locate().
   [[nodiscard]] double error() const;
 
@@ -64,6 +65,8 @@ class OriginalSurface {
   void redistribute(Face f, Face g, Where&& goes_to_f);
 
  private:
+  void set_point(const Mesh& mesh, std::size_t i);
+  void locate_point(const Mesh& mesh, std::size_t i);
   void find_face(const Mesh& mesh, OriginalPoint& p) const;
   bool walk_once(const Mesh& mesh, OriginalPoint& p) const;
   void start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const;

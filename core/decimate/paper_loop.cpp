@@ -7,12 +7,6 @@
 #include "core/decimate/spacing.h"
 
 namespace aomd {
-namespace {
-
-constexpr double first_reach = 1.5;  // towards a target: the factor that the first sweeps follow
-
-}  // namespace
-
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
       collapser_(mesh),
@@ -25,8 +19,15 @@ PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
 }
 
 void PaperLoop::fill_spacing() {
-  reach_ = aims() ? first_reach : options_.factor;
+  reach_ = first_reach();
   average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+}
+
+// Towards a target twice the factor that would lead there if the angle refused nothing: started lower it
+// grows in many sweeps, each of which leaves what no longer fits together.
+double PaperLoop::first_reach() const {
+  if (!aims()) return options_.factor;
+  return std::max(1.5, 2 * std::sqrt(double(mesh_.count(2)) / options_.target_faces));
 }
 
 double PaperLoop::spacing(Vertex v) const {
@@ -46,7 +47,7 @@ void PaperLoop::restart(const DecimationOptions& options) {
   options_ = options;
   guards_.restart(mesh_, options);
   set_rules();
-  reach_ = aims() ? first_reach : options_.factor;
+  reach_ = first_reach();
   forget();
   improved_ = 0;
   begin_sweep();

@@ -35,6 +35,7 @@ class PaperLoop final : public Loop {
   [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Vertex& deleted);
   [[nodiscard]] Verdict judge_smoothing(Vertex v, glm::dvec3& target);
   [[nodiscard]] Verdict judge_swapping(Edge edge, EdgePair& pair);
+  [[nodiscard]] double first_reach() const;
   void fill_spacing();
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);

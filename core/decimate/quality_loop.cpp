@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/parallel.h"
+
 namespace aomd {
 namespace {
 
@@ -67,19 +69,19 @@ QualityLoop::Freedom QualityLoop::freedom_of(Vertex v, Vertex w) const {
 }
 
 template <typename Visit>
-void QualityLoop::look_around(Vertex v, Visit&& visit) {
-  gather(mesh_, v, star_);
-  for (const StarFace& f : star_) {
+void QualityLoop::look_around(Vertex v, Star& star, Visit&& visit) const {
+  gather(mesh_, v, star);
+  for (const StarFace& f : star) {
     prefetch(&state_[f.next]);
     prefetch(&mesh_.position(f.next));
   }
-  for_neighbours(star_, visit);
+  for_neighbours(star, visit);
 }
 
 // All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller id.
 void QualityLoop::find_candidates(Vertex v) {
   found_.clear();
-  look_around(v, [&](Vertex w) {
+  look_around(v, star_, [&](Vertex w) {
     if (w < v) return;
     Candidate c;
     c.cost = cost(v, w, c.contraction);
@@ -109,12 +111,18 @@ void QualityLoop::dequeue(Vertex v) {
 
 void QualityLoop::fill_queue() {
   queue_.reset(mesh_.capacity(0));
-  for (const Vertex v : mesh_.vertices())
-    look_around(v, [&](Vertex w) {
-      if (w < v) return;
-      Contraction c;
-      offer(state_[v], w, cost(v, w, c));
-    });
+  parallel_for(mesh_.capacity(0), options_.threads, vertices_a_piece,
+               [&](std::size_t begin, std::size_t end) {
+                 Star star;
+                 each_alive(mesh_.ids(0), begin, end, [&](std::uint32_t id) {
+                   const Vertex v(id);
+                   look_around(v, star, [&](Vertex w) {
+                     if (w < v) return;
+                     Contraction c;
+                     offer(state_[v], w, cost(v, w, c));
+                   });
+                 });
+               });
   for (const Vertex v : mesh_.vertices())
     if (state_[v].partner.valid()) queue_.put(v, state_[v].cost);
 }
@@ -218,7 +226,7 @@ void QualityLoop::update(Vertex v, Vertex kept, float cost) {
 
 void QualityLoop::refresh_around(Vertex kept) {
   dequeue(kept);
-  look_around(kept, [&](Vertex w) {
+  look_around(kept, star_, [&](Vertex w) {
     Contraction c;
     const float known = cost(kept, w, c);
     if (kept < w) offer(state_[kept], w, known);
@@ -287,8 +295,8 @@ std::optional<MoveOutlook> QualityLoop::move_outlook(Vertex v) {
   MoveOutlook o;
   o.vertex = v;
   o.target = mesh_.position(v);
-  o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, o.target);
-  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, fitter_.star(), o.target);
+  o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, star_, o.target);
+  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, star_, o.target);
   o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }

@@ -3,10 +3,13 @@
 // error is least, improvement against the original surface, and a second approach to the target with the
 // errors measured anew (docs/QUALITY.md has each idea with its source and its effect).
 
+#include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "core/decimate/colouring.h"
 #include "core/decimate/fit.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/original_surface.h"
@@ -22,8 +25,8 @@ class QualityLoop final : public Loop {
 
   bool advance() override;
   void restart(const DecimationOptions& options) override;
-  std::uint32_t swap_pass() override;
-  std::uint32_t smooth_pass() override;
+  std::uint32_t swap_pass() override { return pass(&QualityLoop::next_swap); }
+  std::uint32_t smooth_pass() override { return pass(&QualityLoop::next_move); }
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
@@ -40,6 +43,7 @@ class QualityLoop final : public Loop {
   };
 
   static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  static constexpr std::size_t vertices_a_piece = 2048;  ///< where threads share them out
   /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for memory.
   struct alignas(64) State {
     LocalQuadric quadric;      ///< about the vertex
@@ -54,7 +58,7 @@ class QualityLoop final : public Loop {
   // Collapses (quality_loop.cpp)
   bool advance_collapse();
   template <typename Visit>
-  void look_around(Vertex v, Visit&& visit);
+  void look_around(Vertex v, Star& star, Visit&& visit) const;
   void find_candidates(Vertex v);
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
@@ -73,17 +77,13 @@ class QualityLoop final : public Loop {
   [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
   [[nodiscard]] Limits limits(const TurnLimit& turn, double least_angle_deg) const;
 
-  // Stages and improvement (quality_stages.cpp)
+  // Stages (quality_stages.cpp)
   void start(const DecimationOptions& options);
   void begin_stage();
   void measure_vertices(bool by_points);
   void measure_energy();
-  std::uint32_t pass_done(std::uint32_t made);
   void begin_improvement();
-  bool advance_swap();
-  bool advance_smooth();
-  bool try_swap(Vertex a, Vertex b);
-  bool try_smooth(Vertex v);
+  void enter(Phase phase);
   void end_phase();
   void end_round();
   [[nodiscard]] bool last_stage() const { return stage_ + 1 == goals_.size(); }
@@ -92,9 +92,21 @@ class QualityLoop final : public Loop {
   void set_rules();
   void fill_spacing();
 
+  // Passes of swaps and of moves (quality_improvement.cpp)
+  std::uint32_t pass(bool (QualityLoop::*next)(bool& made));
+  void begin_pass();
+  bool next_swap(bool& made);
+  bool judge_faces_ahead();
+  [[nodiscard]] bool still_refused(std::size_t item, std::uint32_t corner,
+                                   const std::array<Vertex, 3>& corners) const;
+  bool try_swap(Vertex a, Vertex b);
+  bool next_move(bool& made);
+  bool judge_moves_ahead();
+  bool try_move(Vertex v, const glm::dvec3& target);
+
   // Quadrics (quality_quadrics.cpp)
   void add_normal(Vertex v, const glm::vec3& normal);
-  void quadrics_of_faces();
+  void quadric_of_faces(Vertex v);
   void quadrics_of_points();
   void quadrics_of_model_edges();
 
@@ -121,8 +133,22 @@ class QualityLoop final : public Loop {
   Column<Vertex, double>
       average_length_;  ///< of the edges at a vertex, at the start; empty until it is asked for
   int round_ = 0;
-  std::uint32_t cursor_ = 0, corner_ = 0;
   std::uint32_t start_faces_ = 0;
+
+  /// The part of a pass that is judged ahead, on all threads, before its items have their turn one by one.
+  struct Batch {
+    std::vector<Face> faces;                         ///< of a pass of swaps
+    std::vector<std::uint8_t> refused;               ///< by face: bit k, its edge from corner k to the next
+    std::span<const Vertex> vertices;                ///< of a pass of moves
+    std::vector<std::optional<glm::dvec3>> targets;  ///< by vertex; none: it stays
+    std::size_t turn = 0;                            ///< the item that is next
+  } batch_;
+  std::uint32_t corner_ = 0;               ///< of the face whose turn it is
+  std::uint32_t next_face_ = 0;            ///< where the next batch of faces begins
+  Column<Vertex, std::uint32_t> swapped_;  ///< == swap_stamp_: at a swap since the batch was judged
+  std::uint32_t swap_stamp_ = 0;
+  std::optional<Colouring> colouring_;        ///< of the vertices that a pass of moves may move
+  std::size_t colour_ = 0, next_vertex_ = 0;  ///< where the next batch of vertices begins
 };
 
 }  // namespace aomd

@@ -7,7 +7,7 @@
 
 #include "core/decimate/quality_loop.h"
 #include "core/decimate/spacing.h"
-#include "core/operators/smooth.h"
+#include "core/mesh/parallel.h"
 
 namespace aomd {
 namespace {
@@ -22,7 +22,7 @@ double between(double regularity, double at_0, double at_half, double at_1) {
 }  // namespace
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options), original_(mesh), collapser_(mesh), fitter_(mesh, original_) {
+    : Loop(mesh, options), original_(mesh, options.threads), collapser_(mesh), fitter_(mesh, original_) {
   start(options);
 }
 
@@ -75,7 +75,7 @@ void QualityLoop::set_goals() {
 }
 
 void QualityLoop::restart(const DecimationOptions& options) {
-  original_.locate_anywhere(mesh_);
+  original_.locate_anywhere(mesh_, options.threads);
   guards_.restart(mesh_, options);
   start(options);
 }
@@ -100,26 +100,26 @@ void QualityLoop::begin_stage() {
 
 // What each vertex stands for: by the faces around it, or by the points of the original that lie on them now.
 void QualityLoop::measure_vertices(bool by_points) {
-  for (const Vertex v : mesh_.vertices()) {
+  normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
+  const auto measure = [&](std::uint32_t id) {
+    const Vertex v(id);
     State fresh;
     fresh.reach = state_[v].reach;
     fresh.model = mesh_.classification(v);
     state_[v] = fresh;
-  }
-  normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
-  if (by_points)
-    quadrics_of_points();
-  else
-    quadrics_of_faces();
+    if (!by_points) quadric_of_faces(v);
+  };
+  parallel_for(mesh_.capacity(0), options_.threads, vertices_a_piece,
+               [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
+  if (by_points) quadrics_of_points();
   quadrics_of_model_edges();
   fill_queue();
 }
 
 void QualityLoop::begin_improvement() {
-  original_.locate(mesh_);
+  original_.locate(mesh_, options_.threads);
   measure_energy();
-  cursor_ = corner_ = 0;
-  phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+  enter(options_.swap ? Phase::Swap : Phase::Smooth);
 }
 
 void QualityLoop::measure_energy() {
@@ -129,53 +129,14 @@ void QualityLoop::measure_energy() {
   fit_.mean_square = fit_.face_energy * faces / original_.area();
 }
 
-bool QualityLoop::advance_swap() {
-  const std::uint32_t id = mesh_.ids(2).next_alive(cursor_);
-  if (id >= mesh_.capacity(2)) {
-    end_phase();
-    return false;
-  }
-  if (id != cursor_) corner_ = 0;
-  cursor_ = corner_ == 2 ? id + 1 : id;
-  const auto t = mesh_.triangle(Face(id));
-  const Vertex a = t[corner_], b = t[(corner_ + 1) % 3];
-  corner_ = (corner_ + 1) % 3;
-  return a < b && try_swap(a, b);
-}
-
-bool QualityLoop::try_swap(Vertex a, Vertex b) {
-  EdgePair pair;
-  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
-    return false;
-  fitter_.swapped(pair);
-  apply_swap(mesh_, pair);
-  made(StepKind::Swap, pair.f);
-  return true;
-}
-
-bool QualityLoop::advance_smooth() {
-  const std::uint32_t id = mesh_.ids(0).next_alive(cursor_);
-  if (id >= mesh_.capacity(0)) {
-    end_phase();
-    return false;
-  }
-  cursor_ = id + 1;
-  return try_smooth(Vertex(id));
-}
-
-bool QualityLoop::try_smooth(Vertex v) {
-  glm::dvec3 target;
-  if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, target).accepted()) return false;
-  if (!guards_.judge(mesh_, v, fitter_.star(), target).accepted()) return false;
-  apply_smooth(mesh_, v, target);
-  made(StepKind::Smooth, v);
-  return true;
+void QualityLoop::enter(Phase phase) {
+  begin_pass();
+  phase_ = phase;
 }
 
 void QualityLoop::end_phase() {
-  cursor_ = corner_ = 0;
   if (phase_ == Phase::Swap && options_.smooth)
-    phase_ = Phase::Smooth;
+    enter(Phase::Smooth);
   else
     end_round();
 }
@@ -186,10 +147,10 @@ void QualityLoop::end_round() {
     phase_ = Phase::Done;
     return;
   }
-  original_.locate(mesh_);
+  original_.locate(mesh_, options_.threads);
   if (round_ < rounds()) {
     open_sweep();
-    phase_ = options_.swap ? Phase::Swap : Phase::Smooth;
+    enter(options_.swap ? Phase::Swap : Phase::Smooth);
   } else {
     ++stage_;
     begin_stage();
@@ -197,43 +158,10 @@ void QualityLoop::end_round() {
 }
 
 bool QualityLoop::advance() {
-  switch (phase_) {
-    case Phase::Collapse:
-      return advance_collapse();
-    case Phase::Swap:
-      return advance_swap();
-    case Phase::Smooth:
-      return advance_smooth();
-    case Phase::Done:
-      break;
-  }
-  return false;
-}
-
-std::uint32_t QualityLoop::swap_pass() {
-  std::uint32_t made = 0;
-  original_.locate(mesh_);
-  measure_energy();
-  for (const Face f : mesh_.faces())
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto t = mesh_.triangle(f);
-      if (t[k] < t[(k + 1) % 3]) made += try_swap(t[k], t[(k + 1) % 3]);
-    }
-  return pass_done(made);
-}
-
-std::uint32_t QualityLoop::smooth_pass() {
-  std::uint32_t made = 0;
-  original_.locate(mesh_);
-  measure_energy();
-  for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
-  return pass_done(made);
-}
-
-// Between two collapses the queue knows neither the new edges nor the new places.
-std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
-  original_.locate(mesh_);
-  if (made > 0 && phase_ == Phase::Collapse) measure_vertices(true);
+  if (phase_ == Phase::Collapse) return advance_collapse();
+  if (phase_ == Phase::Done) return false;
+  bool made = false;
+  if (!(phase_ == Phase::Swap ? next_swap(made) : next_move(made))) end_phase();
   return made;
 }
 

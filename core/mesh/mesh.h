@@ -41,8 +41,9 @@ struct Rebinding {
 using VertexBuffer = std::array<std::uint32_t, max_shape_vertices>;
 
 /// The database. Rows and references are valid until the next edit. Not copyable; movable while no request is
-/// out, and a mesh that was moved from is empty. Not thread-safe, existence queries included: they may build
-/// a hash set.
+/// out, and a mesh that was moved from is empty. Several threads may read at once while
+/// none edits; existence queries only after build_hash() or with stored adjacency, since they may build a
+/// hash set.
 class Mesh {
  public:
   Mesh() = default;
@@ -140,6 +141,8 @@ class Mesh {
   [[nodiscard]] Region find_region(std::span<const Vertex> vertices) const;
   /// The hash set of level 1, 2 or 3; may not be built.
   [[nodiscard]] const EntityHash& hash(int dim) const { return hashes_[static_cast<std::size_t>(dim)]; }
+  /// Builds it now if it is not: what several threads need before they ask at once. O(entities).
+  void build_hash(int dim) const;
   void drop_hash(int dim) { hashes_[static_cast<std::size_t>(dim)].release(); }
 
   // The mesh entities of each model entity (paper, section 2.2) ---------------------------------------------

@@ -20,15 +20,18 @@ std::uint64_t Mesh::hash_key(EntityRef e) const {
   return EntityHash::key(vertices_of(e, buffer));
 }
 
-std::uint32_t Mesh::find_by_hash(int dim, std::span<const std::uint32_t> vertices) const {
+void Mesh::build_hash(int dim) const {
   EntityHash& set = hashes_[static_cast<std::size_t>(dim)];
-  if (!set.built()) {
-    set.build(count(dim));
-    for (std::uint32_t id = 0; id < capacity(dim); ++id)
-      if (ids(dim).alive(id)) set.insert(hash_key(EntityRef(dim, id)), id);
-  }
-  return set.find(EntityHash::key(vertices),
-                  [&](std::uint32_t id) { return same_vertices(EntityRef(dim, id), vertices); });
+  if (set.built()) return;
+  set.build(count(dim));
+  for (std::uint32_t id = 0; id < capacity(dim); ++id)
+    if (ids(dim).alive(id)) set.insert(hash_key(EntityRef(dim, id)), id);
+}
+
+std::uint32_t Mesh::find_by_hash(int dim, std::span<const std::uint32_t> vertices) const {
+  build_hash(dim);
+  return hash(dim).find(EntityHash::key(vertices),
+                        [&](std::uint32_t id) { return same_vertices(EntityRef(dim, id), vertices); });
 }
 
 std::uint32_t Mesh::find_edge_index(std::uint32_t a, std::uint32_t b) const {

@@ -30,6 +30,13 @@ std::optional<double> parse_number(const std::string& text) {
   return value;
 }
 
+CLI::Option* add_threads(CLI::App& command, int& threads) {
+  CLI::Option* option = command.add_option(
+      "--threads", threads, "On how many threads to work; 0: one for each core. The result is the same");
+  option->type_name("N")->check(CLI::Range(0, 1024).description(""))->capture_default_str();
+  return option;
+}
+
 CLI::Validator angle_range() {
   const auto check = [](const std::string& text) -> std::string {
     const auto angle = parse_number(text);

@@ -60,6 +60,9 @@ void print_notes(const std::string& file, const std::vector<std::string>& notes)
 /// The whole text as a number, or nothing.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
+/// Adds --threads N: 0, the default, stands for all cores.
+CLI::Option* add_threads(CLI::App& command, int& threads);
+
 /// A validator for angles: more than 0 and less than 180 degrees.
 [[nodiscard]] CLI::Validator angle_range();
 

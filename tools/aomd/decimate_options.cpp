@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/decimate/spacing_expression.h"
+#include "core/mesh/parallel.h"
 
 namespace aomd::cli {
 namespace {
@@ -110,8 +111,8 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" + idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
-  put_into("How",
-           {strategy, regularity, features, improve, no_swap, no_smooth, snap, model, repair, without});
+  put_into("How", {strategy, regularity, features, improve, no_swap, no_smooth, snap, model, repair, without,
+                   add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -163,6 +164,7 @@ DecimationOptions DecimateOptions::for_library() const {
   for (int i = 0; i < idea_count; ++i)
     if (std::find(without.begin(), without.end(), idea_name(static_cast<Idea>(i))) != without.end())
       result.without |= 1u << i;
+  result.threads = thread_count(threads);
   result.swap = !no_swap;
   result.smooth = !no_smooth;
   return result;
@@ -206,6 +208,7 @@ Json DecimateOptions::json() const {
           {"without", without},
           {"swap", steps.swap},
           {"smooth", steps.smooth},
+          {"threads", steps.threads},
           {"topology", topology},
           {"keep", or_null(keep)},
           {"snap", snap},

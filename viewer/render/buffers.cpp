@@ -85,6 +85,8 @@ DiscBuffer::DiscBuffer(const Gl& gl) : VertexBuffer(gl) {
 
 DrawableBuffers::DrawableBuffers(const Gl& gl)
     : corners(gl),
+      cells(gl),
+      interior_edges(gl),
       model_edges(gl),
       model_vertices(gl),
       highlight_lines(gl),
@@ -96,11 +98,12 @@ DrawableBuffers::DrawableBuffers(const Gl& gl)
 void DrawableBuffers::upload(scene::Drawable& drawable) {
   origin = drawable.origin;
   bounds = drawable.bounds;
-  uploaded_bytes_ = corners.upload(drawable.corners) + model_edges.upload(drawable.model_edges) +
-                    model_vertices.upload(drawable.model_vertices) +
-                    highlight_lines.upload(drawable.highlight_lines) +
-                    highlight_discs.upload(drawable.highlight_discs) + selected.upload(drawable.selected) +
-                    hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
+  uploaded_bytes_ =
+      corners.upload(drawable.corners) + cells.upload(drawable.cells) +
+      interior_edges.upload(drawable.interior_edges) + model_edges.upload(drawable.model_edges) +
+      model_vertices.upload(drawable.model_vertices) + highlight_lines.upload(drawable.highlight_lines) +
+      highlight_discs.upload(drawable.highlight_discs) + selected.upload(drawable.selected) +
+      hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
 }
 
 }  // namespace aomd::render

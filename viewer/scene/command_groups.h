@@ -22,6 +22,9 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
 [[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
+[[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp
+[[nodiscard]] std::vector<Command> work_commands();       // command_work.cpp
+[[nodiscard]] std::vector<Command> compare_commands();    // command_compare.cpp
 [[nodiscard]] std::vector<Command> script_commands();     // command_scripts.cpp
 
 // What handlers of several files need.
@@ -32,6 +35,8 @@ namespace aomd::scene {
 void need_mesh(const Session& session);
 /// The same, and for a mesh that cannot be decimated. In command_files.cpp.
 void need_decimable(const Session& session);
+/// "angle", "length" or "valence" and a value in the bar. In command_compare.cpp.
+[[nodiscard]] MarkedBar bar_of_histogram(const std::string& kind, Arguments& arguments);
 /// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.
 void expect_adjacency(Session& session, Arguments& arguments);
 

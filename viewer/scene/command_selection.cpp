@@ -71,6 +71,13 @@ void select_refused(Session& session, Arguments& arguments) {
   arguments.fail("'" + word + "' is none of " + names);
 }
 
+void select_bar(Session& session, Arguments& arguments) {
+  const std::string kind = arguments.word("angle, length or valence");
+  const MarkedBar bar = bar_of_histogram(kind, arguments);
+  if (session.document.running()) arguments.fail("nothing is counted before the run has ended");
+  session.selection.replace(session.counted_in(bar));
+}
+
 void select(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::string word = arguments.word("what to select");
@@ -87,6 +94,8 @@ void select(Session& session, Arguments& arguments) {
     select_class(session, arguments);
   } else if (word == "refused") {
     select_refused(session, arguments);
+  } else if (word == "bar") {
+    select_bar(session, arguments);
   } else if (word == "grow") {
     arguments.end();
     session.refresh();
@@ -168,12 +177,12 @@ std::vector<Command> selection_commands() {
   return {
       {"select",
        "vertex|edge|face|region ID [ID...] | add|remove KIND ID [ID...] | none | grow | box X0 Y0 X1 Y1 "
-       "[add] | "
-       "class KIND:TAG | refused REASON",
+       "[add] | class KIND:TAG | refused REASON | bar angle|length|valence VALUE",
        "Selects entities by their ids, or what can be seen in a box (-1..1), or what lies on a model entity; "
        "grow takes what touches them too, refused the edges that decimation would refuse now for a reason: "
        "spacing, classification, topology, flat, angle, quality, kept, shape, distance, intersection, or "
-       "none. What is selected stays so while it lives.",
+       "none; bar what the bar of a histogram counts that VALUE lies in. What is selected stays so while it "
+       "lives.",
        CommandGroup::Selection,
        select,
        {{"Ctrl+G", "select grow"}}},
@@ -206,8 +215,7 @@ std::vector<Command> selection_commands() {
       {"preview",
        "on|off|best|1|2",
        "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
-       "way, or "
-       "the first or second end.",
+       "way, or the first or second end.",
        CommandGroup::Selection,
        preview,
        {}},

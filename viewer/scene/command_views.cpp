@@ -19,9 +19,12 @@ T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, 
 }
 
 void color(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Coloring>, 4> choices = {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 7> choices = {
       {{"classification", Coloring::Classification},
        {"spacing", Coloring::Spacing},
+       {"quality", Coloring::Quality},
+       {"distance", Coloring::Distance},
+       {"curvature", Coloring::Curvature},
        {"verdict", Coloring::Verdict},
        {"none", Coloring::None}}};
   session.view.coloring = choose(arguments, choices);
@@ -29,12 +32,14 @@ void color(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 6> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 8> choices = {
       {{"surface", &View::surface},
        {"edges", &View::edges},
        {"model-edges", &View::model_edges},
        {"model-vertices", &View::model_vertices},
        {"interfaces", &View::interfaces},
+       {"interior-edges", &View::interior_edges},
+       {"original", &View::original},
        {"operation", &View::operation}}};
   bool& shown = session.view.*choose(arguments, choices);
   shown = arguments.flag(shown);
@@ -74,10 +79,11 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  enum class Which { Mesh, Decimation, Adjacency, Selection, Timeline, All };
-  constexpr std::array<std::pair<std::string_view, Which>, 6> choices = {{{"mesh", Which::Mesh},
+  enum class Which { Mesh, Decimation, Adjacency, Histograms, Selection, Timeline, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 7> choices = {{{"mesh", Which::Mesh},
                                                                           {"decimation", Which::Decimation},
                                                                           {"adjacency", Which::Adjacency},
+                                                                          {"histograms", Which::Histograms},
                                                                           {"selection", Which::Selection},
                                                                           {"timeline", Which::Timeline},
                                                                           {"all", Which::All}}};
@@ -94,20 +100,26 @@ void panel(Session& session, Arguments& arguments) {
   if (which == Which::Decimation) turn_page(Page::Decimation);
   if (which == Which::Adjacency) turn_page(Page::Adjacency);
   if (which == Which::Selection) turn_page(Page::Selection);
+  if (which == Which::Histograms) turn_page(Page::Histograms);
   if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
   if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
   arguments.end();
 }
 
 void dialog(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Dialog>, 6> choices = {{{"open", Dialog::Open},
+  constexpr std::array<std::pair<std::string_view, Dialog>, 8> choices = {{{"open", Dialog::Open},
                                                                            {"save", Dialog::Save},
                                                                            {"screenshot", Dialog::Screenshot},
                                                                            {"shortcuts", Dialog::Shortcuts},
                                                                            {"about", Dialog::About},
+                                                                           {"unsaved", Dialog::Unsaved},
+                                                                           {"recovery", Dialog::Recovery},
                                                                            {"none", Dialog::None}}};
-  session.view.dialog = choose(arguments, choices);
+  const Dialog wanted = choose(arguments, choices);
   arguments.end();
+  if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
+  session.view.dialog = wanted;
+  if (wanted != Dialog::Save) session.asked.clear();
 }
 
 void dismiss(Session& session, Arguments& arguments) {
@@ -120,16 +132,19 @@ void dismiss(Session& session, Arguments& arguments) {
 std::vector<Command> view_commands() {
   return {
       {"color",
-       "classification|spacing|verdict|none",
-       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, or why each "
-       "edge would be refused now.",
+       "classification|spacing|quality|distance|curvature|verdict|none",
+       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, the "
+       "smallest angle of each face, its distance to the mesh as loaded, how strongly the surface bends, or "
+       "why each edge would be refused now.",
        CommandGroup::View,
        color,
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
-       "surface|edges|model-edges|model-vertices|interfaces|operation [on|off|toggle]",
-       "interfaces are the faces between two model regions, seen where something is hidden; operation is "
-       "what the last single step touched.",
+       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|operation "
+       "[on|off|toggle]",
+       "interfaces are the faces between two model regions, seen where something is hidden; interior-edges "
+       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded, as glass "
+       "over the present one; operation is what the last single step touched.",
        CommandGroup::View,
        show,
        {{"E", "show edges toggle"},
@@ -156,17 +171,19 @@ std::vector<Command> view_commands() {
        theme,
        {{"T", "theme toggle"}}},
       {"panel",
-       "mesh|decimation|adjacency|selection|timeline|all [on|off|toggle]",
-       "Which panels are there; decimation, adjacency and selection share the one on the right.",
+       "mesh|decimation|adjacency|histograms|selection|timeline|all [on|off|toggle]",
+       "Which panels are there; decimation, adjacency, histograms and selection share the one on the right.",
        CommandGroup::View,
        panel,
        {{"Tab", "panel all toggle"},
         {"D", "panel decimation on"},
         {"A", "panel adjacency on"},
-        {"X", "panel selection on"}}},
+        {"G", "panel histograms on"},
+        {"P", "panel selection on"}}},
       {"dialog",
-       "open|save|screenshot|shortcuts|about|none",
-       "Opens one of the dialogs.",
+       "open|save|screenshot|shortcuts|about|unsaved|recovery|none",
+       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists what "
+       "programs that died have left.",
        CommandGroup::View,
        dialog,
        {{"F1", "dialog shortcuts"}}},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -27,6 +28,39 @@ double inner_radius(const std::array<glm::dvec2, 3>& t) {
   return around > 0 ? std::abs(u.x * v.y - u.y * v.x) / around : 0;
 }
 
+/// What the clipping plane leaves, where it cuts or takes whole faces away; a skin is made without the
+/// regions that it takes.
+class Clipping {
+ public:
+  Clipping(const Shown& shown, const View& view) {
+    if (!view.clip || (view.clip->cells && shown.skin)) return;
+    plane_ = view.clip->plane(shown.bounds);
+    cuts_ = !view.clip->cells;
+  }
+  [[nodiscard]] bool keeps(const glm::dvec3& p) const { return !plane_ || !cuts_ || height(p) >= 0; }
+  [[nodiscard]] bool keeps(const Mesh& drawn, Face f) const {
+    if (!plane_ || cuts_) return true;
+    const auto [a, b, c] = drawn.triangle(f);
+    return height((drawn.position(a) + drawn.position(b) + drawn.position(c)) / 3.0) >= 0;
+  }
+  /// From where to where a ray is on the side that is kept.
+  [[nodiscard]] std::pair<double, double> kept_part(const Ray& ray) const {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    if (!plane_ || !cuts_) return {0, unlimited};
+    const double rise = glm::dot(glm::dvec3(*plane_), ray.direction), from = height(ray.origin);
+    if (rise > 0) return {std::max(0.0, -from / rise), unlimited};
+    if (rise < 0) return {0, -from / rise};
+    return {0, from >= 0 ? unlimited : -1};
+  }
+
+ private:
+  [[nodiscard]] double height(const glm::dvec3& p) const {
+    return glm::dot(glm::dvec3(*plane_), p) + plane_->w;
+  }
+  std::optional<glm::dvec4> plane_;
+  bool cuts_ = false;
+};
+
 /// The nearest corner and side of a face on the picture.
 struct Near {
   std::size_t corner = 0, side = 3;  ///< side k goes from corner k to the next; 3: none
@@ -34,16 +68,22 @@ struct Near {
   double radius_px = 0;  ///< of the face's inner circle
 };
 
+/// What is clipped away is not near.
 Near nearest_parts(const Projector& project, const Mesh& drawn, Face face, std::uint32_t flags,
-                   glm::dvec2 at) {
+                   const Clipping& clipping, glm::dvec2 at) {
   const auto t = drawn.triangle(face);
   std::array<glm::dvec2, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = project(drawn.position(t[i]));
+  std::array<bool, 3> kept{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = project(drawn.position(t[i]));
+    kept[i] = clipping.keeps(drawn.position(t[i]));
+  }
   Near near;
   near.radius_px = inner_radius(p);
   for (std::size_t i = 0; i < 3; ++i) {
-    if (const double d = glm::length(p[i] - at); d < near.corner_px) near.corner = i, near.corner_px = d;
-    if ((flags >> i & 1u) != 0) continue;  // a quad's diagonal
+    if (const double d = glm::length(p[i] - at); kept[i] && d < near.corner_px)
+      near.corner = i, near.corner_px = d;
+    if ((flags >> i & 1u) != 0 || !(kept[i] || kept[(i + 1) % 3])) continue;  // a quad's diagonal
     if (const double d = distance_to_segment(at, p[i], p[(i + 1) % 3]); d < near.side_px)
       near.side = i, near.side_px = d;
   }
@@ -80,6 +120,7 @@ glm::dvec2 Projector::operator()(const glm::dvec3& p) const {
 
 void Picker::forget() {
   tree_.reset();
+  cells_.reset();
   edges_known_ = false;
 }
 
@@ -95,6 +136,12 @@ void Picker::note(const SurfaceChanges& changes) {
 }
 
 void Picker::build(const Shown& shown) {
+  if (!cells_ && !shown.cells.empty()) {
+    std::vector<Triangle> cells(shown.cells.size() / 3);
+    for (std::size_t i = 0; i < shown.cells.size(); ++i)
+      cells[i / 3][i % 3] = shown.origin + glm::dvec3(shown.cells[i].position);
+    cells_ = std::make_unique<const TriangleTree>(cells);
+  }
   if (tree_) return;
   Triangles triangles = triangles_of(shown.drawn);
   tree_ = std::make_unique<const TriangleTree>(triangles.corners);
@@ -104,22 +151,40 @@ void Picker::build(const Shown& shown) {
 }
 
 std::optional<Picker::Hit> Picker::first(const Shown& shown, const View& view, const Ray& ray) const {
-  const auto shows = [&](Face f) { return !view.hidden.contains(shown.drawn.classification(f)); };
+  const auto [from, to] = Clipping(shown, view).kept_part(ray);
+  const Ray kept{ray.origin + from * ray.direction, ray.direction};
+  Hit best = first_face(shown, view, kept);
+  if (cells_) {
+    const auto hit = cells_->first_along(kept.origin, kept.direction, [](std::uint32_t) { return true; });
+    if (hit.distance < best.distance)
+      best = {{}, shown.cell_regions[cells_->source(hit.triangle)], hit.distance};
+  }
+  best.distance += from;
+  if (!(best.distance <= to) || !std::isfinite(best.distance)) return {};
+  return best;
+}
+
+/// Infinitely far where there is none.
+Picker::Hit Picker::first_face(const Shown& shown, const View& view, const Ray& ray) const {
+  const Clipping clipping(shown, view);
+  const auto shows = [&](Face f) {
+    return !view.hidden.contains(shown.drawn.classification(f)) && clipping.keeps(shown.drawn, f);
+  };
   const auto takes = [&](std::uint32_t n) {
     const Face f = faces_[tree_->source(n)];
     return changed_[f.index] == 0 && shows(f);
   };
   const TriangleTree::RayHit hit = tree_->first_along(ray.origin, ray.direction, takes);
-  Hit best{{}, hit.distance};
+  Hit best{{}, {}, hit.distance};
   if (hit.triangle != no_index) best.face = faces_[tree_->source(hit.triangle)];
   for (const Face f : loose_) {
     if (!shown.drawn.alive(f) || !shows(f)) continue;
     const auto t = shown.drawn.triangle(f);
     const Triangle corners{shown.drawn.position(t[0]), shown.drawn.position(t[1]),
                            shown.drawn.position(t[2])};
-    if (const double d = distance_along(ray.origin, ray.direction, corners); d < best.distance) best = {f, d};
+    if (const double d = distance_along(ray.origin, ray.direction, corners); d < best.distance)
+      best = {f, {}, d};
   }
-  if (!best.face.valid()) return {};
   return best;
 }
 
@@ -160,19 +225,26 @@ EntityRef Picker::at(const Shown& shown, const View& view, glm::dvec2 ndc) {
     if (!hit)
       hit = first(shown, view, view.camera.ray(project.ndc(at + reach_px * d), view.aspect, shown.bounds));
   if (!hit) return {};
-  const auto t = shown.drawn.triangle(hit->face);
-  const Near near = nearest_parts(project, shown.drawn, hit->face, flags_of(shown, hit->face), at);
   const bool any = view.pick_level == PickLevel::Automatic;
+  if (!hit->face.valid()) {
+    const bool taken = !beside && hit->region.valid() && (any || view.pick_level == PickLevel::Region);
+    return taken ? EntityRef(hit->region) : EntityRef();
+  }
+  const auto t = shown.drawn.triangle(hit->face);
+  const Near near =
+      nearest_parts(project, shown.drawn, hit->face, flags_of(shown, hit->face), Clipping(shown, view), at);
   // On small faces there is less room for each.
   const double vertex_reach = beside ? vertex_px : std::min(vertex_px, 0.7 * near.radius_px);
   const double edge_reach = beside ? edge_px : std::min(edge_px, 0.5 * near.radius_px);
-  if (view.pick_level == PickLevel::Vertex || (any && near.corner_px <= vertex_reach))
+  const bool some_corner = std::isfinite(near.corner_px);
+  if (some_corner && (view.pick_level == PickLevel::Vertex || (any && near.corner_px <= vertex_reach)))
     return whole(shown, t[near.corner]);
   if (near.side < 3 && (view.pick_level == PickLevel::Edge || (any && near.side_px <= edge_reach))) {
     const Edge e = entity(shown, whole(shown, t[near.side]), whole(shown, t[(near.side + 1) % 3]));
     if (e.valid()) return e;
   }
-  if (view.pick_level == PickLevel::Edge || (beside && any)) return {};
+  if (view.pick_level == PickLevel::Vertex || view.pick_level == PickLevel::Edge || (beside && any))
+    return {};
   return whole(shown, hit->face, view.pick_level);
 }
 
@@ -207,20 +279,33 @@ void Picker::add_parts(const Shown& shown, const View& view, const Inside& insid
   }
 }
 
+void Picker::add_cells(const Shown& shown, const View& view, const Inside& inside,
+                       std::vector<EntityRef>& found) {
+  if (view.pick_level != PickLevel::Automatic && view.pick_level != PickLevel::Region) return;
+  for (std::uint32_t n = 0; cells_ && n < cells_->size(); ++n) {
+    const Region region = shown.cell_regions[cells_->source(n)];
+    const auto& [a, b, c] = cells_->triangle(n);
+    if (region.valid() && inside(a) && inside(b) && inside(c) &&
+        visible(shown, view, inside.project, (a + b + c) / 3.0, {}))
+      found.emplace_back(region);
+  }
+}
+
 std::vector<EntityRef> Picker::within(const Shown& shown, const View& view, glm::dvec2 low, glm::dvec2 high) {
   if (!loose_.empty()) forget();  // too many rays to look at those for each
   build(shown);
   const Mesh& drawn = shown.drawn;
-  Inside inside{Projector(view, shown.bounds), Column<Vertex, std::uint8_t>(drawn.capacity(0), 0)};
-  const glm::dvec2 from = inside.project.pixels(glm::min(low, high)),
-                   to = inside.project.pixels(glm::max(low, high));
-  for (const Vertex v : drawn.vertices()) {
-    const glm::dvec2 p = inside.project(drawn.position(v));
-    inside.vertices[v] = p.x >= from.x && p.y >= from.y && p.x <= to.x && p.y <= to.y;
-  }
+  const Projector project(view, shown.bounds);
+  Inside inside{project, project.pixels(glm::min(low, high)), project.pixels(glm::max(low, high)),
+                Column<Vertex, std::uint8_t>(drawn.capacity(0), 0)};
+  const Clipping clipping(shown, view);
+  for (const Vertex v : drawn.vertices())
+    inside.vertices[v] = inside(drawn.position(v)) && clipping.keeps(drawn.position(v));
   std::vector<EntityRef> found;
   for (const Face f : drawn.faces())
-    if (!view.hidden.contains(drawn.classification(f))) add_parts(shown, view, inside, f, found);
+    if (!view.hidden.contains(drawn.classification(f)) && clipping.keeps(drawn, f))
+      add_parts(shown, view, inside, f, found);
+  add_cells(shown, view, inside, found);
   return found;
 }
 

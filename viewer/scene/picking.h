@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/drawable.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/surface_changes.h"
 #include "viewer/scene/view.h"
@@ -24,6 +26,9 @@ struct Shown {
   const Mesh& mesh;                   ///< the same one, for a surface of triangles
   const SkinSurface* skin = nullptr;  ///< leads from one to the other where they differ
   Box bounds;
+  std::span<const Corner> cells = {};         ///< sections and shrunken regions, relative to `origin`
+  std::span<const Region> cell_regions = {};  ///< of each triangle of those
+  glm::dvec3 origin{0};
 };
 
 /// From the world to the picture, in pixels from its lower left corner.
@@ -48,9 +53,12 @@ class Picker {
   /// Another surface is shown, or parts of it have changed: the faces of `changes`.
   void forget();
   void note(const SurfaceChanges& changes);
+  /// Other cells are shown.
+  void forget_cells() { cells_.reset(); }
 
   /// The entity at a place (-1..1): what the view's level asks for. An invalid one beside the surface. Hidden
-  /// classes are looked through. O(log n) once the tree is there (0.1 s for 200,000 faces).
+  /// classes and what the clipping plane takes away are looked through; sections and shrunken regions give
+  /// their region. O(log n) once the tree is there (0.1 s for 200,000 faces).
   [[nodiscard]] EntityRef at(const Shown& shown, const View& view, glm::dvec2 ndc);
   /// What can be seen in a rectangle, as a whole: of the view's level, Automatic takes faces.
   [[nodiscard]] std::vector<EntityRef> within(const Shown& shown, const View& view, glm::dvec2 low,
@@ -58,25 +66,34 @@ class Picker {
 
  private:
   struct Hit {
-    Face face;  ///< of what is drawn
+    Face face;      ///< of what is drawn; invalid: a triangle of `region`
+    Region region;  ///< of a section, or shrunken
     double distance = 0;
   };
   void build(const Shown& shown);
   [[nodiscard]] std::optional<Hit> first(const Shown& shown, const View& view, const Ray& ray) const;
+  [[nodiscard]] Hit first_face(const Shown& shown, const View& view, const Ray& ray) const;
   struct Inside {
     Projector project;
+    glm::dvec2 low, high;  ///< in pixels
     Column<Vertex, std::uint8_t> vertices;
+    [[nodiscard]] bool operator()(const glm::dvec3& p) const {
+      const glm::dvec2 at = project(p);
+      return at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y;
+    }
   };
   [[nodiscard]] bool visible(const Shown& shown, const View& view, const Projector& project,
                              const glm::dvec3& p, Face own) const;
   void add_parts(const Shown& shown, const View& view, const Inside& inside, Face f,
                  std::vector<EntityRef>& found);
+  void add_cells(const Shown& shown, const View& view, const Inside& inside, std::vector<EntityRef>& found);
   [[nodiscard]] Edge entity(const Shown& shown, Vertex a, Vertex b);
 
   std::unique_ptr<const TriangleTree> tree_;
-  std::vector<Face> faces_;            ///< by the tree's source index
-  std::vector<std::uint8_t> changed_;  ///< by face: the tree does not know it as it is
-  std::vector<Face> loose_;            ///< those faces
+  std::unique_ptr<const TriangleTree> cells_;  ///< of the cells, where there are some
+  std::vector<Face> faces_;                    ///< by the tree's source index
+  std::vector<std::uint8_t> changed_;          ///< by face: the tree does not know it as it is
+  std::vector<Face> loose_;                    ///< those faces
   bool edges_known_ = false;
   std::unordered_map<std::uint64_t, Edge> edges_;  ///< of a mesh that does not store T(0,1)
 };

@@ -92,6 +92,19 @@ void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const 
   painter.finish();
 }
 
+void draw_cells(const Drawable& drawable, std::span<const Region> regions,
+                std::span<const EntityRef> entities, const OverlayStyle& style, Overlay& overlay) {
+  if (regions.empty() || entities.empty() || entities.back().dimension != 3) return;
+  std::vector<Corner> corners(overlay.faces.values().begin(), overlay.faces.values().end());
+  for (std::size_t n = 0; n < regions.size(); ++n) {
+    if (!regions[n].valid() || !std::binary_search(entities.begin(), entities.end(), EntityRef(regions[n])))
+      continue;
+    for (std::size_t i = 3 * n; i < 3 * n + 3; ++i)
+      corners.push_back({drawable.cells[i].position, 0, with_alpha(style.color, style.face_alpha), 0});
+  }
+  overlay.faces.assign(std::move(corners));
+}
+
 Box box_of(const Mesh& mesh, std::span<const EntityRef> entities) {
   Box box;
   VertexBuffer buffer;

@@ -26,6 +26,11 @@ void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const 
                    const glm::dvec3& origin, Overlay& overlay);
 inline constexpr std::size_t most_drawn = 60000;
 
+/// Tints the cells of a drawable (sections and shrunken regions, `regions` gives the one of each triangle)
+/// that belong to entities. O(cells log(entities)); `entities` are sorted.
+void draw_cells(const Drawable& drawable, std::span<const Region> regions,
+                std::span<const EntityRef> entities, const OverlayStyle& style, Overlay& overlay);
+
 /// The box around the vertices of entities.
 [[nodiscard]] Box box_of(const Mesh& mesh, std::span<const EntityRef> entities);
 /// The middle of an entity's vertices.

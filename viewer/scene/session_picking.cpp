@@ -8,8 +8,10 @@
 namespace aomd::scene {
 
 Shown Session::shown() const {
+  const Drawable& drawable = drawing_.drawable();
   if (skin_surface_)
-    return {skin_surface_->mesh, document.mesh(), &*skin_surface_, document.content().bounds};
+    return {skin_surface_->mesh,     document.mesh(), &*skin_surface_, document.content().bounds,
+            drawable.cells.values(), cell_regions_,   drawable.origin};
   return {document.mesh(), document.mesh(), nullptr, document.content().bounds};
 }
 
@@ -76,16 +78,17 @@ void Session::refresh_preview() {
     draw_preview(document.mesh(), *judgement_->move, drawable.origin, drawable.preview);
 }
 
-void Session::refresh_selection(bool mesh_changed) {
+void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
   const Mesh& mesh = document.mesh();
   if (mesh_changed) {
     selection.drop_dead(mesh);
     hovered_.reset();
   }
   Drawable& drawable = drawing_.drawable();
-  if (mesh_changed || selection.revision() != drawn_selection_) {
+  if (mesh_changed || cells_changed || selection.revision() != drawn_selection_) {
     drawable.selected.clear();
     draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
+    draw_cells(drawable, cell_regions_, selection.entities(), selected_style(), drawable.selected);
     drawn_selection_ = selection.revision();
   }
   refresh_inspection(mesh_changed);
@@ -93,8 +96,10 @@ void Session::refresh_selection(bool mesh_changed) {
   const EntityRef over = hovered_ ? hovered_->entity : EntityRef();
   if (over != drawn_hover_) {
     drawable.hovered.clear();
-    if (over.valid())
+    if (over.valid()) {
       draw_entities(mesh, std::span(&over, 1), hovered_style(), drawable.origin, drawable.hovered);
+      draw_cells(drawable, cell_regions_, std::span(&over, 1), hovered_style(), drawable.hovered);
+    }
     drawn_hover_ = over;
   }
 }

@@ -79,6 +79,7 @@ void last_sweep_section(Frame& frame) {
   if (sweep == nullptr) return;
   gap();
   heading(frame, "Last sweep");
+  copy_button(frame, "refusals");
   std::string made = grouped(sweep->collapses) + " collapses";
   if (sweep->swaps > 0) made += ", " + grouped(sweep->swaps) + " swaps";
   if (sweep->smooths > 0) made += ", " + grouped(sweep->smooths) + " smoothed";

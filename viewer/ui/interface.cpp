@@ -8,7 +8,9 @@
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
 #include "viewer/ui/scene_labels.h"
+#include "viewer/ui/splitter.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/ui/work_dialogs.h"
 
 namespace aomd::ui {
 namespace {
@@ -31,6 +33,11 @@ void docked(const char* id, const Area& area, ImGuiWindowFlags flags, Content&& 
   ImGui::End();
 }
 
+bool holds(const Area& area, ImVec2 p) {
+  return p.x >= area.position.x && p.y >= area.position.y && p.x <= area.position.x + area.size.x &&
+         p.y <= area.position.y + area.size.y;
+}
+
 std::string number(double value) { return scene::short_number(value, 5); }
 
 constexpr double degrees_per_window = 180;  // what a drag across the shorter side turns
@@ -40,11 +47,15 @@ constexpr double degrees_per_window = 180;  // what a drag across the shorter si
 std::vector<std::string> Interface::draw(const scene::Session& session, const Fonts& fonts) {
   Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), interactive, {}};
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
-  scene_labels(frame, layout_.viewport);
+  present_ = picture_area(layout_.viewport, session.side_by_side(), true);
+  scene_labels(frame, present_);
   if (bars) {
+    picture_labels(frame, layout_.viewport);
     draw_panels(frame);
+    draw_splitters(frame, layout_);
     draw_messages(frame, layout_.viewport);
     draw_dialogs(frame, dialogs_);
+    draw_series_progress(frame);
   }
   handle_mouse(frame);
   return std::move(frame.lines);
@@ -63,14 +74,18 @@ void Interface::draw_panels(Frame& frame) {
   docked("##mesh", layout_.mesh, ImGuiWindowFlags_None, [&] {
     mesh_panel(frame);
     gap();
+    clip_controls(frame);
     legend_panel(frame);
   });
-  docked("##side", layout_.side, ImGuiWindowFlags_None, [&] { side_panel(frame, drafts_); });
+  docked("##side", layout_.side, ImGuiWindowFlags_None,
+         [&] { side_panel(frame, drafts_, histogram_drafts_); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
 
 std::string Interface::line_for_chord(const scene::Session& session, std::string_view chord) {
+  if (session.series() != nullptr && session.view.dialog == scene::Dialog::None)
+    return chord == "Escape" ? "cancel" : "";
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
   if (chord == "Escape" && session.idle() && !session.selection.empty()) return "select none";
@@ -79,39 +94,35 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
 }
 
 std::string Interface::place_words(ImVec2 mouse) const {
-  const Area& area = layout_.viewport;
-  const double x = 2 * (mouse.x - area.position.x) / area.size.x - 1;
-  const double y = 1 - 2 * (mouse.y - area.position.y) / area.size.y;
+  const double x = 2 * (mouse.x - present_.position.x) / present_.size.x - 1;
+  const double y = 1 - 2 * (mouse.y - present_.position.y) / present_.size.y;
   return number(std::clamp(x, -1.0, 1.0)) + " " + number(std::clamp(y, -1.0, 1.0));
 }
 
-/// A press that stays where it is selects, with Ctrl a drag selects a box.
+/// A press that stays where it is selects, with Ctrl a drag selects a box. The mesh as loaded, beside the
+/// present one, is only looked at.
 void Interface::handle_click(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   constexpr float still_px = 4;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && dragging_) {
     began_ = io.MousePos;
     moved_ = false;
-    boxing_ = io.KeyCtrl;
+    boxing_ = io.KeyCtrl && holds(present_, io.MousePos);
   }
   if (!dragging_) return;
   moved_ = moved_ || std::abs(io.MousePos.x - began_.x) + std::abs(io.MousePos.y - began_.y) > still_px;
   if (boxing_ && moved_) selection_box(frame, began_, io.MousePos);
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
   const char* adds = io.KeyShift ? " add" : "";
-  if (!moved_) frame.emit("pick " + place_words(io.MousePos) + adds);
+  if (!moved_ && holds(present_, io.MousePos)) frame.emit("pick " + place_words(io.MousePos) + adds);
   if (moved_ && boxing_)
     frame.emit("select box " + place_words(began_) + " " + place_words(io.MousePos) + adds);
 }
 
 void Interface::handle_hover(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Area& area = layout_.viewport;
-  const bool inside = io.MousePos.x >= area.position.x && io.MousePos.y >= area.position.y &&
-                      io.MousePos.x <= area.position.x + area.size.x &&
-                      io.MousePos.y <= area.position.y + area.size.y;
-  const bool points =
-      inside && !io.WantCaptureMouse && !dragging_ && io.MouseWheel == 0 && frame.session.idle();
+  const bool points = holds(present_, io.MousePos) && !io.WantCaptureMouse && !dragging_ &&
+                      io.MouseWheel == 0 && frame.session.idle();
   if (!points) {
     hovered_at_ = {-1, -1};
     if (interactive && frame.session.hovered()) frame.emit("hover off");
@@ -124,7 +135,8 @@ void Interface::handle_hover(Frame& frame) {
 
 void Interface::handle_mouse(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Area& area = layout_.viewport;
+  const bool right = io.MousePos.x > layout_.viewport.position.x + 0.5f * layout_.viewport.size.x;
+  const Area area = picture_area(layout_.viewport, frame.session.side_by_side(), right);
   if (!frame.has_mesh() || area.size.x < 2 || area.size.y < 2) return;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool other =

@@ -27,19 +27,23 @@ class Interface {
   /// The line that a chord means now; empty where it means nothing or goes into a field.
   [[nodiscard]] static std::string line_for_chord(const scene::Session& session, std::string_view chord);
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// What the palette has run, newest first: kept between sessions.
+  [[nodiscard]] std::vector<std::string>& recent_commands() { return dialogs_.palette.recent; }
   void remember_folder(const std::filesystem::path& folder) { dialogs_.meshes.set_folder(folder); }
 
  private:
   void draw_panels(Frame& frame);
   void handle_mouse(Frame& frame);
-
-  Layout layout_;
-  DialogState dialogs_;
-  DecimationDrafts drafts_;
   void handle_click(Frame& frame);
   void handle_hover(Frame& frame);
+  /// Where the mouse is on the picture of the present mesh, from -1 to 1.
   [[nodiscard]] std::string place_words(ImVec2 mouse) const;
 
+  Layout layout_;
+  Area present_;  ///< the picture of the present mesh, in the layout's viewport
+  DialogState dialogs_;
+  DecimationDrafts drafts_;
+  HistogramDrafts histogram_drafts_;
   bool dragging_ = false;  ///< a drag that began on the scene
   bool moved_ = false;     ///< and has left the place where it began: no click
   bool boxing_ = false;    ///< a drag with Ctrl
