@@ -33,7 +33,8 @@ double area_of(const Mesh& mesh, int threads) {
 
 }  // namespace
 
-OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh.capacity(0)) {
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
+    : taken_by_(mesh.capacity(0)) {
   for (const Vertex v : mesh.vertices()) {
     taken_by_[v] = v;
     if (!mesh.row<2>(v).empty()) vertex_of_.push_back(v);
@@ -46,6 +47,24 @@ OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh
   for (const OriginalPoint& p : points_) box.add(p.position);
   diagonal_ = box.diagonal();
   area_ = area_of(mesh, threads);
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh);
+}
+
+void OriginalSurface::add_faces(const Mesh& mesh) {
+  for (OriginalPoint& p : points_) p.weight /= 4;
+  points_.reserve(points_.size() + mesh.count(2));
+  vertex_of_.reserve(points_.capacity());
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    const glm::dvec3 normal = area_normal(a, b, c);
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(normal / length),
+                       .weight = static_cast<float>(0.75 * length / 2)});
+    vertex_of_.push_back(t[0]);
+  }
 }
 
 void OriginalSurface::set_point(const Mesh& mesh, std::size_t i) {
