@@ -156,8 +156,8 @@ Quality measure_quality(const Mesh& mesh) {
   return {sum / n, worst, 100 * static_cast<double>(below) / n};
 }
 
-std::size_t count_flips(const TriangleTree& original, const Mesh& result) {
-  return measure_normals(original, result).flips;
+std::size_t count_flips(const TriangleTree& original, const Mesh& result, int threads) {
+  return measure_normals(original, result, threads).flips;
 }
 
 }  // namespace aomd::measure

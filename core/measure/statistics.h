@@ -44,6 +44,6 @@ struct Quality {
 /// original, seen from the middle of the face, differ by more than 90 degrees. Where several faces of the
 /// original are equally near the best counts. Faces without area are passed over. About O(faces log
 /// originals).
-[[nodiscard]] std::size_t count_flips(const TriangleTree& original, const Mesh& result);
+[[nodiscard]] std::size_t count_flips(const TriangleTree& original, const Mesh& result, int threads = 1);
 
 }  // namespace aomd::measure

@@ -143,8 +143,9 @@ class Run {
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
-    self_intersections_ = measure::self_intersections(mesh_).size();
-    flips_ = measure::count_flips(TriangleTree(triangles_of(original_).corners), mesh_);
+    self_intersections_ = measure::self_intersections(mesh_, steps_.threads).size();
+    const TriangleTree original(triangles_of(original_).corners, steps_.threads);
+    flips_ = measure::count_flips(original, mesh_, steps_.threads);
     verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
     stop_if_interrupted();
