@@ -1,4 +1,4 @@
-// Loops on several threads, and colours of vertices.
+// Loops on several threads.
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/decimate/colouring.h"
-#include "core/mesh/column.h"
 #include "core/mesh/parallel.h"
-#include "core/samples/samples.h"
-#include "zoo.h"
 
 namespace aomd {
 namespace {
@@ -78,64 +74,6 @@ TEST(EachAliveTest, SkipsTheDeadAndStopsAtTheEnd) {
   EXPECT_EQ(visited(0, 1), (std::vector<std::uint32_t>{}));
   EXPECT_EQ(visited(197, 5000), (std::vector<std::uint32_t>{197, 198}));
   EXPECT_EQ(visited(300, 400), (std::vector<std::uint32_t>{}));
-}
-
-//  3--2     0, 1 and 2 touch each other; 3 touches 0 and 2
-//  | /|
-//  |/ |
-//  0--1
-TEST(ColouringTest, ASquareHasThreeColours) {
-  Mesh mesh(zoo::square());
-  mesh.set(0, 2);
-  const Colouring all(mesh, [](Vertex) { return true; });
-  ASSERT_EQ(all.colours(), 3u);
-  EXPECT_EQ(all.vertices(0).size(), 1u);
-  ASSERT_EQ(all.vertices(1).size(), 2u);
-  EXPECT_EQ(all.vertices(1)[0], Vertex(1));
-  EXPECT_EQ(all.vertices(1)[1], Vertex(3));
-  EXPECT_EQ(all.vertices(2)[0], Vertex(2));
-  EXPECT_EQ(Colouring(mesh, [](Vertex) { return false; }).colours(), 0u);
-}
-
-// Every pair of 70 vertices is joined, so that each needs a colour of its own.
-TEST(ColouringTest, AnyNumberOfColours) {
-  constexpr std::uint32_t n = 70;
-  std::vector<glm::dvec3> p;
-  zoo::Triangles t;
-  for (std::uint32_t i = 0; i < n; ++i) p.emplace_back(i, i * i, i * i * i);
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t k = i + 1; k + 1 < n; ++k) t.push_back({i, k, k + 1});
-  Mesh mesh(zoo::make(p, t));
-  mesh.set(0, 2);
-  EXPECT_EQ(Colouring(mesh, [](Vertex) { return true; }).colours(), n);
-}
-
-TEST(ColouringTest, NoFaceHasAColourTwiceAndEveryWantedVertexHasOne) {
-  std::vector<zoo::Animal> all = zoo::all();
-  all.push_back({"scan", make_sample("scan", 3000)});
-  for (const zoo::Animal& animal : all) {
-    Mesh mesh(animal.data);
-    mesh.set(0, 2);
-    const auto wanted = [](Vertex v) { return v.index % 5 != 2; };
-    const Colouring colouring(mesh, wanted);
-    Column<Vertex, std::uint32_t> colour(mesh.capacity(0), no_index);
-    std::size_t painted = 0, expected = 0;
-    for (std::uint32_t c = 0; c < colouring.colours(); ++c) {
-      EXPECT_FALSE(colouring.vertices(c).empty());
-      EXPECT_TRUE(std::is_sorted(colouring.vertices(c).begin(), colouring.vertices(c).end()));
-      for (const Vertex v : colouring.vertices(c)) colour[v] = c, ++painted;
-    }
-    for (const Vertex v : mesh.vertices()) {
-      EXPECT_EQ(colour[v] != no_index, wanted(v)) << animal.name;
-      expected += wanted(v);
-    }
-    EXPECT_EQ(painted, expected) << animal.name << ": none twice";
-    for (const Face f : mesh.faces()) {
-      const auto [a, b, c] = mesh.triangle(f);
-      EXPECT_TRUE(colour[a] == no_index || (colour[a] != colour[b] && colour[a] != colour[c])) << animal.name;
-      EXPECT_TRUE(colour[b] == no_index || colour[b] != colour[c]) << animal.name;
-    }
-  }
 }
 
 }  // namespace
