@@ -181,8 +181,7 @@ TEST(FitterTest, ALiftedVertexGoesBack) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  Star star;
-  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, target).accepted());
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, target).accepted());
   EXPECT_LT(std::abs(target.z), 0.02);
   EXPECT_LT(glm::length(target - glm::dvec3(2, 2, 0)), 0.1);
 }
@@ -195,13 +194,12 @@ TEST(FitterTest, VerticesOnModelEdgesAndOverTurnedFacesStay) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  Star star;
-  const Verdict border = fitter.judge_move(Vertex(2), {}, star, target);
+  const Verdict border = fitter.judge_move(Vertex(2), {}, target);
   EXPECT_EQ(border.reason, Reason::Classification);
   EXPECT_EQ(border.entity, EntityRef(Vertex(2)));
   mesh.move(Vertex(12), {2, 2, 3});  // a spike, whose faces would turn by 71 degrees
   original.locate(mesh);
-  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, star, target).reason, Reason::Angle);
+  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, target).reason, Reason::Angle);
 }
 
 TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
@@ -210,8 +208,7 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
   OriginalSurface original(mesh);
   original.locate(mesh);
   glm::dvec3 target;
-  Star star;
-  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, star, target).reason, Reason::Flat);
+  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, target).reason, Reason::Flat);
 }
 
 //      2

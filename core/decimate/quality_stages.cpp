@@ -143,7 +143,8 @@ void QualityLoop::measure_energy() {
 }
 
 void QualityLoop::enter(Phase phase) {
-  begin_pass();
+  cursor_ = 0;
+  swaps_ = {};
   phase_ = phase;
 }
 
@@ -171,11 +172,17 @@ void QualityLoop::end_round() {
 }
 
 bool QualityLoop::advance() {
-  if (phase_ == Phase::Collapse) return advance_collapse();
-  if (phase_ == Phase::Done) return false;
-  bool made = false;
-  if (!(phase_ == Phase::Swap ? next_swap(made) : next_move(made))) end_phase();
-  return made;
+  switch (phase_) {
+    case Phase::Collapse:
+      return advance_collapse();
+    case Phase::Swap:
+      return advance_swap();
+    case Phase::Smooth:
+      return advance_smooth();
+    case Phase::Done:
+      break;
+  }
+  return false;
 }
 
 double QualityLoop::progress() const {

@@ -111,9 +111,8 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" + idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
-  put_into("How",
-           {strategy, regularity, features, improve, no_swap, no_smooth, snap, model, repair, without,
-            add_threads(command, o.threads)});
+  put_into("How", {strategy, regularity, features, improve, no_swap, no_smooth, snap, model, repair, without,
+                   add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
