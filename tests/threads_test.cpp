@@ -4,12 +4,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <random>
 
 #include "core/decimate/decimation.h"
 #include "core/io/io.h"
 #include "core/mesh/journal.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
+#include "core/operators/swap.h"
 #include "core/samples/samples.h"
 #include "zoo.h"
 
@@ -163,6 +165,38 @@ TEST(ThreadsTest, SameBytesFromAnUndoneHalf) {
     EXPECT_EQ(zoo::fingerprint(mesh), one.value_or(zoo::fingerprint(mesh))) << threads;
     one = zoo::fingerprint(mesh);
   }
+}
+
+// Random diagonals leave vertices with three neighbours, around which a swap waits until another one has made
+// room for its diagonal.
+MeshData tangled(unsigned seed) {
+  Mesh mesh = classified(zoo::torus(12, 9), Edges::OnModelEdges);
+  mesh.set(0, 2);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 600; ++i) {
+    const auto t = mesh.triangle(Face(random() % mesh.capacity(2)));
+    EdgePair pair;
+    if (find_pair(mesh, t[0], t[1], pair).accepted() && !joined(mesh, pair.c, pair.d)) apply_swap(mesh, pair);
+  }
+  return to_data(mesh);
+}
+
+TEST(ThreadsTest, SameBytesWhereSwapsWaitForEachOther) {
+  std::uint32_t swaps = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const MeshData data = tangled(seed);
+    std::optional<std::string> one;
+    for (const int threads : {1, 2}) {
+      Mesh mesh = classified(data, Edges::All);
+      DecimationOptions options = quality(1000, threads, 1);
+      options.angle_deg = 170;
+      Decimation decimation(mesh, options);
+      swaps += decimation.swap_pass();
+      EXPECT_EQ(zoo::fingerprint(mesh), one.value_or(zoo::fingerprint(mesh))) << seed;
+      one = zoo::fingerprint(mesh);
+    }
+  }
+  EXPECT_GT(swaps, 2000u);
 }
 
 TEST(ThreadsTest, SameBytesOnTheBunny) {

@@ -16,15 +16,11 @@ namespace {
 
 constexpr std::size_t items_a_piece = 1024;
 
-glm::dvec3 normal_of(const Mesh& mesh, Face f) {
-  const auto t = mesh.triangle(f);
-  return area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
-}
-
 }  // namespace
 
 OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
     : taken_by_(mesh.capacity(0)) {
+  vertex_of_.reserve(mesh.count(0));
   for (const Face f : mesh.faces())
     for (const Vertex v : mesh.triangle(f)) {
       if (taken_by_[v].valid()) continue;
@@ -36,39 +32,42 @@ OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int thread
   for (const Vertex v : vertex_of_) box.add(mesh.position(v));
   diagonal_ = box.diagonal();
   points_.resize(vertex_of_.size());
-  Column<Face, double> area(mesh.capacity(2), 0);
-  const auto measure = [&](std::uint32_t f) { area[Face(f)] = glm::length(normal_of(mesh, Face(f))) / 2; };
-  parallel_for(mesh.capacity(2), threads, items_a_piece,
-               [&](std::size_t begin, std::size_t end) { each_alive(mesh.ids(2), begin, end, measure); });
+  Column<Face, double> areas(mesh.capacity(2), 0);
   parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, area);
+    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, areas);
   });
-  for (const Face f : mesh.faces()) area_ += area[f];
-  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, area);
+  for (const Face f : mesh.faces()) area_ += areas[f];
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, areas);
 }
 
-void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& area) {
+void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& areas) {
   for (OriginalPoint& p : points_) p.weight /= 4;
   points_.reserve(points_.size() + mesh.count(2));
   vertex_of_.reserve(points_.capacity());
   for (const Face f : mesh.faces()) {
-    if (!(area[f] > 0)) continue;
+    if (!(areas[f] > 0)) continue;
     const auto t = mesh.triangle(f);
-    points_.push_back({.position = (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3.0,
-                       .normal = glm::vec3(normal_of(mesh, f) / (2 * area[f])),
-                       .weight = static_cast<float>(0.75 * area[f])});
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(area_normal(a, b, c) / (2 * areas[f])),
+                       .weight = static_cast<float>(0.75 * areas[f])});
     vertex_of_.push_back(t[0]);
   }
 }
 
-void OriginalSurface::set_point(const Mesh& mesh, std::size_t i, const Column<Face, double>& area) {
+// Also fills in the area of each face of which the point is the first corner.
+void OriginalSurface::set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas) {
   const double scale =
       diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
   OriginalPoint& p = points_[i];
   p.position = mesh.position(vertex_of_[i]);
   for (const Face f : mesh.row<2>(vertex_of_[i])) {
-    p.normal += glm::vec3(scale * normal_of(mesh, f));
-    p.weight += static_cast<float>(area[f] / 3);
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 normal = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const double area = glm::length(normal) / 2;
+    p.normal += glm::vec3(scale * normal);
+    p.weight += static_cast<float>(area / 3);
+    if (t[0] == vertex_of_[i]) areas[f] = area;
   }
   if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
     p.normal = glm::vec3(glm::dvec3(p.normal) / length);

@@ -69,8 +69,8 @@ class OriginalSurface {
   void redistribute(Face f, Face g, Where&& goes_to_f);
 
  private:
-  void add_faces(const Mesh& mesh, const Column<Face, double>& area);
-  void set_point(const Mesh& mesh, std::size_t i, const Column<Face, double>& area);
+  void add_faces(const Mesh& mesh, const Column<Face, double>& areas);
+  void set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas);
   void locate_point(const Mesh& mesh, std::size_t i);
   void find_face(const Mesh& mesh, OriginalPoint& p) const;
   bool walk_once(const Mesh& mesh, OriginalPoint& p) const;

@@ -20,7 +20,7 @@ bool QualityLoop::next_swap(SwapBatch& batch, bool& made) {
   if (batch.turn == batch.faces.size() && !fill(batch)) return false;
   const auto t = mesh_.triangle(batch.faces[batch.turn]);
   const Vertex a = t[batch.corner], b = t[(batch.corner + 1) % 3];
-  made = a < b && !still_refused(batch, t) && try_swap(a, b);
+  made = a < b && !still_refused(batch) && try_swap(a, b);
   batch.corner = (batch.corner + 1) % 3;
   batch.turn += batch.corner == 0;
   return true;
@@ -35,8 +35,8 @@ bool QualityLoop::fill(SwapBatch& batch) {
        batch.after < ids.capacity() && batch.faces.size() < most_faces;
        batch.after = ids.next_alive(batch.after + 1))
     batch.faces.emplace_back(batch.after);
-  batch.refused.assign(batch.faces.size(), 0);
-  if (swapped_.size() != mesh_.capacity(0)) swapped_.assign(mesh_.capacity(0), swap_stamp_);
+  batch.refused.assign(batch.faces.size(), {});
+  if (swapped_.size() != mesh_.capacity(2)) swapped_.assign(mesh_.capacity(2), swap_stamp_);
   ++swap_stamp_;
   if (options_.threads > 1) judge_ahead(batch);  // one thread has nothing to win: it judges at their turn
   return !batch.faces.empty();
@@ -46,25 +46,26 @@ void QualityLoop::judge_ahead(SwapBatch& batch) const {
   constexpr std::size_t faces_a_piece = 128;
   if (!mesh_.stored(0, 1)) mesh_.build_hash(1);
   parallel_for(batch.faces.size(), options_.threads, faces_a_piece, [&](std::size_t begin, std::size_t end) {
-    EdgePair pair;
     for (std::size_t i = begin; i < end; ++i) {
       const auto t = mesh_.triangle(batch.faces[i]);
-      unsigned refused = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (const Vertex a = t[k], b = t[(k + 1) % 3]; a < b)
-          refused |= unsigned{!fitter_.judge_swap(a, b, fit_, pair).accepted()} << k;
-      batch.refused[i] = static_cast<std::uint8_t>(refused);
+      for (std::size_t k = 0; k < 3; ++k) batch.refused[i][k] = refused_across(t[k], t[(k + 1) % 3]);
     }
   });
 }
 
-// A verdict on an edge reads its two faces and the faces around its ends and around the third corner of the
-// one. A swap changes the faces around its own four vertices only, so one at the other third corner alone is
-// none of its business.
-bool QualityLoop::still_refused(const SwapBatch& batch, const std::array<Vertex, 3>& corners) const {
-  const bool refused = (batch.refused[batch.turn] >> batch.corner & 1u) != 0;
-  return refused && std::none_of(corners.begin(), corners.end(),
-                                 [this](Vertex v) { return swapped_[v] == swap_stamp_; });
+// Whether there are two faces, and whether the other diagonal is free, depends on what happens around them.
+// All else follows from the two faces and the points on them, which only a swap of one of them changes.
+Face QualityLoop::refused_across(Vertex a, Vertex b) const {
+  EdgePair pair;
+  if (!(a < b)) return {};
+  const Reason reason = fitter_.judge_swap(a, b, fit_, pair).reason;
+  return reason == Reason::None || reason == Reason::Topology ? Face() : pair.g;
+}
+
+bool QualityLoop::still_refused(const SwapBatch& batch) const {
+  const Face across = batch.refused[batch.turn][batch.corner];
+  return across.valid() && swapped_[across] != swap_stamp_ &&
+         swapped_[batch.faces[batch.turn]] != swap_stamp_;
 }
 
 bool QualityLoop::try_swap(Vertex a, Vertex b) {
@@ -74,7 +75,7 @@ bool QualityLoop::try_swap(Vertex a, Vertex b) {
   fitter_.swapped(pair);
   apply_swap(mesh_, pair);
   made(StepKind::Swap, pair.f);
-  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) swapped_[v] = swap_stamp_;
+  for (const Face f : {pair.f, pair.g}) swapped_[f] = swap_stamp_;
   return true;
 }
 
@@ -119,7 +120,7 @@ std::uint32_t QualityLoop::smooth_pass() {
 std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
   original_.locate(mesh_, options_.threads);
   if (made > 0 && phase_ == Phase::Collapse) measure_vertices(true);
-  std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::uint8_t{0});
+  std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::array<Face, 3>());
   return made;
 }
 

@@ -89,15 +89,18 @@ class QualityLoop final : public Loop {
   /// one.
   struct SwapBatch {
     std::vector<Face> faces;
-    std::vector<std::uint8_t> refused;  ///< by face: bit k, its edge from corner k to the next
-    std::size_t turn = 0;               ///< the face that is next
-    std::uint32_t corner = 0;           ///< of that face
-    std::uint32_t after = 0;            ///< where the next batch begins
+    /// By face and corner: the face across the edge from there, where swapping the two was refused for what
+    /// they are.
+    std::vector<std::array<Face, 3>> refused;
+    std::size_t turn = 0;      ///< the face that is next
+    std::uint32_t corner = 0;  ///< of that face
+    std::uint32_t after = 0;   ///< where the next batch begins
   };
   bool next_swap(SwapBatch& batch, bool& made);
   bool fill(SwapBatch& batch);
   void judge_ahead(SwapBatch& batch) const;
-  [[nodiscard]] bool still_refused(const SwapBatch& batch, const std::array<Vertex, 3>& corners) const;
+  [[nodiscard]] Face refused_across(Vertex a, Vertex b) const;
+  [[nodiscard]] bool still_refused(const SwapBatch& batch) const;
   std::uint32_t pass_done(std::uint32_t made);
   bool advance_swap();
   bool advance_smooth();
@@ -135,9 +138,9 @@ class QualityLoop final : public Loop {
   int round_ = 0;
   std::uint32_t start_faces_ = 0;
 
-  std::uint32_t cursor_ = 0;               ///< of a pass of smoothing
-  SwapBatch swaps_;                        ///< of a pass of swaps
-  Column<Vertex, std::uint32_t> swapped_;  ///< == swap_stamp_: at a swap since the last batch was judged
+  std::uint32_t cursor_ = 0;             ///< of a pass of smoothing
+  SwapBatch swaps_;                      ///< of a pass of swaps
+  Column<Face, std::uint32_t> swapped_;  ///< == swap_stamp_: since the last batch was judged
   std::uint32_t swap_stamp_ = 0;
 };
 
