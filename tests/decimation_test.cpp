@@ -4,6 +4,7 @@
 
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/samples/samples.h"
 #include "zoo.h"
 
 namespace aomd {
@@ -49,6 +50,17 @@ TEST(DecimationTest, TheFactorIsHowMuchLongerEdgesBecome) {
     }
     const double average_before = (2 + std::sqrt(2)) / 3;
     EXPECT_NEAR(sum / run.mesh.count(1) / average_before, factor, 0.35 * factor);
+  }
+}
+
+// A spacing that grows from far below leaves what no longer fits together: 964 of 400 faces.
+TEST(DecimationTest, ThePapersStrategyReachesATarget) {
+  for (const std::uint32_t target : {2000u, 666u, 400u}) {
+    Job run(make_sample("scan", 8000), {.target_faces = target});
+    run.decimation->run();
+    EXPECT_LE(run.mesh.count(2), target);
+    EXPECT_GE(run.mesh.count(2), target - target / 100);
+    EXPECT_EQ(zoo::euler(run.mesh), run.before);
   }
 }
 

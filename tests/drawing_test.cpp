@@ -66,6 +66,10 @@ void expect_as_from_scratch(Session& s) {
   everything.everything = true;
   SurfaceDrawing fresh;
   fresh.set_bounds(s.document.content().bounds);
+  FieldKeeper fields;
+  SurfaceChanges none;
+  fields.update(s.view.coloring, {s.document.mesh(), s.document}, none);
+  fresh.set_field(fields.field());
   fresh.update(s.document.mesh(), s.view, everything);
   FactsKeeper facts;
   facts.update(s.document.mesh(), everything);
@@ -95,6 +99,14 @@ void follow_randomly(const std::string& sample, unsigned seed) {
                                           "sweep",
                                           "topology paper",
                                           "topology safe",
+                                          "color quality",
+                                          "color distance",
+                                          "color curvature",
+                                          "color classification",
+                                          "clip x 0.4 cells",
+                                          "clip off",
+                                          "shrink 0.2",
+                                          "shrink 0",
                                           "step 30"};
   for (int i = 0; i < 60; ++i) {
     const std::string& move = moves[random() % moves.size()];
@@ -198,17 +210,17 @@ TEST(SpacingColors, AreTheWantedLengthsOfTheVertices) {
   s.document.replace(make_loaded(zoo::square(), "square"));
   drive(s, {"color spacing", "factor 3"});
   ASSERT_NE(s.field(), nullptr);
-  EXPECT_DOUBLE_EQ(s.field()->low, 3);
-  EXPECT_DOUBLE_EQ(s.field()->high, 2 + std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(s.field()->scale.low, 3);
+  EXPECT_DOUBLE_EQ(s.field()->scale.high, 2 + std::sqrt(2.0));
   const auto color = [&](std::size_t corner) {
     return s.drawing().drawable().corners.values()[corner].color;
   };
   for (const std::size_t long_one : {0, 2, 3, 4}) EXPECT_EQ(color(long_one), ramp_color(1)) << long_one;
   for (const std::size_t short_one : {1, 5}) EXPECT_EQ(color(short_one), ramp_color(0)) << short_one;
   drive(s, {"factor 6"});
-  EXPECT_DOUBLE_EQ(s.field()->low, 6) << "it follows the options";
+  EXPECT_DOUBLE_EQ(s.field()->scale.low, 6) << "it follows the options";
   drive(s, {"coarsest on"});
-  EXPECT_TRUE(s.field()->empty());
+  EXPECT_TRUE(s.field()->scale.empty());
   EXPECT_EQ(color(0), plain_face_color());
   drive(s, {"color classification"});
   EXPECT_EQ(s.field(), nullptr);
@@ -219,15 +231,15 @@ TEST(SpacingColors, StayWithTheVerticesWhileTheMeshChanges) {
   Session s;
   s.document.replace(make_loaded(zoo::torus(12, 9), "torus"));
   drive(s, {"color spacing"});
-  const VertexField before = *s.field();
+  const ScalarField before = *s.field();
   drive(s, {"sweep", "undo", "redo"});
-  EXPECT_EQ(s.field()->low, before.low);
-  EXPECT_EQ(s.field()->high, before.high);
+  EXPECT_EQ(s.field()->scale.low, before.scale.low);
+  EXPECT_EQ(s.field()->scale.high, before.scale.high);
   const Mesh& mesh = s.document.mesh();
   for (const Face f : mesh.faces())
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_EQ(s.drawing().drawable().corners.values()[3 * f.index + i].color,
-                (*before.colors)[mesh.triangle(f)[i]]);
+                before.color(f, mesh.triangle(f)[i]));
 }
 
 TEST(SpacingColors, AnotherMeshHasItsOwnAndAVolumeHasNone) {
@@ -236,14 +248,14 @@ TEST(SpacingColors, AnotherMeshHasItsOwnAndAVolumeHasNone) {
   drive(s, {"color spacing"});
   s.document.replace(make_loaded(zoo::grid(20), "grid"));
   drive(s, {"factor 2"});
-  EXPECT_DOUBLE_EQ(s.field()->low, 2);
+  EXPECT_DOUBLE_EQ(s.field()->scale.low, 2);
   s.document.replace(make_loaded(zoo::hybrid(), "hybrid"));
   s.refresh();
   EXPECT_EQ(s.field(), nullptr);
   s.document.replace(make_loaded(zoo::grid(3), "grid"));
   s.refresh();
   ASSERT_NE(s.field(), nullptr);
-  EXPECT_EQ(s.field()->colors->size(), 16u);
+  EXPECT_EQ(s.field()->vertices.size(), 16u);
 }
 
 TEST(Facts, OfTinyMeshes) {

@@ -9,6 +9,7 @@
 
 #include "core/io/io.h"
 #include "core/measure/intersections.h"
+#include "core/measure/normals.h"
 #include "core/measure/statistics.h"
 #include "tests/zoo.h"
 
@@ -208,10 +209,10 @@ TEST(TriangleTree, QuadsAreSplit) {
 TEST(Statistics, FlipsAreFacesTurnedOver) {
   const Mesh square(zoo::square());
   const TriangleTree original(triangles_of(square).corners);
-  EXPECT_EQ(measure::count_flips(original, square), 0u);
+  EXPECT_EQ(measure::measure_normals(original, square).flips, 0u);
   const Mesh turned(zoo::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 2}}));
-  EXPECT_EQ(measure::count_flips(original, turned), 1u);
-  EXPECT_EQ(measure::count_flips(original, Mesh()), 0u);
+  EXPECT_EQ(measure::measure_normals(original, turned).flips, 1u);
+  EXPECT_EQ(measure::measure_normals(original, Mesh()).flips, 0u);
 }
 
 }  // namespace

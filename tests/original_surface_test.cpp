@@ -68,6 +68,23 @@ TEST(OriginalSurfaceTest, PointsHaveTheAreaAndNormalsOfTheirSurface) {
   EXPECT_NEAR(weights, 2, 1e-6);
 }
 
+// With the faces' middles the weighted sum over the points is the integral of any quadratic function: here of
+// x^2 over the triangles 0-2-1 (x from 0 to 1, as high as 2x) and 0-3-4, 1/2 each.
+TEST(OriginalSurfaceTest, PointsInFacesMakeTheSumsExact) {
+  Mesh mesh(zoo::bow_tie());
+  mesh.set(0, 2);
+  const OriginalSurface original(mesh, Sampling::VerticesAndFaces);
+  ASSERT_EQ(original.points().size(), 7u);
+  double area = 0, squares = 0;
+  for (const OriginalPoint& p : original.points()) {
+    area += double(p.weight);
+    squares += double(p.weight) * p.position.x * p.position.x;
+    EXPECT_NEAR(std::abs(p.normal.z), 1, 1e-6);
+  }
+  EXPECT_NEAR(area, 2, 1e-6);
+  EXPECT_NEAR(squares, 1, 1e-6);
+}
+
 TEST(OriginalSurfaceTest, NormalsHaveLengthOneAtAnyScale) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     MeshData data = zoo::octahedron();

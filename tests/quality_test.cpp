@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/decimate/decimation.h"
+#include "core/measure/normals.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -323,6 +324,17 @@ TEST(QualityTest, AnotherStrategyMidWay) {
       job.decimation->run();
       kept.expect_in(job.mesh, quality_first ? "quality, paper, quality" : "paper, quality, paper");
     }
+}
+
+// Beside the sharp edges of its bores and rims the surface looks two ways; none of its faces may follow the
+// mean of them.
+TEST(QualityTest, ABracketOfAHundredFacesHasNoneThatLooksAway) {
+  const MeshData original = make_sample("bracket");
+  Job job(original, quality(100));
+  job.decimation->run();
+  EXPECT_EQ(job.mesh.count(2), 100u);
+  const TriangleTree tree(triangles_of(original).corners);
+  EXPECT_EQ(measure::measure_normals(tree, job.mesh).flips, 0u);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ constexpr std::size_t items_a_piece = 1024;
 
 }  // namespace
 
-OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh.capacity(0)) {
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
+    : taken_by_(mesh.capacity(0)) {
   vertex_of_.reserve(mesh.count(0));
   for (const Face f : mesh.faces())
     for (const Vertex v : mesh.triangle(f)) {
@@ -36,6 +37,22 @@ OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh
     for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, areas);
   });
   for (const Face f : mesh.faces()) area_ += areas[f];
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, areas);
+}
+
+void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& areas) {
+  for (OriginalPoint& p : points_) p.weight /= 4;
+  points_.reserve(points_.size() + mesh.count(2));
+  vertex_of_.reserve(points_.capacity());
+  for (const Face f : mesh.faces()) {
+    if (!(areas[f] > 0)) continue;
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(area_normal(a, b, c) / (2 * areas[f])),
+                       .weight = static_cast<float>(0.75 * areas[f])});
+    vertex_of_.push_back(t[0]);
+  }
 }
 
 // Also fills in the area of each face of which the point is the first corner.

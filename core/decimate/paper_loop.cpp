@@ -5,29 +5,29 @@
 #include <limits>
 
 #include "core/decimate/spacing.h"
-#include "core/operators/smooth.h"
 
 namespace aomd {
-namespace {
-
-constexpr double first_reach = 1.5;  // towards a target: the factor that the first sweeps follow
-
-}  // namespace
-
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      limit_(options.angle_deg),
       collapser_(mesh),
       changed_(mesh.capacity(0), 1),
       judged_(mesh.capacity(1), 0),
       refusal_(mesh.capacity(1), Reason::None) {
+  set_rules();
   fill_spacing();
   begin_sweep();
 }
 
 void PaperLoop::fill_spacing() {
-  reach_ = aims() ? first_reach : options_.factor;
+  reach_ = first_reach();
   average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+}
+
+// Towards a target twice the factor that would lead there if the angle refused nothing: started lower it
+// grows in many sweeps, each of which leaves what no longer fits together.
+double PaperLoop::first_reach() const {
+  if (!aims()) return options_.factor;
+  return std::max(1.5, 2 * std::sqrt(double(mesh_.count(2)) / options_.target_faces));
 }
 
 double PaperLoop::spacing(Vertex v) const {
@@ -36,16 +36,18 @@ double PaperLoop::spacing(Vertex v) const {
   return v.index < average_length_.size() ? average_length_[v] * reach_ : 0;
 }
 
-CollapseRules PaperLoop::rules() const {
-  return {
-      .max_turn = limit_, .topology = options_.topology, .least_angle = LeastAngle(options_.min_angle_deg)};
+void PaperLoop::set_rules() {
+  rules_.max_turn = smooth_.max_turn = TurnLimit(options_.angle_deg);
+  rules_.topology = options_.topology;
+  rules_.least_angle = smooth_.least_angle = LeastAngle(options_.min_angle_deg);
+  smooth_.model = options_.model;
 }
 
 void PaperLoop::restart(const DecimationOptions& options) {
   options_ = options;
   guards_.restart(mesh_, options);
-  limit_ = TurnLimit(options.angle_deg);
-  reach_ = aims() ? first_reach : options_.factor;
+  set_rules();
+  reach_ = first_reach();
   forget();
   improved_ = 0;
   begin_sweep();
@@ -71,7 +73,7 @@ Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
   if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[options_.kept(ends[0]) ? 0 : 1]};
-  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules(), deleted);
+  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules_, deleted);
   if (!verdict.accepted()) return verdict;
   const std::size_t end = deleted == ends[0] ? 0 : 1;
   const Contraction contraction{deleted, ends[1 - end], mesh_.position(ends[1 - end])};
@@ -105,7 +107,7 @@ bool PaperLoop::try_collapse(Edge edge) {
 
 bool PaperLoop::try_swap(Edge edge) {
   EdgePair pair;
-  if (!judge_swap(mesh_, edge, limit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
+  if (!judge_swap(mesh_, edge, rules_.max_turn, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
     return false;
   ++now_;
   apply_swap(mesh_, edge, pair);
@@ -116,8 +118,7 @@ bool PaperLoop::try_swap(Edge edge) {
 
 bool PaperLoop::try_smooth(Vertex v) {
   glm::dvec3 target;
-  const SmoothRules rules(limit_, options_.model, options_.min_angle_deg);
-  if (options_.kept(v) || !judge_smooth(mesh_, v, rules, target).accepted()) return false;
+  if (options_.kept(v) || !judge_smooth(mesh_, v, smooth_, target).accepted()) return false;
   if (guards_.any()) {
     gather(mesh_, v, star_);
     if (!guards_.judge(mesh_, v, star_, target).accepted()) return false;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/decimate/loop.h"
+#include "core/operators/smooth.h"
 #include "core/operators/swap.h"
 
 namespace aomd {
@@ -24,7 +25,8 @@ class PaperLoop final : public Loop {
   [[nodiscard]] double progress() const override;
 
  private:
-  [[nodiscard]] CollapseRules rules() const;
+  void set_rules();
+  [[nodiscard]] double first_reach() const;
   void fill_spacing();
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);
@@ -42,7 +44,8 @@ class PaperLoop final : public Loop {
   void next_phase();
   [[nodiscard]] std::uint32_t end_of_phase() const;
 
-  TurnLimit limit_;
+  CollapseRules rules_;
+  SmoothRules smooth_{TurnLimit(0)};
   Collapser collapser_;
   Star star_;
   Column<Vertex, double> average_length_;  ///< of the edges at a vertex, at the start

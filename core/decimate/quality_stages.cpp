@@ -19,10 +19,23 @@ double between(double regularity, double at_0, double at_half, double at_1) {
   return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
 }
 
+// A vertex that is fitted to a handful of points follows their noise, and what lies between them not at all.
+// More points take time: for those who want accuracy first.
+Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
+  constexpr double enough = 8;  // vertices of the original for each face of the result
+  const bool by_factor = options.target_faces == 0 && !options.coarsest && !options.spacing;
+  const double faces = by_factor ? mesh.count(2) / (options.factor * options.factor) : options.target_faces;
+  const bool wanted = options.regularity < 0.5 && options.has(Idea::DensePoints);
+  return wanted && mesh.count(0) < enough * faces ? Sampling::VerticesAndFaces : Sampling::Vertices;
+}
+
 }  // namespace
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options), original_(mesh, options.threads), collapser_(mesh), fitter_(mesh, original_) {
+    : Loop(mesh, options),
+      original_(mesh, sampling(mesh, options), options.threads),
+      collapser_(mesh),
+      fitter_(mesh, original_) {
   start(options);
 }
 

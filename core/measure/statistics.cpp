@@ -7,7 +7,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/measure/normals.h"
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
 
@@ -154,10 +153,6 @@ Quality measure_quality(const Mesh& mesh) {
   }
   const auto n = static_cast<double>(triangles.corners.size());
   return {sum / n, worst, 100 * static_cast<double>(below) / n};
-}
-
-std::size_t count_flips(const TriangleTree& original, const Mesh& result, int threads) {
-  return measure_normals(original, result, threads).flips;
 }
 
 }  // namespace aomd::measure

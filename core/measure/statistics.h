@@ -40,10 +40,4 @@ struct Quality {
 
 [[nodiscard]] Quality measure_quality(const Mesh& mesh);
 
-/// How many faces of `result` look away from the original: their normal and that of the nearest face of the
-/// original, seen from the middle of the face, differ by more than 90 degrees. Where several faces of the
-/// original are equally near the best counts. Faces without area are passed over. About O(faces log
-/// originals).
-[[nodiscard]] std::size_t count_flips(const TriangleTree& original, const Mesh& result, int threads = 1);
-
 }  // namespace aomd::measure

@@ -19,7 +19,7 @@ struct Maker {
 constexpr std::array<Maker, 14> makers{{
     {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000, "faces, about"},
      80,
-     4'000'000,
+     6'000'000,
      sample::make_scan},
     {{"bracket", "a bent bracket with three holes: planes, fillets and bores, fully classified", 5,
       "cells across the thickness"},

@@ -9,6 +9,7 @@
 
 #include "core/io/journal_file.h"
 #include "core/measure/intersections.h"
+#include "core/measure/normals.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
@@ -136,7 +137,8 @@ class Run {
     seconds_["decimate"] = watch_.lap();
     memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
-               {"journal", record_.journal.bytes()}};
+               {"journal", record_.journal.bytes()},
+               {"decimate_peak", peak_bytes()}};
     sweeps_ = decimation.sweeps();
   }
 
@@ -145,7 +147,7 @@ class Run {
     mesh_.attach(nullptr);
     self_intersections_ = measure::self_intersections(mesh_, steps_.threads).size();
     const TriangleTree original(triangles_of(original_).corners, steps_.threads);
-    flips_ = measure::count_flips(original, mesh_, steps_.threads);
+    flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
     stop_if_interrupted();

@@ -107,6 +107,8 @@ void send_modifiers(ImGuiIO& io, int modifiers) {
 
 #endif
 
+bool is_imgui_key(int glfw_key) { return find_key(glfw_key) != nullptr; }
+
 std::string chord_name(int glfw_key, const char* printed, int modifiers) {
   std::string name = key_name(glfw_key, printed);
   if (name.empty()) return name;

@@ -10,6 +10,9 @@ namespace aomd::app {
 /// Once per ImGui context. Does nothing from ImGui 1.87 on.
 void prepare_keys(ImGuiIO& io);
 
+/// Whether ImGui looks at this key; all others matter as text or as chords only.
+[[nodiscard]] bool is_imgui_key(int glfw_key);
+
 /// Tells ImGui that a key went down or up.
 void send_key(ImGuiIO& io, int glfw_key, bool down);
 

@@ -83,6 +83,10 @@ int run(Options options) {
   // Loading starts before the context and its shaders are made: with two processors neither waits for the
   // other.
   scene::Session session;
+  const bool alone = !options.headless && options.script.empty();
+  if (const fs::path folder = options.recovery.value_or(alone ? scene::recovery_folder() : fs::path());
+      !folder.empty())
+    session.keep_work(folder);
   if (const std::string first = first_command(options); !first.empty()) scene::execute(session, first);
   if (options.headless) return run_headless(session, options, *options.headless);
   if (const auto window = window_or_none(options)) {

@@ -36,6 +36,7 @@ struct Raw {
   HeadlessKind headless = HeadlessKind::Auto;
   std::string size = "1280x800";
   bool no_ui = false;
+  std::string recovery;
   bool markdown = false;
 };
 
@@ -74,9 +75,14 @@ void add_options(CLI::App& app, Raw& raw) {
                  "Write every command that is carried out: a script for later")
       ->type_name("FILE");
   app.add_option("--shaders", raw.options.shaders, "Read the shaders from this folder")->type_name("DIR");
-  app.add_option("--theme", raw.options.theme, "light or dark")
+  app.add_option("--theme", raw.options.theme, "light or dark; as the window was left where it is not given")
       ->transform(CLI::CheckedTransformer(themes))
       ->type_name("light|dark");
+  app.add_option(
+         "--recovery", raw.recovery,
+         "Keep unsaved work in this folder while it is being done, for the next start to restore; off: "
+         "do not. A window without a script does so by itself")
+      ->type_name("DIR|off");
   app.add_flag("--no-ui", raw.no_ui, "The mesh alone, without panels");
   app.add_flag("--commands-markdown", raw.markdown, "Print docs/COMMANDS.md and end");
   app.set_version_flag("--version", "aomd-view " AOMD_VERSION);
@@ -103,6 +109,11 @@ ParsedOptions parse_options(int argc, char** argv) {
   }
   std::sscanf(raw.size.c_str(), "%dx%d", &raw.options.size.x, &raw.options.size.y);
   raw.options.interface = !raw.no_ui;
+  raw.options.size_given = app.count("--size") > 0;
+  if (raw.recovery == "off")
+    raw.options.recovery.emplace();
+  else if (!raw.recovery.empty())
+    raw.options.recovery = raw.recovery;
   const bool pictures = !raw.options.screenshot.empty() || !raw.options.compare.empty();
   if (app.count("--headless") > 0 || pictures) raw.options.headless = raw.headless;
   return {raw.options, exit_done};

@@ -34,8 +34,12 @@ struct Options {
   std::filesystem::path record;
   std::filesystem::path shaders;
   std::string camera;
-  scene::Theme theme = scene::Theme::Light;
+  std::optional<scene::Theme> theme;  ///< none: as the user left it, or light
+  bool size_given = false;            ///< else a window is as large as the user left it
   bool interface = true;
+  /// Where unsaved work is kept; none: in the user's own folder for a window, nowhere without one or for a
+  /// script. Empty: nowhere.
+  std::optional<std::filesystem::path> recovery;
 };
 
 /// The options, or the code to end with at once (--help, --version, wrong usage: the message is printed).

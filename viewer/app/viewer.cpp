@@ -28,10 +28,17 @@ constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
 constexpr int frames_of_picture = 3;
+constexpr double widest = 1.4;  // aspect from which on more width shows nothing more of most shapes
 
 std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
   if (folder.empty()) return {};
   return folder;
+}
+
+/// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
+scene::Camera seen_in(scene::Camera camera, double before, double now) {
+  camera.distance *= std::max(1.0, std::min(before, widest) / std::min(now, widest));
+  return camera;
 }
 
 }  // namespace
@@ -59,11 +66,15 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
       layer_(std::make_unique<ui::ImGuiLayer>(gl_,
                                               render::load_shader_sources(folder_or_none(options.shaders)))),
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
-      buffers_(gl_) {
-  session_.view.theme = options.theme;
+      buffers_(gl_),
+      original_buffers_(gl_) {
+  session_.view.theme = options.theme.value_or(scene::Theme::Light);
   interface_.bars = options.interface;
   interface_.interactive = !headless;
   if (!headless) interface_.recent = ui::RecentFiles(ui::recent_files_path());
+  if (!headless) connect_clipboard();
+  if (remembers()) restore_settings();
+  if (!headless && !session_.found_work.empty()) session_.view.dialog = scene::Dialog::Recovery;
   if (!interface_.recent.paths().empty())
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
@@ -78,6 +89,30 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
 
 Viewer::~Viewer() = default;
 
+/// Pictures and scripts begin with the same look on every machine.
+bool Viewer::remembers() const { return !headless_ && options_.script.empty(); }
+
+void Viewer::restore_settings() {
+  const ui::Settings settings = ui::read_settings(ui::settings_path());
+  session_.view.theme = options_.theme.value_or(settings.theme);
+  session_.view.panels = settings.panels;
+  interface_.recent_commands() = settings.recent_commands;
+  if (settings.window && !options_.size_given) window_.move_to(*settings.window);
+}
+
+void Viewer::save_settings() {
+  ui::write_settings(ui::settings_path(), {session_.view.theme, session_.view.panels, window_.place(),
+                                           interface_.recent_commands()});
+}
+
+void Viewer::connect_clipboard() {
+  session_.clipboard.write_system = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
+  session_.clipboard.read_system = [] {
+    const char* text = ImGui::GetClipboardText();
+    return std::string(text != nullptr ? text : "");
+  };
+}
+
 void Viewer::update_look(float scale) {
   if (scale == scale_ && theme_ == session_.view.theme) return;
   if (scale != scale_) {
@@ -91,21 +126,26 @@ void Viewer::update_look(float scale) {
 
 void Viewer::update_aspect() {
   const ui::Layout layout =
-      ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, options_.interface, em_);
+      ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, interface_.bars, em_);
   const double before = session_.view.aspect;
-  session_.view.aspect = static_cast<double>(layout.viewport.size.x) / layout.viewport.size.y;
+  const ui::Area picture = ui::picture_area(layout.viewport, session_.view.side_by_side, false);
+  session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
-  const double widest = 1.4;
   if (!session_.document.empty())
     session_.view.camera.distance *= std::min(before, widest) / std::min(session_.view.aspect, widest);
 }
 
-render::RenderSettings Viewer::settings() const {
+render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
+  settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
+  settings.glass =
+      session_.view.interior_edges && !session_.document.empty() && session_.document.content().volume();
+  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
+    settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
@@ -121,9 +161,26 @@ void Viewer::lay_out_frame() {
   update_aspect();
 }
 
-void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
-  lay_out_frame();
+/// One picture, or two of the same size with a line between them.
+void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
+                        bool transparent) {
   buffers_.upload(session_.drawing().drawable());
+  scene::SurfaceDrawing* original = session_.original_drawing();
+  if (original != nullptr) original_buffers_.upload(original->drawable());
+  render::RenderSettings how = settings(transparent);
+  if (original == nullptr || !session_.view.side_by_side) {
+    if (original != nullptr) how.ghost = &original_buffers_;
+    renderer_.render(buffers_, camera, how, rect, destination);
+    return;
+  }
+  const int half = (rect.width - 1) / 2;
+  renderer_.render(original_buffers_, camera, how, {rect.x, rect.y, half, rect.height}, destination);
+  renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
+                   destination);
+}
+
+void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent) {
+  lay_out_frame();
   if (pixels.x < 1 || pixels.y < 1) return;
 
   const ImVec4 panel = ui::theme_colors(ui::theme_kind(session_.view.theme)).panel;
@@ -138,13 +195,15 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination) {
   const int top = at(area.position.y * scale.y);
   const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
   const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  renderer_.render(buffers_, session_.view.camera, settings(),
-                   {left, pixels.y - bottom, right - left, bottom - top}, destination);
+  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top}, destination,
+             transparent);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
-io::Image Viewer::picture(glm::ivec2 size) {
+io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   ImGuiIO& io = ImGui::GetIO();
+  const scene::Camera camera = session_.view.camera;
+  const double aspect = session_.view.aspect;
   const ImVec2 display = io.DisplaySize;
   const ImVec2 framebuffer = io.DisplayFramebufferScale;
   const ImVec2 mouse = io.MousePos;
@@ -153,20 +212,45 @@ io::Image Viewer::picture(glm::ivec2 size) {
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
   for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
-  draw_frame(size, target.framebuffer());
+  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
+  draw_frame(size, target.framebuffer(), transparent);
   lines_.clear();
-  io::Image image = target.read();
+  io::Image image = target.read(transparent);
+  session_.view.camera = camera;
+  session_.view.aspect = aspect;
   io.DisplaySize = display;
   io.MousePos = mouse;
   return image;
+}
+
+io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
+  session_.refresh();
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
+  const render::PictureTarget target(gl_, size);
+  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
+  return target.read(transparent);
 }
 
 void Viewer::take_screenshots() {
   while (!session_.screenshots.empty()) {
     const scene::ScreenshotRequest request = session_.screenshots.front();
     session_.screenshots.pop_front();
-    io::write_png(request.file, picture(request.size.value_or(window_.framebuffer_size())));
-    session_.status = "Saved " + request.file.string();
+    const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
+    io::write_png(request.file, request.interface ? picture(size, request.transparent)
+                                                  : scene_picture(size, request.transparent));
+    if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
+  }
+  session_.advance_series();
+}
+
+void Viewer::take_screenshots_or_tell() {
+  try {
+    take_screenshots();
+  } catch (const std::exception& error) {
+    session_.cancel_series();
+    session_.screenshots.clear();
+    session_.error = error.what();
   }
 }
 
@@ -179,11 +263,12 @@ void Viewer::execute(const std::string& line) {
   update_aspect();
   scene::execute(session_, line);
   if (record_.is_open()) record_ << line << std::endl;
+  if (const auto next = std::exchange(session_.next_line, {})) execute(*next);
 }
 
 void Viewer::execute_or_tell(const std::string& line) {
   try {
-    execute(line);
+    if (headless_ || !scene::asks_first(session_, line)) execute(line);
   } catch (const std::exception& error) {
     session_.error = error.what();
   }
@@ -235,16 +320,23 @@ void Viewer::take_events(const Events& events) {
       execute_or_tell(line);
 }
 
+void Viewer::ask_to_close() {
+  window_.cancel_close();
+  execute_or_tell("quit");
+}
+
 void Viewer::run_window() {
   int awake = frames_after_event;
   auto last = Clock::now();
-  while (!session_.quit && !window_.should_close()) {
+  while (!session_.quit) {
     const bool waits = session_.idle() && script_.done() && awake <= 0;
     const auto before = Clock::now();
     take_events(window_.poll(ImGui::GetIO(), waits ? idle_wait_s : 0));
+    if (window_.should_close()) ask_to_close();
     const auto now = Clock::now();
     const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
     if (waits && !timed_out) awake = frames_after_event;
+    if (session_.recovery) session_.recovery->update(session_.document);
     if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
     awake = lines_.empty() && session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
@@ -256,18 +348,16 @@ void Viewer::run_window() {
     drawing_time_ = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - drawing);
     for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);
     print_log();
-    try {
-      take_screenshots();
-    } catch (const std::exception& error) {
-      session_.error = error.what();
-    }
+    take_screenshots_or_tell();
   }
+  if (remembers()) save_settings();
+  if (session_.recovery) session_.recovery->finish();
 }
 
 void Viewer::run_headless() {
   session_.finish();
   after_loading();
-  while (!script_.done() && !session_.quit) {
+  while ((!script_.done() || session_.series() != nullptr) && !session_.quit) {
     advance_script();
     try {
       session_.finish();
@@ -277,6 +367,7 @@ void Viewer::run_headless() {
       script_.fail();
     }
   }
+  if (session_.recovery) session_.recovery->finish();
 }
 
 }  // namespace aomd::app

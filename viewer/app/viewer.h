@@ -38,8 +38,10 @@ class Viewer {
   void run_window();
   /// Loads, carries out the script, and returns. Throws what went wrong.
   void run_headless();
-  /// Everything as a picture of `size` pixels.
-  [[nodiscard]] io::Image picture(glm::ivec2 size);
+  /// Everything as a picture of `size` pixels; without a background where asked.
+  [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false);
+  /// The scene alone, whatever panels there are. What they show goes on as it was.
+  [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false);
 
  private:
   struct ImGuiScope {
@@ -48,6 +50,11 @@ class Viewer {
     ImGuiContext* context;
   };
 
+  [[nodiscard]] bool remembers() const;
+  void restore_settings();
+  void save_settings();
+  void connect_clipboard();
+  void ask_to_close();
   void execute(const std::string& line);
   void execute_or_tell(const std::string& line);
   void tick(double frame_s);
@@ -61,8 +68,11 @@ class Viewer {
   void update_aspect();
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no drawing.
   void lay_out_frame();
-  void draw_frame(glm::ivec2 pixels, GLuint destination);
-  [[nodiscard]] render::RenderSettings settings() const;
+  void draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent = false);
+  void draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
+                  bool transparent);
+  void take_screenshots_or_tell();
+  [[nodiscard]] render::RenderSettings settings(bool transparent) const;
 
   Window& window_;
   scene::Session& session_;
@@ -74,6 +84,7 @@ class Viewer {
   std::unique_ptr<ui::ImGuiLayer> layer_;
   render::Renderer renderer_;
   render::DrawableBuffers buffers_;
+  render::DrawableBuffers original_buffers_;  ///< filled where the mesh as loaded is shown
   ui::Interface interface_;
   scene::Script script_;
   std::ofstream record_;

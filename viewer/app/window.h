@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include <glm/vec2.hpp>
 
 #include "viewer/render/gl.h"
+#include "viewer/ui/settings.h"
 
 struct ImGuiIO;
 
@@ -55,6 +57,10 @@ class Window {
   [[nodiscard]] virtual bool should_close() const = 0;
   virtual void cancel_close() = 0;
   virtual void set_title(const std::string& title) = 0;
+  /// Where it stands; none without a window.
+  [[nodiscard]] virtual std::optional<ui::WindowPlace> place() const { return {}; }
+  /// Moves it there, as far as a screen is still there to show it.
+  virtual void move_to(const ui::WindowPlace&) {}
 };
 
 /// A window on the screen. Throws WindowError where there is no display or no OpenGL 3.3.

@@ -8,7 +8,10 @@
 #include <array>
 #include <cfloat>
 #include <deque>
+#include <optional>
 #include <utility>
+
+#include <glm/common.hpp>
 
 #include "viewer/app/imgui_keys.h"
 #include "viewer/app/window.h"
@@ -61,6 +64,8 @@ class GlfwWindow : public Window {
   [[nodiscard]] bool should_close() const override { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
   void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
+  [[nodiscard]] std::optional<ui::WindowPlace> place() const override;
+  void move_to(const ui::WindowPlace& place) override;
 
  private:
   /// A change of a key or a mouse button, kept until poll() may tell ImGui.
@@ -76,6 +81,7 @@ class GlfwWindow : public Window {
   void send_keyboard(ImGuiIO& io);
   void update_cursor(const ImGuiIO& io);
   void on_key(int key, int scancode, int action);
+  void remember_place();
 
   GlfwLibrary library_;
   GLFWwindow* window_ = nullptr;
@@ -87,6 +93,7 @@ class GlfwWindow : public Window {
   glm::vec2 wheel_{0};
   double last_time_ = 0;
   bool connected_ = false;
+  ui::WindowPlace place_;  ///< the last one while it was not maximised
 };
 
 GlfwWindow& self(GLFWwindow* window) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window)); }
@@ -135,6 +142,44 @@ float GlfwWindow::content_scale() const {
   return std::clamp(scale / std::max(pixels_per_unit, 1.0f), 1.0f, 4.0f);
 }
 
+/// Whether enough of a window would show to get hold of it.
+bool on_a_screen(const ui::WindowPlace& place) {
+  constexpr int enough = 64;
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    glm::ivec2 at{0}, size{0};
+    glfwGetMonitorWorkarea(monitors[i], &at.x, &at.y, &size.x, &size.y);
+    const glm::ivec2 from = glm::max(at, place.position);
+    const glm::ivec2 to = glm::min(at + size, place.position + place.size);
+    if (to.x - from.x >= enough && to.y - from.y >= enough && place.position.y >= at.y - enough / 4)
+      return true;
+  }
+  return false;
+}
+
+void GlfwWindow::remember_place() {
+  if (glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE ||
+      glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE)
+    return;
+  glfwGetWindowPos(window_, &place_.position.x, &place_.position.y);
+  place_.size = size();
+}
+
+std::optional<ui::WindowPlace> GlfwWindow::place() const {
+  ui::WindowPlace place = place_;
+  place.maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
+  if (place.size.x < 1) return {};
+  return place;
+}
+
+void GlfwWindow::move_to(const ui::WindowPlace& place) {
+  if (!on_a_screen(place)) return;
+  glfwSetWindowSize(window_, place.size.x, place.size.y);
+  glfwSetWindowPos(window_, place.position.x, place.position.y);
+  if (place.maximized) glfwMaximizeWindow(window_);
+}
+
 Events GlfwWindow::poll(ImGuiIO& io, double wait_s) {
   if (!connected_) connect_imgui(io);
   // What waits for a frame of its own is a reason not to sleep.
@@ -147,6 +192,7 @@ Events GlfwWindow::poll(ImGuiIO& io, double wait_s) {
   send_mouse(io);
   send_keyboard(io);
   update_cursor(io);
+  remember_place();
   return std::exchange(events_, {});
 }
 
@@ -170,7 +216,8 @@ void GlfwWindow::on_key(int key, int scancode, int action) {
     std::string chord = chord_name(key, glfwGetKeyName(key, scancode), held_modifiers(window_));
     if (!chord.empty()) events_.chords.push_back(std::move(chord));
   }
-  if (action != GLFW_REPEAT) keys_.push_back({key, action == GLFW_PRESS});
+  // Each waits for a frame of its own: where frames are slow, Enter must not queue behind typed letters.
+  if (action != GLFW_REPEAT && is_imgui_key(key)) keys_.push_back({key, action == GLFW_PRESS});
 }
 
 void GlfwWindow::connect_imgui(ImGuiIO& io) {

@@ -84,15 +84,22 @@ DiscBuffer::DiscBuffer(const Gl& gl) : VertexBuffer(gl) {
 }
 
 DrawableBuffers::DrawableBuffers(const Gl& gl)
-    : corners(gl), model_edges(gl), model_vertices(gl), highlight_lines(gl), highlight_discs(gl) {}
+    : corners(gl),
+      cells(gl),
+      interior_edges(gl),
+      model_edges(gl),
+      model_vertices(gl),
+      highlight_lines(gl),
+      highlight_discs(gl) {}
 
 void DrawableBuffers::upload(scene::Drawable& drawable) {
   origin = drawable.origin;
   bounds = drawable.bounds;
-  uploaded_bytes_ = corners.upload(drawable.corners) + model_edges.upload(drawable.model_edges) +
-                    model_vertices.upload(drawable.model_vertices) +
-                    highlight_lines.upload(drawable.highlight_lines) +
-                    highlight_discs.upload(drawable.highlight_discs);
+  uploaded_bytes_ =
+      corners.upload(drawable.corners) + cells.upload(drawable.cells) +
+      interior_edges.upload(drawable.interior_edges) + model_edges.upload(drawable.model_edges) +
+      model_vertices.upload(drawable.model_vertices) + highlight_lines.upload(drawable.highlight_lines) +
+      highlight_discs.upload(drawable.highlight_discs);
 }
 
 }  // namespace aomd::render

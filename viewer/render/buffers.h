@@ -77,6 +77,8 @@ class DrawableBuffers {
   [[nodiscard]] std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
   CornerBuffer corners;
+  CornerBuffer cells;
+  SegmentBuffer interior_edges;
   SegmentBuffer model_edges;
   DiscBuffer model_vertices;
   SegmentBuffer highlight_lines;

@@ -50,7 +50,17 @@ void MultisampleTarget::allocate(glm::ivec2 size) {
   size_ = size;
 }
 
-io::Image read_pixels(const Gl& gl, glm::ivec2 size) {
+namespace {
+
+void divide_by_alpha(std::uint8_t* pixel) {
+  const unsigned alpha = pixel[3];
+  for (int c = 0; c < 3 && alpha > 0; ++c)
+    pixel[c] = static_cast<std::uint8_t>(std::min(255u, (255u * pixel[c] + alpha / 2) / alpha));
+}
+
+}  // namespace
+
+io::Image read_pixels(const Gl& gl, glm::ivec2 size, bool transparent) {
   io::Image upside_down(size.x, size.y);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl.ReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.rgba.data());
@@ -58,7 +68,12 @@ io::Image read_pixels(const Gl& gl, glm::ivec2 size) {
   const std::size_t row_bytes = 4 * static_cast<std::size_t>(size.x);
   for (int y = 0; y < size.y; ++y)
     std::memcpy(image.pixel(0, y), upside_down.pixel(0, size.y - 1 - y), row_bytes);
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (transparent)
+      divide_by_alpha(&image.rgba[i]);
+    else
+      image.rgba[i + 3] = 255;
+  }
   return image;
 }
 

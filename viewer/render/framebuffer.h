@@ -47,7 +47,8 @@ class MultisampleTarget {
   GLuint depth_ = 0;
 };
 
-/// Reads the framebuffer that is bound for reading; opaque whatever its alpha says. Rows from top to bottom.
-[[nodiscard]] io::Image read_pixels(const Gl& gl, glm::ivec2 size);
+/// Reads the framebuffer that is bound for reading. Rows from top to bottom. Opaque whatever its alpha says,
+/// unless `transparent`: then its colours, which are multiplied by alpha, are divided by it.
+[[nodiscard]] io::Image read_pixels(const Gl& gl, glm::ivec2 size, bool transparent = false);
 
 }  // namespace aomd::render

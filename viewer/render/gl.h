@@ -71,6 +71,7 @@ using GetProcAddress = GlFunction (*)(const char* name);
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                         \
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                                       \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                                       \
+  X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                                   \
   X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
   X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                       \
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \

@@ -25,9 +25,9 @@ PictureTarget::~PictureTarget() {
   gl_.DeleteFramebuffers(1, &framebuffer_);
 }
 
-io::Image PictureTarget::read() const {
+io::Image PictureTarget::read(bool transparent) const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  return read_pixels(gl_, size_);
+  return read_pixels(gl_, size_, transparent);
 }
 
 }  // namespace aomd::render

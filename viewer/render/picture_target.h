@@ -17,8 +17,8 @@ class PictureTarget {
   PictureTarget& operator=(const PictureTarget&) = delete;
 
   [[nodiscard]] GLuint framebuffer() const { return framebuffer_; }
-  /// What was drawn, rows from top to bottom.
-  [[nodiscard]] io::Image read() const;
+  /// What was drawn, rows from top to bottom; see read_pixels().
+  [[nodiscard]] io::Image read(bool transparent = false) const;
 
  private:
   const Gl& gl_;

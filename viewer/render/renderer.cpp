@@ -17,6 +17,8 @@ constexpr scene::Color with_alpha(scene::Color color, std::uint32_t alpha) {
 }
 
 constexpr float disc_outline_px = 1.25f;
+// 128 MB with four samples; a multiple of the stripes' period on backs.
+constexpr int largest_piece = 2000;
 
 void draw_instances(const Gl& gl, const VertexBuffer& buffer) {
   if (buffer.count() == 0) return;
@@ -34,7 +36,8 @@ SceneTheme light_scene_theme() {
           .edge = with_alpha(rgb(0x1b2430), 150),
           .back_face = with_alpha(rgb(0xb4533c), 165),
           .highlight = with_alpha(rgb(0xff2f92), 205),
-          .outline = rgb(0xffffff)};
+          .outline = rgb(0xffffff),
+          .glass = with_alpha(rgb(0x2f6fd0), 56)};
 }
 
 SceneTheme dark_scene_theme() {
@@ -43,7 +46,8 @@ SceneTheme dark_scene_theme() {
           .edge = with_alpha(rgb(0x0b0e13), 165),
           .back_face = with_alpha(rgb(0x9c4632), 165),
           .highlight = with_alpha(rgb(0xff4da3), 205),
-          .outline = rgb(0x0e1116)};
+          .outline = rgb(0x0e1116),
+          .glass = with_alpha(rgb(0x7fb2ff), 48)};
 }
 
 /// What all programs need to know about one picture.
@@ -57,17 +61,28 @@ struct Renderer::Frame {
   bool orthographic;
   const RenderSettings& settings;
 
-  Frame(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& s, glm::ivec2 size)
-      : size_px(size), orthographic(camera.orthographic), settings(s) {
-    const double aspect = static_cast<double>(size.x) / size.y;
+  Frame(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& s,
+        const Piece& piece)
+      : size_px(piece.size), orthographic(camera.orthographic), settings(s) {
+    const double aspect = static_cast<double>(piece.whole.x) / piece.whole.y;
     const glm::dmat4 p = camera.projection(aspect, buffers.bounds);
     view = glm::mat4(camera.view() * glm::translate(glm::dmat4(1), buffers.origin));
-    projection = glm::mat4(p);
-    pixel_size = static_cast<float>(2.0 / (p[1][1] * size.y));
+    projection = glm::mat4(piece_of(piece) * p);
+    pixel_size = static_cast<float>(2.0 / (p[1][1] * piece.whole.y));
     near_depth =
         orthographic ? -std::numeric_limits<float>::max() : static_cast<float>(p[3][2] / (p[2][2] - 1.0));
     const glm::dvec4 plane = s.clip_plane.value_or(glm::dvec4(0, 0, 0, 1));
     clip_plane = glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), buffers.origin));
+  }
+
+  /// From the whole's clip space to the piece's.
+  static glm::dmat4 piece_of(const Piece& piece) {
+    if (piece.whole == piece.size) return glm::dmat4(1);
+    const glm::dvec2 scale = glm::dvec2(piece.whole) / glm::dvec2(piece.size);
+    const glm::dvec2 middle =
+        (2.0 * glm::dvec2(piece.from) + glm::dvec2(piece.size)) / glm::dvec2(piece.whole) - 1.0;
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), {-middle * scale, 0.0});
+    return glm::scale(moved, {scale, 1.0});
   }
 
   void apply(ShaderProgram& program) const {
@@ -91,6 +106,7 @@ Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
     : gl_(gl),
       background_(gl, sources, "background"),
       surface_(gl, sources, "surface"),
+      glass_(gl, sources, "glass"),
       stroke_(gl, sources, "stroke"),
       nothing_(gl),
       target_(gl, wanted_samples) {}
@@ -99,30 +115,53 @@ void Renderer::render(const DrawableBuffers& buffers, const scene::Camera& camer
                       const RenderSettings& settings, const PixelRect& rect, GLuint destination) {
   if (rect.empty()) return;
   gl_.Disable(GL_SCISSOR_TEST);
-  const glm::ivec2 size{rect.width, rect.height};
-  target_.begin(size);
-  draw(buffers, camera, settings, size);
-  target_.resolve(destination, rect);
+  const glm::ivec2 whole{rect.width, rect.height};
+  for (int y = 0; y < whole.y; y += largest_piece)
+    for (int x = 0; x < whole.x; x += largest_piece) {
+      const glm::ivec2 size = glm::min(whole - glm::ivec2(x, y), glm::ivec2(largest_piece));
+      target_.begin(size);
+      draw_piece(buffers, camera, settings, {whole, {x, y}, size});
+      target_.resolve(destination, {rect.x + x, rect.y + y, size.x, size.y});
+    }
 }
 
 void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
                     const RenderSettings& settings, glm::ivec2 size) {
-  const Frame frame(buffers, camera, settings, size);
+  draw_piece(buffers, camera, settings, {size, {0, 0}, size});
+}
+
+void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera,
+                          const RenderSettings& settings, const Piece& piece) {
+  const Frame frame(buffers, camera, settings, piece);
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_DEPTH_TEST);
-  draw_background(settings.theme);
+  if (settings.transparent) {
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  } else {
+    draw_background(settings.theme, piece);
+  }
   gl_.DepthMask(GL_TRUE);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LEQUAL);
   if (settings.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
-  if (settings.show_surface) draw_surface(buffers.corners, frame);
+  if (settings.show_surface && !settings.glass) {
+    draw_surface(buffers.corners, frame);
+    draw_surface(buffers.cells, frame);
+  }
   // The soft rims of lines must not keep out the lines that go on behind them.
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (settings.glass) {
+    frame.apply_strokes(stroke_);
+    draw_strokes(buffers.interior_edges);
+    if (settings.show_surface) draw_glass(buffers.corners, frame);
+  }
+  if (settings.ghost != nullptr) draw_glass(settings.ghost->corners, frame);
   frame.apply_strokes(stroke_);
   if (settings.show_model_edges) draw_strokes(buffers.model_edges);
   draw_strokes(buffers.highlight_lines);
@@ -134,8 +173,11 @@ void Renderer::draw(const DrawableBuffers& buffers, const scene::Camera& camera,
   gl_.Disable(GL_DEPTH_TEST);
 }
 
-void Renderer::draw_background(const SceneTheme& theme) {
+void Renderer::draw_background(const SceneTheme& theme, const Piece& piece) {
+  const float whole = static_cast<float>(piece.whole.y);
   background_.use();
+  background_.set("from", static_cast<float>(piece.from.y) / whole);
+  background_.set("part", static_cast<float>(piece.size.y) / whole);
   background_.set("top", opaque(theme.background_top));
   background_.set("bottom", opaque(theme.background_bottom));
   nothing_.bind();
@@ -152,6 +194,21 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+/// Its faces in front only. Behind faces in the same place, so that nothing flickers where both agree.
+void Renderer::draw_glass(const CornerBuffer& corners, const Frame& frame) {
+  if (corners.count() == 0) return;
+  frame.apply(glass_);
+  glass_.set("glass_color", unpack_color(frame.settings.theme.glass));
+  glass_.set("orthographic", frame.orthographic ? 1 : 0);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.Enable(GL_POLYGON_OFFSET_FILL);
+  gl_.PolygonOffset(1, 4);
+  corners.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  gl_.Disable(GL_CULL_FACE);
 }
 
 void Renderer::draw_strokes(const SegmentBuffer& segments) {

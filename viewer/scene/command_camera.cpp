@@ -7,13 +7,24 @@
 namespace aomd::scene {
 namespace {
 
+constexpr std::size_t longest_camera_text = 1000;  // whatever else the clipboard may hold
+
 void camera(Session& session, Arguments& arguments) {
   need_mesh(session);
-  const std::string text = arguments.rest("a view or its parameters");
+  std::string text = arguments.rest("a view or its parameters");
+  if (text == "copy") {
+    session.clipboard.set(session.view.camera.to_text());
+    session.status = "Copied the camera";
+    return;
+  }
+  const bool pasted = text == "paste";
+  if (pasted) text = session.clipboard.get().substr(0, longest_camera_text);
   const CameraSpec spec =
       parse_camera(text, session.view.camera, session.document.content().bounds, session.view.aspect);
+  if (!spec.camera && pasted) throw CommandError("the clipboard holds no camera: " + spec.error);
   if (!spec.camera) arguments.fail(spec.error);
   session.view.camera = *spec.camera;
+  if (pasted) session.status = "Pasted the camera";
 }
 
 void fit(Session& session, Arguments& arguments) {
@@ -52,9 +63,10 @@ void zoom(Session& session, Arguments& arguments) {
 std::vector<Command> camera_commands() {
   return {
       {"camera",
-       "VIEW|SPEC",
+       "VIEW|SPEC|copy|paste",
        "iso, front, back, left, right, top, bottom; or azimuth=DEG elevation=DEG distance=L target=X,Y,Z "
-       "zoom=F fov=DEG up=y|z perspective orthographic fit.",
+       "zoom=F fov=DEG up=y|z perspective orthographic fit. copy and paste: the present one as such a text, "
+       "through the clipboard.",
        CommandGroup::View,
        camera,
        {{"1", "camera front"},
@@ -63,7 +75,9 @@ std::vector<Command> camera_commands() {
         {"4", "camera left"},
         {"5", "camera top"},
         {"6", "camera bottom"},
-        {"7", "camera iso"}}},
+        {"7", "camera iso"},
+        {"Ctrl+Shift+C", "camera copy"},
+        {"Ctrl+Shift+V", "camera paste"}}},
       {"fit",
        "",
        "Shows the whole mesh from the present direction.",

@@ -80,6 +80,7 @@ void cancel(Session& session, Arguments& arguments) {
   if (session.document.running()) session.status = "Run cancelled: undo takes back what it did";
   session.document.cancel_run();
   session.cancel_loading();
+  session.cancel_series();
   session.play(false);
 }
 
@@ -115,7 +116,7 @@ std::vector<Command> edit_commands() {
        {{"R", "run"}}},
       {"cancel",
        "",
-       "Stops a run between two operations, drops what is being loaded, stops playing.",
+       "Stops a run between two operations, drops what is being loaded, stops playing and exporting.",
        CommandGroup::Operations,
        cancel,
        {{"Escape", "cancel"}}},

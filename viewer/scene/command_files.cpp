@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "core/io/io.h"
 #include "core/samples/samples.h"
@@ -51,17 +52,11 @@ void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
   io::write(file, to_data(session.document.mesh()));
+  session.document.mark_saved(file);
   session.view.dialog = Dialog::None;
   session.status = "Saved " + file.string();
-}
-
-void screenshot(Session& session, Arguments& arguments) {
-  ScreenshotRequest request;
-  request.file = expanded(arguments.word("a file"));
-  if (!arguments.done()) request.size = arguments.size();
-  arguments.end();
-  session.view.dialog = Dialog::None;
-  session.screenshots.push_back(std::move(request));
+  // The question about unsaved work, if there was one, is answered.
+  if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});
 }
 
 void quit(Session& session, Arguments& arguments) {
@@ -109,12 +104,6 @@ std::vector<Command> file_commands() {
        CommandGroup::File,
        save,
        {{"Ctrl+S", "dialog save"}}},
-      {"screenshot",
-       "FILE [WxH]",
-       "Writes a PNG of everything that is shown, as large as the window or WxH.",
-       CommandGroup::File,
-       screenshot,
-       {{"Ctrl+P", "dialog screenshot"}}},
       {"quit", "", "Ends the program.", CommandGroup::File, quit, {{"Ctrl+Q", "quit"}}},
   };
 }

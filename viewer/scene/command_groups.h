@@ -21,6 +21,9 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
 [[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
+[[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp
+[[nodiscard]] std::vector<Command> work_commands();       // command_work.cpp
+[[nodiscard]] std::vector<Command> compare_commands();    // command_compare.cpp
 [[nodiscard]] std::vector<Command> script_commands();     // command_scripts.cpp
 
 // What handlers of several files need.

@@ -19,21 +19,26 @@ T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, 
 }
 
 void color(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Coloring>, 3> choices = {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 6> choices = {
       {{"classification", Coloring::Classification},
        {"spacing", Coloring::Spacing},
+       {"quality", Coloring::Quality},
+       {"distance", Coloring::Distance},
+       {"curvature", Coloring::Curvature},
        {"none", Coloring::None}}};
   session.view.coloring = choose(arguments, choices);
   arguments.end();
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 6> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 8> choices = {
       {{"surface", &View::surface},
        {"edges", &View::edges},
        {"model-edges", &View::model_edges},
        {"model-vertices", &View::model_vertices},
        {"interfaces", &View::interfaces},
+       {"interior-edges", &View::interior_edges},
+       {"original", &View::original},
        {"operation", &View::operation}}};
   bool& shown = session.view.*choose(arguments, choices);
   shown = arguments.flag(shown);
@@ -73,10 +78,11 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  enum class Which { Mesh, Decimation, Adjacency, Timeline, All };
-  constexpr std::array<std::pair<std::string_view, Which>, 5> choices = {{{"mesh", Which::Mesh},
+  enum class Which { Mesh, Decimation, Adjacency, Histograms, Timeline, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 6> choices = {{{"mesh", Which::Mesh},
                                                                           {"decimation", Which::Decimation},
                                                                           {"adjacency", Which::Adjacency},
+                                                                          {"histograms", Which::Histograms},
                                                                           {"timeline", Which::Timeline},
                                                                           {"all", Which::All}}};
   Panels& panels = session.view.panels;
@@ -91,20 +97,26 @@ void panel(Session& session, Arguments& arguments) {
   if (which == Which::Mesh) panels.mesh = arguments.flag(panels.mesh);
   if (which == Which::Decimation) turn_page(Page::Decimation);
   if (which == Which::Adjacency) turn_page(Page::Adjacency);
+  if (which == Which::Histograms) turn_page(Page::Histograms);
   if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
   if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
   arguments.end();
 }
 
 void dialog(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Dialog>, 6> choices = {{{"open", Dialog::Open},
+  constexpr std::array<std::pair<std::string_view, Dialog>, 8> choices = {{{"open", Dialog::Open},
                                                                            {"save", Dialog::Save},
                                                                            {"screenshot", Dialog::Screenshot},
                                                                            {"shortcuts", Dialog::Shortcuts},
                                                                            {"about", Dialog::About},
+                                                                           {"unsaved", Dialog::Unsaved},
+                                                                           {"recovery", Dialog::Recovery},
                                                                            {"none", Dialog::None}}};
-  session.view.dialog = choose(arguments, choices);
+  const Dialog wanted = choose(arguments, choices);
   arguments.end();
+  if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
+  session.view.dialog = wanted;
+  if (wanted != Dialog::Save) session.asked.clear();
 }
 
 void dismiss(Session& session, Arguments& arguments) {
@@ -117,15 +129,19 @@ void dismiss(Session& session, Arguments& arguments) {
 std::vector<Command> view_commands() {
   return {
       {"color",
-       "classification|spacing|none",
-       "What the surface's colours mean: what it lies on, or how long decimation wants edges to be.",
+       "classification|spacing|quality|distance|curvature|none",
+       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, the "
+       "smallest "
+       "angle of each face, its distance to the mesh as loaded, or how strongly the surface bends.",
        CommandGroup::View,
        color,
        {{"C", "color classification"}, {"N", "color none"}}},
       {"show",
-       "surface|edges|model-edges|model-vertices|interfaces|operation [on|off|toggle]",
-       "interfaces are the faces between two model regions, seen where something is hidden; operation is "
-       "what the last single step touched.",
+       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|operation "
+       "[on|off|toggle]",
+       "interfaces are the faces between two model regions, seen where something is hidden; interior-edges "
+       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded, as glass "
+       "over the present one; operation is what the last single step touched.",
        CommandGroup::View,
        show,
        {{"E", "show edges toggle"},
@@ -152,14 +168,18 @@ std::vector<Command> view_commands() {
        theme,
        {{"T", "theme toggle"}}},
       {"panel",
-       "mesh|decimation|adjacency|timeline|all [on|off|toggle]",
-       "Which panels are there; decimation and adjacency share the one on the right.",
+       "mesh|decimation|adjacency|histograms|timeline|all [on|off|toggle]",
+       "Which panels are there; decimation, adjacency and histograms share the one on the right.",
        CommandGroup::View,
        panel,
-       {{"Tab", "panel all toggle"}, {"D", "panel decimation on"}, {"A", "panel adjacency on"}}},
+       {{"Tab", "panel all toggle"},
+        {"D", "panel decimation on"},
+        {"A", "panel adjacency on"},
+        {"G", "panel histograms on"}}},
       {"dialog",
-       "open|save|screenshot|shortcuts|about|none",
-       "Opens one of the dialogs.",
+       "open|save|screenshot|shortcuts|about|unsaved|recovery|none",
+       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists what "
+       "programs that died have left.",
        CommandGroup::View,
        dialog,
        {{"F1", "dialog shortcuts"}}},

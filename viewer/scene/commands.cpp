@@ -1,6 +1,7 @@
 #include "viewer/scene/commands.h"
 
 #include <algorithm>
+#include <array>
 
 #include "viewer/scene/arguments.h"
 
@@ -40,7 +41,28 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// What changes neither mesh nor view, or ends the export.
+bool may_interrupt_series(std::string_view name) {
+  constexpr std::array<std::string_view, 7> names = {"cancel", "dialog", "dismiss", "log",
+                                                     "pause",  "quit",   "unsaved"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool replaces_mesh(std::string_view line) {
+  constexpr std::array<std::string_view, 4> names = {"open", "quit", "recover", "sample"};
+  const std::string_view name = line.substr(0, line.find(' '));
+  return std::find(names.begin(), names.end(), name) != names.end() && line.rfind("recover discard", 0) != 0;
+}
+
 }  // namespace
+
+bool asks_first(Session& session, std::string_view line) {
+  line = trimmed(line);
+  if (!replaces_mesh(line) || !session.document.unsaved()) return false;
+  session.asked = line;
+  session.view.dialog = Dialog::Unsaved;
+  return true;
+}
 
 std::string_view group_name(CommandGroup group) {
   constexpr std::string_view names[] = {"Files", "Options", "Operations", "History", "View", "Scripts"};
@@ -57,6 +79,8 @@ void execute(Session& session, std::string_view line) {
       std::find_if(table.begin(), table.end(), [&](const Command& c) { return c.name == name; });
   if (found == table.end())
     throw CommandError("there is no command '" + std::string(name) + "': aomd-view --help lists them");
+  if (session.series() != nullptr && !may_interrupt_series(found->name))
+    throw CommandError("pictures are being exported: cancel that first");
   Arguments arguments(found->name, found->arguments, line.substr(end));
   found->run(session, arguments);
 }

@@ -51,6 +51,10 @@ struct Command {
 /// Session::tick. Throws CommandError for what is wrong in the line, io::WriteError from `save`.
 void execute(Session& session, std::string_view line);
 
+/// For what a person asks for in a window: true where the line would lose unsaved work. The line then waits
+/// in Session::asked, and the dialog asks; the command `unsaved` answers. Scripts are not asked.
+[[nodiscard]] bool asks_first(Session& session, std::string_view line);
+
 /// The line that a chord emits; empty where it has none.
 [[nodiscard]] std::string_view line_of_chord(std::string_view chord);
 /// The first chord that emits exactly this line; empty where there is none. For menus and tooltips.

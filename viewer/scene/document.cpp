@@ -7,6 +7,7 @@
 
 #include "core/decimate/spacing.h"
 #include "core/mesh/journal_scope.h"
+#include "viewer/scene/saved_work.h"
 
 namespace aomd::scene {
 
@@ -14,6 +15,17 @@ HistoryPlace Document::place() const {
   if (!loaded_) return {generation_, creations_, 0, 0, 0};
   const std::size_t last_cut = journal().epoch() == epoch_at_mark_ ? last_cut_ : mark_begin_;
   return {generation_, creations_, journal().epoch(), journal().cursor(), last_cut};
+}
+
+bool Document::unsaved() const {
+  if (!loaded_ || journal().cursor() == 0) return false;
+  return journal().cursor() != saved_step_ || journal().epoch() != saved_epoch_;
+}
+
+void Document::mark_saved(std::filesystem::path file) {
+  saved_file_ = std::move(file);
+  saved_step_ = journal().cursor();
+  saved_epoch_ = journal().epoch();
 }
 
 std::string_view Document::hindrance() const {
@@ -55,6 +67,7 @@ const SweepStatistics* Document::last_sweep() const {
 
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   loaded_ = std::move(loaded);
+  as_loaded_.reset();
   options_.spacing.reset();
   marks_.clear();
   ++generation_;
@@ -62,6 +75,18 @@ void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   epoch_at_mark_ = 0;
   running_ = stale_ = focused_ = false;
   adjacency_change_.reset();
+  mark_saved({});
+}
+
+void Document::restore(const SavedWork& work) {
+  marks_ = work.marks;
+  options_ = work.options;
+  classify_ = work.classify;
+  snaps_ = work.snaps;
+  epoch_at_mark_ = journal().epoch();
+  move_to(work.cursor, false);
+  if (!work.spacing.empty()) set_spacing(work.spacing);
+  if (!work.model.empty()) set_model(work.model);
 }
 
 /// What it shows depends on which entities there are and on what they lie.
@@ -98,6 +123,14 @@ void Document::visit(std::size_t step, const std::function<void()>& look) {
   }
   journal.seek(mesh, cursor);
   stale_ = stale_ || (cursor != step && loaded_->decimation);
+}
+
+// Going there and back leaves all as it was: the decimation need not know.
+AsLoaded& Document::as_loaded() {
+  const bool stale = stale_;
+  if (!as_loaded_) visit(0, [&] { as_loaded_ = std::make_unique<AsLoaded>(loaded_->mesh); });
+  stale_ = stale;
+  return *as_loaded_;
 }
 
 /// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left.
@@ -147,6 +180,8 @@ void Document::open_mark(std::string label) {
 std::size_t Document::close_mark() {
   const std::size_t made = journal().cursor() - marks_.back().begin;
   if (made == 0) marks_.pop_back();
+  // What a new command cuts off beyond the saved place does not concern that place.
+  if (saved_epoch_ == epoch_at_mark_ && mark_begin_ >= saved_step_) saved_epoch_ = journal().epoch();
   if (journal().epoch() == epoch_at_mark_ && made == 0)
     marks_.insert(marks_.end(), undone_marks_.begin(), undone_marks_.end());
   undone_marks_.clear();

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/scene/as_loaded.h"
 #include "viewer/scene/loaded_mesh.h"
 #include "viewer/scene/surface_changes.h"
 
@@ -45,6 +46,11 @@ class Document {
   }
   /// Whether the present classification is known to be on it.
   [[nodiscard]] bool lies_on_model() const;
+  /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed and changed
+  /// back by new operations differs.
+  [[nodiscard]] bool unsaved() const;
+  /// Where the present mesh was saved last; empty where it was not.
+  [[nodiscard]] const std::filesystem::path& saved_file() const { return saved_file_; }
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
   /// How long the present options want the edges at each vertex to be; infinite without a limit, where
@@ -66,7 +72,17 @@ class Document {
   [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
+  /// The present mesh at the start of its history, made at the first need: O(steps + entities), and where
+  /// steps are applied nothing may be running. A mesh of triangles must be there.
+  [[nodiscard]] AsLoaded& as_loaded();
+  /// Whether as_loaded() can be had now.
+  [[nodiscard]] bool can_look_back() const { return as_loaded_ || !running_; }
   void replace(std::unique_ptr<LoadedMesh> loaded);
+  /// Takes over what had been done to the present mesh, which has just been loaded with that history, and
+  /// what had been set. Throws as set_spacing and set_model, in the end: all else is then restored.
+  void restore(const SavedWork& work);
+  /// The mesh as it is now is in that file.
+  void mark_saved(std::filesystem::path file);
   /// Keeps what has been done; cheap while nothing runs.
   void set_options(const DecimationOptions& options) { options_ = options; }
   /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as parse_spacing
@@ -129,6 +145,7 @@ class Document {
   void move_to(std::size_t step, bool single);
 
   std::unique_ptr<LoadedMesh> loaded_;
+  std::unique_ptr<AsLoaded> as_loaded_;
   DecimationOptions options_;
   std::string spacing_source_;  ///< of options_.spacing
   ClassifyOptions classify_;
@@ -146,6 +163,9 @@ class Document {
   bool focused_ = false;
   std::size_t first_sweep_of_run_ = 0;
   std::optional<AdjacencyChange> adjacency_change_;
+  std::filesystem::path saved_file_;
+  std::size_t saved_step_ = 0;
+  std::uint64_t saved_epoch_ = 0;
 };
 
 }  // namespace aomd::scene

@@ -52,7 +52,9 @@ static_assert(sizeof(Disc) == 20);
 struct Drawable {
   glm::dvec3 origin{0};
   Box bounds;
-  Patched<Corner> corners;           ///< 3 a face slot
+  Patched<Corner> corners;  ///< 3 a face slot
+  Patched<Corner> cells;    ///< what a volume shows besides: sections, shrunken regions; never clipped
+  Patched<Segment> interior_edges;   ///< drawn when RenderSettings::glass
   Patched<Segment> model_edges;      ///< drawn when RenderSettings::show_model_edges
   Patched<Disc> model_vertices;      ///< drawn when RenderSettings::show_model_vertices
   Patched<Segment> highlight_lines;  ///< always drawn, over the model's

@@ -7,6 +7,7 @@
 #include "core/decimate/spacing.h"
 #include "core/io/io.h"
 #include "core/samples/samples.h"
+#include "viewer/scene/saved_work.h"
 
 namespace aomd::scene {
 namespace {
@@ -82,7 +83,9 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   return loaded;
 }
 
-std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
+namespace {
+
+std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample, request.classify);
   io::ReadResult result = io::read(request.file);
@@ -92,6 +95,16 @@ std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
   loaded->file = request.file;
   loaded->notes = std::move(result.notes);
   loaded->up = usual_up_axis(result.format);
+  return loaded;
+}
+
+}  // namespace
+
+std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
+  auto loaded = load_source(request);
+  loaded->source = request;
+  if (request.recoverable && !loaded->skin) loaded->start = io::fingerprint(loaded->mesh);
+  if (request.work) restore_history(*loaded, *request.work);
   return loaded;
 }
 

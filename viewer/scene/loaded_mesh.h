@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/decimate/decimation.h"
+#include "core/io/journal_file.h"
 #include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
@@ -37,13 +38,27 @@ struct FacetedOriginal {
   std::unique_ptr<const DiscreteModel> model;
 };
 
+struct SavedWork;
+
+/// What to load: a file, or a sample where `file` is empty.
+struct LoadRequest {
+  std::filesystem::path file;
+  std::string sample;
+  int sample_size = 0;  ///< 0 is the sample's own
+  ClassifyOptions classify;
+  bool recoverable = false;                    ///< takes the fingerprint that saved work needs
+  std::shared_ptr<const SavedWork> work = {};  ///< what had been done to it; null: nothing
+};
+
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
-  std::string name;                ///< "bunny.ply", or a sample's name
-  std::filesystem::path file;      ///< empty for a sample
-  UpAxis up = UpAxis::Z;           ///< what the source usually means by up
-  std::vector<std::string> notes;  ///< what the reader had to do
-  Box bounds;                      ///< of the vertices that can be seen
+  std::string name;                          ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;                ///< empty for a sample
+  LoadRequest source;                        ///< what it was made from; names nothing for plain data
+  std::optional<io::MeshFingerprint> start;  ///< of the mesh as loaded, where the source asks for it
+  UpAxis up = UpAxis::Z;                     ///< what the source usually means by up
+  std::vector<std::string> notes;            ///< what the reader had to do
+  Box bounds;                                ///< of the vertices that can be seen
   Mesh mesh;
   Journal journal;
   ClassifyOptions classify_options;
@@ -65,17 +80,9 @@ struct LoadedMesh {
   [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }
 };
 
-/// What to load: a file, or a sample where `file` is empty.
-struct LoadRequest {
-  std::filesystem::path file;
-  std::string sample;
-  int sample_size = 0;  ///< 0 is the sample's own
-  ClassifyOptions classify;
-};
-
 /// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a
 /// million faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces and
-/// regions.
+/// regions, and for work that does not fit it.
 [[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.

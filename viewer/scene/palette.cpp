@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <glm/common.hpp>
 
@@ -25,6 +26,12 @@ constexpr std::array<Color, 8> hues = {
 // After each turn through the hues the tints step in lightness: as far as each other, never to the strong
 // colours of edges and vertices.
 constexpr std::array<float, 3> face_whiteness = {0.55f, 0.70f, 0.40f};
+
+// Van der Walt and Smith's maps, from an eighth (viridis) and a quarter (magma) of their way on.
+constexpr std::array<Color, 8> viridis = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e), rgb(0x1f9e89),
+                                          rgb(0x35b779), rgb(0x6ece58), rgb(0xb5de2b), rgb(0xfde725)};
+constexpr std::array<Color, 7> magma = {rgb(0x50127b), rgb(0x812581), rgb(0xb5367a), rgb(0xe55964),
+                                        rgb(0xfb8861), rgb(0xfec287), rgb(0xfcfdbf)};
 
 struct Place {
   std::size_t hue = 0;
@@ -56,10 +63,9 @@ Color mix_colors(Color a, Color b, float t) {
   return pack_color(glm::mix(unpack_color(a), unpack_color(b), t));
 }
 
-Color ramp_color(float t) {
-  constexpr std::array<Color, 8> stops = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e), rgb(0x1f9e89),
-                                          rgb(0x35b779), rgb(0x6ece58), rgb(0xb5de2b), rgb(0xfde725)};
-  const float at = std::clamp(t, 0.0f, 1.0f) * (stops.size() - 1);
+Color ramp_color(float t, ColorMap map) {
+  const std::span<const Color> stops = map == ColorMap::Viridis ? std::span<const Color>(viridis) : magma;
+  const float at = std::clamp(t, 0.0f, 1.0f) * static_cast<float>(stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   return mix_colors(stops[below], stops[below + 1], at - static_cast<float>(below));
 }

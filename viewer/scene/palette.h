@@ -37,8 +37,13 @@ inline constexpr ModelRef unnamed_border{1, 0};
 /// The colour of what is not classified.
 [[nodiscard]] constexpr Color unclassified_color() { return rgb(0xc9ccd1); }
 
-/// The scale for numbers, 0 to 1 (clamped): dark blue over green to yellow. Lightness rises evenly, also for
-/// colour-blind eyes and in grey (viridis, without its darkest part, on which shading would not show).
-[[nodiscard]] Color ramp_color(float t);
+/// Scales for numbers. Lightness rises evenly along both, also for colour-blind eyes and in grey; the darkest
+/// part of each is left out, because shading would not show on it.
+enum class ColorMap {
+  Viridis,  ///< dark blue over green to yellow
+  Magma,    ///< violet over red to pale yellow: where more is worse
+};
+/// 0 to 1 (clamped).
+[[nodiscard]] Color ramp_color(float t, ColorMap map = ColorMap::Viridis);
 
 }  // namespace aomd::scene

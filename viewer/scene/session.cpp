@@ -12,6 +12,7 @@ namespace {
 
 constexpr double longest_play_s = 12;      // however long the history
 constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
+constexpr std::chrono::milliseconds slice_of_kept_run{50};
 
 SkinStyle skin_style(const View& view) {
   SkinStyle style;
@@ -20,7 +21,20 @@ SkinStyle skin_style(const View& view) {
                std::inserter(style.hidden_regions, style.hidden_regions.end()), is_region);
   if (view.highlighted && is_region(*view.highlighted)) style.highlighted_region = view.highlighted;
   style.interfaces = view.interfaces;
+  style.faces = view.shrink == 0;
   return style;
+}
+
+bool wants_histograms(const View& view) {
+  return view.marked || (view.panels.side && view.panels.page == Page::Histograms);
+}
+
+/// True where it differs from before, that is kept from now on.
+template <typename T>
+bool renew(std::optional<T>& kept, const T& now) {
+  if (kept && *kept == now) return false;
+  kept = now;
+  return true;
 }
 
 /// "7,160 faces", "165,295 regions"
@@ -30,7 +44,17 @@ std::string size_words(const MeshFacts& facts) {
 
 }  // namespace
 
+void Session::keep_work(const std::filesystem::path& folder) {
+  recovery = std::make_unique<RecoveryKeeper>(folder);
+  found_work = find_saved_work(folder);
+}
+
+void Session::keep() {
+  if (recovery) recovery->update(document);
+}
+
 void Session::start_loading(LoadRequest request) {
+  request.recoverable = recovery != nullptr;
   loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
@@ -48,10 +72,20 @@ void Session::take_loaded(Loader::Result result) {
   document.replace(std::move(result.mesh));
   view.hidden.clear();
   view.highlighted.reset();
+  view.marked.reset();
+  view.clip.reset();
+  view.shrink = 0;
   drawing_.set_bounds(document.content().bounds);
   drawing_.set_face_flags({});
+  drawing_.set_marked(document.mesh(), {});
   drawing_.highlight_step(document.mesh(), document.journal(), {});
+  drawing_.set_cells({});
+  drawing_.set_interior_edges({});
+  original_drawing_.set_bounds(document.content().bounds);
   skin_surface_.reset();
+  clipped_skin_.reset();
+  cutter_.reset();
+  cells_.reset();
   refresh();
   loaded_facts_ = facts();
   view.camera.up_axis = document.content().up;
@@ -59,6 +93,44 @@ void Session::take_loaded(Loader::Result result) {
   view.camera.fit(document.content().bounds, view.aspect);
   status = document.content().name + ": " + size_words(facts());
   for (const std::string& note : document.content().notes) status += ", " + note;
+  if (const auto work = document.content().source.work) restore(*work);
+}
+
+/// What was found goes only once this program keeps it itself.
+void Session::restore(const SavedWork& work) {
+  const auto shared = document.content().source.work;
+  std::erase(found_work, shared);
+  if (recovery) recovery->take_over(shared);
+  document.restore(work);
+  status = "Restored " + work.name() + ": " + grouped(static_cast<std::int64_t>(work.cursor)) +
+           " operations, " + grouped(document.mesh().count(2)) + " faces";
+}
+
+void Session::start_series(PictureSeries::Kind kind, const std::filesystem::path& folder, int count,
+                           std::optional<glm::ivec2> size) {
+  play(false);
+  document.cancel_run();
+  series_.emplace(kind, folder, count, size, document, view);
+  status = "Exporting " + std::to_string(series_->count()) + " pictures ...";
+}
+
+void Session::advance_series() {
+  if (!series_ || !screenshots.empty()) return;
+  if (auto picture = series_->next(document, view)) {
+    screenshots.push_back(std::move(*picture));
+    return;
+  }
+  series_->put_back(document, view);
+  status = "Saved " + std::to_string(series_->count()) + " pictures in " + series_->folder().string();
+  series_.reset();
+}
+
+void Session::cancel_series() {
+  if (!series_) return;
+  screenshots.clear();
+  series_->put_back(document, view);
+  status = "Export cancelled after " + std::to_string(series_->made()) + " pictures";
+  series_.reset();
 }
 
 void Session::play(bool on) {
@@ -88,13 +160,19 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   if (auto result = loader_.take(false)) take_loaded(std::move(*result));
   run_on(budget);
   if (playing_) advance_playing(frame_s);
+  keep();
 }
 
 void Session::finish() {
   if (auto result = loader_.take(true)) take_loaded(std::move(*result));
+  while (recovery && document.running()) {
+    run_on(slice_of_kept_run);
+    keep();
+  }
   run_on({});
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
+  keep();
 }
 
 void Session::refresh() {
@@ -103,48 +181,101 @@ void Session::refresh() {
     refresh_skin();
   else
     refresh_surface();
+  refresh_original();
 }
 
 void Session::refresh_skin() {
   const LoadedMesh& content = document.content();
   const HistoryPlace place = document.place();
-  SurfaceChanges all;
-  all.everything = true;
-  if (const SkinStyle style = skin_style(view);
-      !skin_surface_ || place != skin_place_ || style != skin_style_) {
+  const bool moved = !skin_surface_ || place != skin_place_;
+  const bool recut = renew(cells_, cell_style(view, content.bounds));
+  const auto plane = cells_->whole_plane();
+  SurfaceChanges changes;
+  if (const SkinStyle style = skin_style(view); moved || plane != skin_plane_ || style != skin_style_) {
     if (place != skin_place_ && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
-    if (place != skin_place_ && !content.volume()) facts_.update(content.mesh, all);
-    skin_surface_.emplace(make_skin_surface(content.mesh, *content.skin, style));
+    changes.everything = true;
+    if (place != skin_place_ && !content.volume()) facts_.update(content.mesh, changes);
+    if (moved || plane != skin_plane_) clipped_skin_.reset();
+    if (moved) cutter_.reset();
+    if (plane && !cutter_) cutter_ = std::make_unique<SkinCutter>(content.mesh);
+    if (plane && !clipped_skin_) clipped_skin_.emplace(cutter_->before(*plane));
+    skin_plane_ = plane;
+    skin_surface_.emplace(
+        make_skin_surface(content.mesh, clipped_skin_ ? *clipped_skin_ : *content.skin, style));
     skin_style_ = style;
     skin_place_ = place;
     drawing_.set_face_flags(skin_surface_->flags);
-  } else {
-    all.everything = false;
   }
-  refresh_field(all.everything);
-  drawing_.update(skin_surface_->mesh, view, all);
+  if (moved || recut) refresh_cells();
+  drawing_.set_whole_faces(false);
+  refresh_field(skin_surface_->mesh, changes);
+  drawing_.update(skin_surface_->mesh, view, changes);
+  histograms_.update(document, wants_histograms(view), idle());
 }
 
-void Session::refresh_field(bool anew) {
-  const bool wanted = view.coloring == Coloring::Spacing && !document.content().skin;
-  if (!anew && wanted == field_.has_value() && (!wanted || field_options_ == document.options())) return;
-  field_.reset();
-  if (wanted) field_ = make_vertex_field(document.mesh(), document.wanted_lengths());
-  field_options_ = document.options();
-  drawing_.set_vertex_colors(field_ ? field_->colors : nullptr);
+void Session::refresh_cells() {
+  const Mesh& mesh = document.mesh();
+  const Skin& skin = clipped_skin_ ? *clipped_skin_ : *document.content().skin;
+  const glm::dvec3 origin = document.content().bounds.center();
+  std::vector<Corner> corners;
+  if (cells_->shrink > 0) corners = draw_shrunken(mesh, skin, *cells_, origin);
+  if (cells_->sections()) {
+    const std::vector<Corner> sections = draw_sections(mesh, *cells_, origin);
+    corners.insert(corners.end(), sections.begin(), sections.end());
+  }
+  drawing_.set_cells(std::move(corners));
+  drawing_.set_interior_edges(cells_->interior_edges ? draw_interior_edges(mesh, skin, *cells_, origin)
+                                                     : std::vector<Segment>());
+}
+
+void Session::refresh_field(const Mesh& shown, SurfaceChanges& changes) {
+  const bool still = idle() && document.can_look_back();
+  fields_.update(view.coloring, {shown, document, document.content().skin.has_value(), still}, changes);
+  drawing_.set_field(fields_.field());
 }
 
 void Session::refresh_surface() {
   const HistoryPlace place = document.place();
-  const SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
+  SurfaceChanges found = changes_.read(document.mesh(), document.journal(), place);
+  const bool changed = !found.nothing();
   facts_.update(document.mesh(), found);
-  refresh_field(found.everything);
+  drawing_.set_whole_faces(true);
+  refresh_field(document.mesh(), found);
   drawing_.update(document.mesh(), view, found);
+  refresh_marks(changed);
   const auto focus = view.operation ? document.focus() : std::nullopt;
-  if (focus != drawn_focus_ || !found.nothing()) {
+  if (focus != drawn_focus_ || changed || view.marked != drawn_mark_) {
     drawing_.highlight_step(document.mesh(), document.journal(), focus);
     drawn_focus_ = focus;
+    drawn_mark_ = view.marked;
   }
+}
+
+/// The only place that knows how what a histogram points at gets bright.
+void Session::refresh_marks(bool changed) {
+  const bool anew = histograms_.update(document, wants_histograms(view), idle());
+  if (!anew && !changed && view.marked == drawn_mark_) return;
+  if (!view.marked && !drawn_mark_) return;
+  std::vector<EntityRef> marked;
+  if (view.marked && histograms_.current(document.place())) {
+    const HistogramPair& pair = histograms_.histograms()->of(view.marked->kind);
+    marked = measure::entities_in(pair.samples, pair.now, pair.now.bin(view.marked->value));
+  }
+  drawing_.set_marked(document.mesh(), std::move(marked));
+}
+
+void Session::refresh_original() {
+  const bool wanted = (view.original || view.side_by_side) && !document.content().skin;
+  shows_original_ = wanted && document.can_look_back();
+  if (!shows_original_) return;
+  const Mesh& mesh = document.as_loaded().mesh();
+  SurfaceChanges changes;
+  changes.everything = original_generation_ != document.place().generation;
+  original_generation_ = document.place().generation;
+  original_fields_.update(view.coloring, {mesh, document, false, true, true}, changes);
+  if (fields_.field()) original_fields_.take_scale(*fields_.field());
+  original_drawing_.set_field(original_fields_.field());
+  original_drawing_.update(mesh, view, changes);
 }
 
 }  // namespace aomd::scene

@@ -32,6 +32,8 @@ struct CornerKey {
   }
 };
 
+}  // namespace
+
 /// Brings together the sides and faces that lie on the same vertices. Sorting a few of them at a time is
 /// several times as fast as looking each up in a table of all.
 class SideMatcher {
@@ -42,6 +44,7 @@ class SideMatcher {
     entries_.resize(begin_.back());
     std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
     each_polygon([&](const CornerKey& key, const Entry& entry) { entries_[at[key.low]++] = entry; });
+    sort();
   }
 
   /// Calls visit(entries) for each set of vertices: the sides by region, then the faces.
@@ -49,10 +52,6 @@ class SideMatcher {
   void each_match(Visit&& visit) {
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
       const auto filed = std::span(entries_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-      std::sort(filed.begin(), filed.end(), [](const Entry& a, const Entry& b) {
-        const bool a_face = a.place == is_face, b_face = b.place == is_face;
-        return std::tie(a.second, a.high, a_face, a.id) < std::tie(b.second, b.high, b_face, b.id);
-      });
       for (std::size_t i = 0; i < filed.size();) {
         std::size_t end = i + 1;
         while (end < filed.size() && filed[end].second == filed[i].second && filed[end].high == filed[i].high)
@@ -80,6 +79,16 @@ class SideMatcher {
   }
 
  private:
+  void sort() {
+    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
+      const auto filed = std::span(entries_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+      std::sort(filed.begin(), filed.end(), [](const Entry& a, const Entry& b) {
+        const bool a_face = a.place == is_face, b_face = b.place == is_face;
+        return std::tie(a.second, a.high, a_face, a.id) < std::tie(b.second, b.high, b_face, b.id);
+      });
+    }
+  }
+
   template <typename Visit>
   void each_polygon(Visit&& visit) const {
     VertexBuffer buffer;
@@ -131,6 +140,8 @@ class SideMatcher {
   std::vector<Entry> entries_;
 };
 
+namespace {
+
 glm::dvec3 middle(const Mesh& mesh, std::span<const std::uint32_t> corners) {
   glm::dvec3 sum{0};
   for (const std::uint32_t v : corners) sum += mesh.position(Vertex(v));
@@ -146,6 +157,33 @@ bool looks_inward(const Mesh& mesh, std::span<const std::uint32_t> side, Region 
   for (std::size_t k = 1; k + 1 < side.size(); ++k) normal += glm::cross(edge(k), edge(k + 1));
   VertexBuffer buffer;
   return glm::dot(normal, middle(mesh, side) - middle(mesh, mesh.vertices_of(region, buffer))) < 0;
+}
+
+/// Which regions and faces are before a plane.
+class Kept {
+ public:
+  Kept(const Mesh& mesh, const glm::dvec4& plane) {
+    VertexBuffer buffer;
+    for (const int dim : {2, 3}) {
+      auto& kept = kept_[dim - 2];
+      kept.assign(mesh.capacity(dim), 0);
+      for (std::uint32_t id = 0; id < kept.size(); ++id)
+        kept[id] =
+            mesh.alive({dim, id}) &&
+            glm::dot(glm::dvec3(plane), middle(mesh, mesh.vertices_of({dim, id}, buffer))) + plane.w >= 0;
+    }
+  }
+  [[nodiscard]] bool operator()(const Entry& e) const { return kept_[e.place == is_face ? 0 : 1][e.id] != 0; }
+
+ private:
+  std::array<std::vector<char>, 2> kept_;
+};
+
+/// Leaves what is before the plane. A face between regions that are gone goes with them.
+void leave(const Kept& kept, std::vector<Entry>& entries) {
+  const bool has_region = entries.front().place != is_face;
+  std::erase_if(entries, [&](const Entry& e) { return !(has_region && e.place == is_face) && !kept(e); });
+  if (has_region && !entries.empty() && entries.front().place == is_face) entries.clear();
 }
 
 /// What the entities on the same vertices come to, without the vertices.
@@ -184,20 +222,45 @@ Box box_of(const Mesh& mesh, const std::vector<SkinFace>& faces) {
   return box;
 }
 
+/// The face that these entities come to, where it is to be seen.
+void add(const Mesh& mesh, const SideMatcher& sides, std::span<const Entry> entries,
+         std::vector<SkinFace>& faces) {
+  SkinFace face = skin_face(mesh, entries);
+  if (!to_be_seen(face)) return;
+  sides.take_corners(entries.front(), face);
+  if (face.has_inside && looks_inward(mesh, face.corners(), Region(entries.front().id)))
+    std::reverse(face.vertices.begin(), face.vertices.begin() + face.count);
+  faces.push_back(face);
+}
+
 }  // namespace
 
 Skin::Skin(const Mesh& mesh) {
-  SideMatcher matcher(mesh);
-  matcher.each_match([&](std::span<const Entry> entries) {
-    SkinFace face = skin_face(mesh, entries);
-    if (!to_be_seen(face)) return;
-    matcher.take_corners(entries.front(), face);
-    if (face.has_inside && looks_inward(mesh, face.corners(), Region(entries.front().id)))
-      std::reverse(face.vertices.begin(), face.vertices.begin() + face.count);
-    faces_.push_back(face);
-  });
+  SideMatcher sides(mesh);
+  sides.each_match([&](std::span<const Entry> entries) { add(mesh, sides, entries, faces_); });
+  finish(mesh);
+}
+
+void Skin::finish(const Mesh& mesh) {
   outer_ = std::count_if(faces_.begin(), faces_.end(), [](const SkinFace& f) { return f.outer(); });
   bounds_ = box_of(mesh, faces_);
+}
+
+SkinCutter::SkinCutter(const Mesh& mesh) : mesh_(mesh), sides_(std::make_unique<SideMatcher>(mesh)) {}
+
+SkinCutter::~SkinCutter() = default;
+
+Skin SkinCutter::before(const glm::dvec4& plane) const {
+  const Kept kept(mesh_, plane);
+  Skin skin;
+  std::vector<Entry> left;
+  sides_->each_match([&](std::span<const Entry> entries) {
+    left.assign(entries.begin(), entries.end());
+    leave(kept, left);
+    if (!left.empty()) add(mesh_, *sides_, left, skin.faces_);
+  });
+  skin.finish(mesh_);
+  return skin;
 }
 
 }  // namespace aomd::scene

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "core/mesh/mesh.h"
 #include "viewer/scene/box.h"
@@ -37,9 +40,30 @@ class Skin {
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 
  private:
+  friend class SkinCutter;
+  Skin() = default;
+  void finish(const Mesh& mesh);
+
   std::vector<SkinFace> faces_;
   std::int64_t outer_ = 0;
   Box bounds_;
+};
+
+class SideMatcher;
+
+/// Skins of parts of one mesh, which must outlive it and not change. O(sides log sides) once, and about 20
+/// bytes a side.
+class SkinCutter {
+ public:
+  explicit SkinCutter(const Mesh& mesh);
+  ~SkinCutter();
+  /// As if regions, and faces without one, were not there whose middle is behind the plane: dot(xyz, p) + w <
+  /// 0. O(regions + faces), several times as fast as a Skin.
+  [[nodiscard]] Skin before(const glm::dvec4& plane) const;
+
+ private:
+  const Mesh& mesh_;
+  std::unique_ptr<SideMatcher> sides_;
 };
 
 }  // namespace aomd::scene

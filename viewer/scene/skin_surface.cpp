@@ -106,7 +106,8 @@ class SurfaceBuilder {
 
 SkinSurface make_skin_surface(const Mesh& mesh, const Skin& skin, const SkinStyle& style) {
   SurfaceBuilder builder(mesh, style);
-  for (const SkinFace& face : skin.faces()) builder.add(face);
+  if (style.faces)
+    for (const SkinFace& face : skin.faces()) builder.add(face);
   builder.add_model_edges_and_vertices();
   return builder.finish();
 }

@@ -15,6 +15,7 @@ namespace aomd::scene {
 struct SkinStyle {
   std::set<ModelRef> hidden_regions{};  ///< taken away: what they covered shows
   std::optional<ModelRef> highlighted_region{};
+  bool faces = true;       ///< the sides of regions and faces at all; else only model edges and vertices
   bool interfaces = true;  ///< faces between two regions that both are there
   friend bool operator==(const SkinStyle&, const SkinStyle&) = default;
 };

@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include <glm/common.hpp>
+
 namespace aomd::scene {
 namespace {
 
@@ -12,6 +14,8 @@ constexpr float highlighted_edge_px = 4.6f;
 constexpr float highlighted_vertex_px = 6.5f;
 constexpr float step_line_px = 2.6f;
 constexpr float step_disc_px = 5.0f;
+constexpr float marked_line_px = 2.0f;
+constexpr float marked_disc_px = 3.0f;
 constexpr Color highlight_color = rgb(0xff2f92);
 
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
@@ -29,6 +33,16 @@ template <typename T>
 void set_at(Patched<T>& array, std::size_t i, const T& value) {
   if (i >= array.size()) array.resize(i + 1);
   array.set(i, value);
+}
+
+glm::dvec3 center_of(const Mesh& mesh, Face f) {
+  const auto [a, b, c] = mesh.triangle(f);
+  return (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0;
+}
+
+glm::dvec3 center_of(const Mesh& mesh, Edge e) {
+  const auto [a, b] = mesh.edge_vertices(e);
+  return 0.5 * (mesh.position(a) + mesh.position(b));
 }
 
 using Side = std::pair<Vertex, Vertex>;
@@ -70,10 +84,22 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
   drawable_.origin = bounds.center();
 }
 
+SurfaceDrawing::Style SurfaceDrawing::style_of(const Mesh& mesh, const View& view, bool changed) const {
+  Style style{.coloring = view.coloring,
+              .hidden = view.hidden,
+              .highlighted = view.highlighted,
+              .field = field_,
+              .field_version = field_ ? field_->version : 0,
+              .plane = {},
+              .shrink = whole_faces_ ? view.shrink : 0,
+              .vertex_px = changed ? vertex_radius_px(mesh) : style_.vertex_px};
+  if (view.clip && view.clip->cells) style.plane = view.clip->plane(drawable_.bounds);
+  return style;
+}
+
 void SurfaceDrawing::update(const Mesh& mesh, const View& view, const SurfaceChanges& changes) {
   const bool changed = !changes.nothing();
-  Style style{view.coloring, view.hidden, view.highlighted, vertex_colors_,
-              changed ? vertex_radius_px(mesh) : style_.vertex_px};
+  Style style = style_of(mesh, view, changed);
   const bool restyled = style != style_;
   style_ = std::move(style);
   if (changes.everything) {
@@ -121,16 +147,19 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
   if (first >= drawable_.corners.size()) return;  // came and went between two looks
   const bool alive = mesh.alive(face);
   const ModelRef model = alive ? mesh.classification(face) : ModelRef();
-  const bool drawn = alive && !hidden(model);
+  const glm::dvec3 center = alive ? center_of(mesh, face) : glm::dvec3(0);
+  const bool drawn = alive && !hidden(model) && !(whole_faces_ && clipped(center));
+  const auto pull = static_cast<float>(style_.shrink);
   std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
-  if (highlighted(model)) flags |= CornerFlag::highlighted;
+  if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
   for (std::size_t i = 0; i < 3; ++i) {
     Corner corner;
     if (alive) corner.normal = drawable_.corners[first + i].normal;
     if (drawn) {
       const Vertex v = mesh.triangle(face)[i];
       corner.position = place(mesh, v);
-      corner.color = color(model, v);
+      if (pull > 0) corner.position = glm::mix(corner.position, glm::vec3(center - drawable_.origin), pull);
+      corner.color = color(face, model, v);
       corner.flags = flags;
     }
     if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);
@@ -139,7 +168,7 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
 
 void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
   const ModelRef model = mesh.alive(edge) ? mesh.classification(edge) : ModelRef();
-  if (model.dimension() != 1 || hidden(model)) {
+  if (model.dimension() != 1 || hidden(model) || clipped(center_of(mesh, edge))) {
     const std::uint32_t slot = edge_slots_.find(edge);
     if (slot == Slots<Edge>::none) return;
     drawable_.model_edges.set(slot, {});
@@ -155,7 +184,7 @@ void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
 
 void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
   const ModelRef model = mesh.alive(vertex) ? mesh.classification(vertex) : ModelRef();
-  if (model.dimension() != 0 || hidden(model)) {
+  if (model.dimension() != 0 || hidden(model) || clipped(mesh.position(vertex))) {
     const std::uint32_t slot = vertex_slots_.find(vertex);
     if (slot == Slots<Vertex>::none) return;
     drawable_.model_vertices.set(slot, {});
@@ -194,10 +223,32 @@ void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
           uses > 1)
         discs.push_back({place(mesh, vertex), highlight_color, step_disc_px});
   }
+  draw_marked(mesh, lines, discs);
   if (!lines.empty() || !drawable_.highlight_lines.empty())
     drawable_.highlight_lines.assign(std::move(lines));
   if (!discs.empty() || !drawable_.highlight_discs.empty())
     drawable_.highlight_discs.assign(std::move(discs));
+}
+
+void SurfaceDrawing::set_marked(const Mesh& mesh, std::vector<EntityRef> marked) {
+  marked_.swap(marked);
+  marked_faces_.assign(mesh.capacity(2), false);
+  for (const EntityRef e : marked_)
+    if (e.dimension == 2) marked_faces_[e.index] = true;
+  for (const auto* each : {&marked, &marked_})
+    for (const EntityRef e : *each)
+      if (e.dimension == 2) draw_face(mesh, Face(e.index));
+}
+
+void SurfaceDrawing::draw_marked(const Mesh& mesh, std::vector<Segment>& lines,
+                                 std::vector<Disc>& discs) const {
+  for (const EntityRef e : marked_) {
+    if (!mesh.alive(e)) continue;
+    if (e.dimension == 0) discs.push_back({place(mesh, Vertex(e.index)), highlight_color, marked_disc_px});
+    if (e.dimension != 1) continue;
+    const auto [a, b] = mesh.edge_vertices(Edge(e.index));
+    lines.push_back({place(mesh, a), place(mesh, b), highlight_color, marked_line_px});
+  }
 }
 
 }  // namespace aomd::scene

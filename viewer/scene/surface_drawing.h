@@ -7,11 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
 #include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 #include "viewer/scene/corner_normals.h"
 #include "viewer/scene/drawable.h"
+#include "viewer/scene/scalar_field.h"
 #include "viewer/scene/surface_changes.h"
 #include "viewer/scene/view.h"
 
@@ -56,10 +60,16 @@ class SurfaceDrawing {
   void set_bounds(const Box& bounds);
   /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
   void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
-  /// A colour for each vertex instead of those of model faces; null: none. Drawn from the next update on.
-  void set_vertex_colors(std::shared_ptr<const Column<Vertex, Color>> colors) {
-    vertex_colors_ = std::move(colors);
-  }
+  /// Numbers that give colours instead of model faces; null: none. Drawn from the next update on.
+  void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
+  /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and shrinks.
+  void set_whole_faces(bool whole) { whole_faces_ = whole; }
+  /// Brightens faces, edges and vertices; those of the last call are as before. O(entities), and drawn from
+  /// the next highlight_step() on where they are edges or vertices.
+  void set_marked(const Mesh& mesh, std::vector<EntityRef> marked);
+  /// Sections and shrunken regions, and edges inside a volume.
+  void set_cells(std::vector<Corner> cells) { drawable_.cells.assign(std::move(cells)); }
+  void set_interior_edges(std::vector<Segment> edges) { drawable_.interior_edges.assign(std::move(edges)); }
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
   /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
@@ -76,29 +86,44 @@ class SurfaceDrawing {
     Coloring coloring = Coloring::Classification;
     std::set<ModelRef> hidden;
     std::optional<ModelRef> highlighted;
-    std::shared_ptr<const Column<Vertex, Color>> vertex_colors;
+    std::shared_ptr<const ScalarField> field;
+    std::uint64_t field_version = 0;
+    std::optional<glm::dvec4> plane;  ///< behind it faces are hidden as a whole
+    double shrink = 0;
     float vertex_px = 0;  ///< radius of model vertices: smaller where there are very many
     friend bool operator==(const Style&, const Style&) = default;
   };
   void rebuild(const Mesh& mesh);
   void recolor(const Mesh& mesh);
+  [[nodiscard]] Style style_of(const Mesh& mesh, const View& view, bool changed) const;
   void patch(const Mesh& mesh, const SurfaceChanges& changes);
   void draw_face(const Mesh& mesh, Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
+  void draw_marked(const Mesh& mesh, std::vector<Segment>& lines, std::vector<Disc>& discs) const;
   void draw_normals(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
   [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
   [[nodiscard]] Color color(ModelRef ref) const;
-  [[nodiscard]] Color color(ModelRef face, Vertex corner) const {
-    return style_.vertex_colors ? (*style_.vertex_colors)[corner] : color(face);
+  [[nodiscard]] Color color(Face face, ModelRef model, Vertex corner) const {
+    return style_.field ? style_.field->color(face, corner) : color(model);
+  }
+  [[nodiscard]] bool marked(Face face) const {
+    return face.index < marked_faces_.size() && marked_faces_[face.index];
+  }
+  /// Behind the plane as a whole.
+  [[nodiscard]] bool clipped(const glm::dvec3& center) const {
+    return style_.plane && glm::dot(glm::dvec3(*style_.plane), center) + style_.plane->w < 0;
   }
   [[nodiscard]] glm::vec3 place(const Mesh& mesh, Vertex v) const {
     return glm::vec3(mesh.position(v) - drawable_.origin);
   }
 
   std::vector<std::uint32_t> face_flags_;
-  std::shared_ptr<const Column<Vertex, Color>> vertex_colors_;
+  std::shared_ptr<const ScalarField> field_;
+  bool whole_faces_ = true;
+  std::vector<EntityRef> marked_;
+  std::vector<bool> marked_faces_;  ///< by id; empty: none
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

@@ -5,25 +5,63 @@
 #include <set>
 #include <string>
 
+#include <glm/vec4.hpp>
+
 #include "core/mesh/model_ref.h"
+#include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
 
 namespace aomd::scene {
 
-/// Spacing: the wanted length of edges, on surfaces that can be decimated.
-enum class Coloring { Classification, Spacing, None };
+/// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h.
+enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, None };
+enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About };
+enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
-enum class Page { Decimation, Adjacency };
+enum class Page { Decimation, Adjacency, Histograms };
 
 struct Panels {
   bool mesh = true;
   bool side = true;  ///< the one on the right
   bool timeline = true;
   Page page = Page::Decimation;
+  float mesh_ems = 0;  ///< widths in units of the font's size; 0: the usual ones
+  float side_ems = 0;
   friend bool operator==(const Panels&, const Panels&) = default;
+};
+
+/// Surfaces are cut so far inside of the plane, in parts of the box's diagonal, and sections lie twice as
+/// far: a face that lies in the plane is gone, and a section is not cut by its own plane.
+inline constexpr double clip_hair = 1e-5;
+
+/// A plane across an axis, behind which nothing is shown.
+struct Clip {
+  int axis = 0;           ///< 0..2
+  double position = 0.5;  ///< 0..1 through the box of the mesh as loaded
+  bool cells =
+      false;          ///< whole faces and regions, by their centres; else cut through, volumes with a section
+  bool flip = false;  ///< shows what lies beyond instead of what lies before
+
+  /// Keeps points p with dot(xyz, p) + w >= 0. Moved by `inward` parts of the box's diagonal into what is
+  /// kept.
+  [[nodiscard]] glm::dvec4 plane(const Box& box, double inward = 0) const {
+    glm::dvec4 result(0);
+    const double sign = flip ? 1 : -1;
+    result[axis] = sign;
+    result.w =
+        -sign * (box.low[axis] + position * (box.high[axis] - box.low[axis])) - inward * box.diagonal();
+    return result;
+  }
+  friend bool operator==(const Clip&, const Clip&) = default;
+};
+
+/// A bar of a histogram that is pointed at: the entities whose value lies in it are bright.
+struct MarkedBar {
+  HistogramKind kind = HistogramKind::Angle;
+  double value = 0;  ///< in the bar
+  friend bool operator==(const MarkedBar&, const MarkedBar&) = default;
 };
 
 struct View {
@@ -34,13 +72,20 @@ struct View {
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
-  bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
-  bool operation = true;   ///< what the last single step touched
+  bool interfaces = true;       ///< faces between two model regions, seen where something is hidden
+  bool operation = true;        ///< what the last single step touched
+  bool original = false;        ///< the mesh as loaded, as glass over the present one
+  bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right
+  bool interior_edges = false;  ///< of a volume, through a surface of glass
+  std::optional<Clip> clip;
+  double shrink = 0;  ///< how far faces and regions are pulled towards their centres, 0..0.9
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
+  std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;
+  std::string palette_text;  ///< what stands in the palette when it opens
 };
 
 }  // namespace aomd::scene

@@ -207,9 +207,10 @@ void last_change(const Frame& frame) {
 
 void adjacency_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
-  ImGui::PushTextWrapPos(0);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - 1.7f * em());
   muted(frame, "T(I,J): what is stored for each entity of a row. Click a cell to change it.");
   ImGui::PopTextWrapPos();
+  copy_button(frame, "adjacency");
   gap(0.1f);
   table(frame);
   gap(0.1f);

@@ -27,6 +27,20 @@ constexpr const char* spacing_help =
     "vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the edges "
     "there), k (curvature) and diag (diagonal of the box), like x < 0 ? 2 * h : 8 * h.";
 
+constexpr const char* factor_help =
+    "How many times longer edges become (\u00d7 their average length at the start) where the angle does not "
+    "bind.";
+constexpr const char* faces_help = "Stops at this many faces, or where nothing more may go.";
+constexpr const char* angle_help = "How far the normal of a face may turn in one operation, in degrees.";
+constexpr const char* feature_help =
+    "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses respect.";
+constexpr const char* regularity_help =
+    "0: accuracy first, the surface stays as close to the mesh as opened as its faces allow. 1: regular "
+    "faces "
+    "first, closer to equilateral, for a larger distance. No unit.";
+constexpr const char* passes_help =
+    "How many sweeps are followed by edge swaps and vertex smoothing: a number of sweeps.";
+
 void strategy_control(Frame& frame, const DecimationOptions& options) {
   constexpr Choice choices[] = {
       {"Paper",
@@ -76,13 +90,14 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
   switch (aim_of(options)) {
     case Aim::Factor: {
       double factor = options.factor;
-      if (number_control("factor", factor, {1, 32, "%.2f \u00d7", true}))
+      if (number_control("factor", factor, {1, 32, "%.2f \u00d7", true, factor_help}))
         frame.emit("factor " + short_number(factor));
       return;
     }
     case Aim::Faces: {
       double faces = options.target_faces;
-      if (number_control("faces", faces, {4, static_cast<double>(faces_at_most(frame)), "%.0f", true}))
+      const auto most = static_cast<double>(faces_at_most(frame));
+      if (number_control("faces", faces, {4, most, "%.0f", true, faces_help}))
         frame.emit("target-faces " + std::to_string(std::llround(faces)));
       return;
     }
@@ -102,10 +117,8 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
 
 void aim_control(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
   const Choice choices[] = {
-      {"Length factor",
-       "How many times longer edges become (\u00d7 their average length at the start) where the angle does "
-       "not bind."},
-      {"Number of faces", "Stops at this many faces, or where nothing more may go."},
+      {"Length factor", factor_help},
+      {"Number of faces", faces_help},
       {"Edge lengths", spacing_help, frame.can_decimate()},
       {"Coarsest", "No limit on length: only the angle and the model stop a collapse."}};
   label(frame, "Aim at", "When an edge is long enough, or the mesh coarse enough.");
@@ -134,19 +147,18 @@ void snap_control(Frame& frame) {
 }
 
 void angle_control(Frame& frame, const DecimationOptions& options) {
-  label(frame, "Angle limit", "How far the normal of a face may turn in one operation, in degrees.");
+  label(frame, "Angle limit", angle_help);
   snap_control(frame);
   double angle = options.angle_deg;
-  if (number_control("angle", angle, {1, 90, "%.1f\u00b0"})) frame.emit("angle " + short_number(angle));
+  if (number_control("angle", angle, {1, 90, "%.1f\u00b0", false, angle_help}))
+    frame.emit("angle " + short_number(angle));
 }
 
 /// Deriving the classification takes longer than a frame on large meshes: only when the value is let go.
 void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   const auto present = frame.document().classify_options().feature_angle_deg;
   if (!drafts.editing_feature_angle) drafts.feature_angle_deg = present.value_or(20);
-  label(frame, "Feature angle",
-        "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses "
-        "respect.");
+  label(frame, "Feature angle", feature_help);
   same_line_right(6.1f * em());
   bool on = present.has_value();
   if (ImGui::Checkbox("Features", &on))
@@ -154,7 +166,8 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   tooltip("Off: only boundaries, non-manifold edges and borders between model faces are model edges.");
   ImGui::BeginDisabled(!on);
   ImGui::BeginGroup();
-  const bool changed = number_control("feature", drafts.feature_angle_deg, {1, 90, "%.1f\u00b0"});
+  const bool changed =
+      number_control("feature", drafts.feature_angle_deg, {1, 90, "%.1f\u00b0", false, feature_help});
   ImGui::EndGroup();
   ImGui::EndDisabled();
   drafts.editing_feature_angle = (drafts.editing_feature_angle || changed) && on;
@@ -179,24 +192,23 @@ void topology_control(Frame& frame, const DecimationOptions& options) {
 }
 
 void regularity_control(Frame& frame, const DecimationOptions& options) {
-  label(frame, "Regularity",
-        "0: accuracy first, the surface stays as close to the mesh as opened as its faces allow. 1: regular "
-        "faces first, closer to equilateral, for a larger distance.");
+  label(frame, "Regularity", regularity_help);
   ImGui::SameLine(name_width());
   double regularity = options.regularity;
   ImGui::BeginGroup();
-  if (number_control("regularity", regularity, {0, 1, "%.2f"}))
+  if (number_control("regularity", regularity, {0, 1, "%.2f", false, regularity_help}))
     frame.emit("regularity " + short_number(regularity));
   ImGui::EndGroup();
 }
 
 void passes_control(Frame& frame, const DecimationOptions& options) {
-  label(frame, "Improve passes", "How many sweeps are followed by edge swaps and vertex smoothing.");
+  label(frame, "Improve passes", passes_help);
   same_line_right(6.1f * em());
   ImGui::SetNextItemWidth(-1);
   int passes = options.improve_passes;
   if (ImGui::InputInt("##passes", &passes, 1, 1))
     frame.emit("improve-passes " + std::to_string(std::max(0, passes)));
+  tooltip(passes_help);
 }
 
 }  // namespace

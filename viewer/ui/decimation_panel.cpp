@@ -81,6 +81,7 @@ void refusal_row(const Frame& frame, const Refusal& refusal, std::uint32_t count
   ImGui::PopID();
   ImGui::TableNextColumn();
   text_right(grouped(count));
+  tooltip(refusal.help);
 }
 
 void refusal_table(const Frame& frame, const SweepStatistics& sweep) {
@@ -96,11 +97,12 @@ void refusal_table(const Frame& frame, const SweepStatistics& sweep) {
   ImGui::EndTable();
 }
 
-void last_sweep_section(const Frame& frame) {
+void last_sweep_section(Frame& frame) {
   const SweepStatistics* sweep = frame.document().last_sweep();
   if (sweep == nullptr) return;
   gap();
   heading(frame, "Last sweep");
+  copy_button(frame, "refusals");
   std::string made = grouped(sweep->collapses) + " collapses";
   if (sweep->swaps > 0) made += ", " + grouped(sweep->swaps) + " swaps";
   if (sweep->smooths > 0) made += ", " + grouped(sweep->smooths) + " smoothed";

@@ -5,6 +5,7 @@
 
 #include "viewer/scene/commands.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/ui/work_dialogs.h"
 
 namespace aomd::ui {
 namespace {
@@ -44,6 +45,12 @@ const char* title_of(Dialog dialog) {
       return "Save a picture";
     case Dialog::Shortcuts:
       return "Keyboard and mouse";
+    case Dialog::Palette:
+      return "Commands";
+    case Dialog::Unsaved:
+      return "Unsaved changes";
+    case Dialog::Recovery:
+      return "Recover unsaved work";
     default:
       return "About AOMD Studio";
   }
@@ -77,7 +84,7 @@ void draw_mouse(const Frame& frame) {
   shortcut_row(frame, "Right or middle drag", "Shift the picture; also Shift + drag");
   shortcut_row(frame, "Wheel", "Nearer and farther, at the mouse");
   shortcut_row(frame, "Double click", "Show the whole mesh");
-  shortcut_row(frame, "Ctrl + click", "On a slider's field: type a value");
+  shortcut_row(frame, "Drag a border", "Of a side panel: wider or narrower; double click: as at first");
 }
 
 void draw_keys(const Frame& frame) {
@@ -124,6 +131,14 @@ void draw_content(Frame& frame, DialogState& state, bool appearing) {
     case Dialog::About:
       draw_about(frame);
       break;
+    case Dialog::Recovery:
+      recovery_dialog(frame);
+      break;
+    case Dialog::Unsaved:
+      return unsaved_dialog(frame);
+    case Dialog::Palette:
+      if (appearing) state.palette.begin(frame);
+      return state.palette.draw(frame);
     default:
       return draw_browser(frame, state, appearing);
   }
@@ -135,7 +150,11 @@ void draw_content(Frame& frame, DialogState& state, bool appearing) {
 
 ImVec2 size_of(Dialog dialog) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const ImVec2 ems = dialog == Dialog::About ? ImVec2(30, 15) : ImVec2(44, 34);
+  const ImVec2 ems = dialog == Dialog::About      ? ImVec2(30, 15)
+                     : dialog == Dialog::Unsaved  ? ImVec2(27, 10)
+                     : dialog == Dialog::Recovery ? ImVec2(36, 18)
+                     : dialog == Dialog::Palette  ? ImVec2(42, 27)
+                                                  : ImVec2(44, 34);
   return {std::min(ems.x * em(), display.x - 2 * em()), std::min(ems.y * em(), display.y - 2 * em())};
 }
 
@@ -193,7 +212,8 @@ void draw_dialogs(Frame& frame, DialogState& state) {
 }
 
 void draw_messages(Frame& frame, const Area& viewport) {
-  if (!frame.session.loading() && frame.session.error.empty()) return;
+  const bool in_palette = frame.session.view.dialog == scene::Dialog::Palette;
+  if (!frame.session.loading() && (frame.session.error.empty() || in_palette)) return;
   ImGui::SetNextWindowPos({viewport.position.x + 0.5f * viewport.size.x, viewport.position.y + em()},
                           ImGuiCond_Always, {0.5f, 0});
   const auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -201,7 +221,7 @@ void draw_messages(Frame& frame, const Area& viewport) {
                      ImGuiWindowFlags_NoFocusOnAppearing;
   if (ImGui::Begin("##message", nullptr, flags)) {
     if (frame.session.loading()) draw_loading(frame);
-    if (!frame.session.error.empty()) draw_error(frame);
+    if (!frame.session.error.empty() && !in_palette) draw_error(frame);
   }
   ImGui::End();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The dialogs and messages that stand over everything else.
 
+#include "viewer/ui/command_palette.h"
 #include "viewer/ui/file_browser.h"
 #include "viewer/ui/frame.h"
 #include "viewer/ui/layout.h"
@@ -11,6 +12,7 @@ namespace aomd::ui {
 struct DialogState {
   FileBrowser meshes;
   FileBrowser pictures;
+  CommandPalette palette;
   scene::Dialog shown = scene::Dialog::None;  ///< in the last frame
 };
 

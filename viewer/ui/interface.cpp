@@ -7,7 +7,9 @@
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
+#include "viewer/ui/splitter.h"
 #include "viewer/ui/widgets.h"
+#include "viewer/ui/work_dialogs.h"
 
 namespace aomd::ui {
 namespace {
@@ -40,9 +42,12 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), interactive, {}};
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   if (bars) {
+    picture_labels(frame, layout_.viewport);
     draw_panels(frame);
+    draw_splitters(frame, layout_);
     draw_messages(frame, layout_.viewport);
     draw_dialogs(frame, dialogs_);
+    draw_series_progress(frame);
   }
   handle_mouse(frame);
   return std::move(frame.lines);
@@ -61,14 +66,18 @@ void Interface::draw_panels(Frame& frame) {
   docked("##mesh", layout_.mesh, ImGuiWindowFlags_None, [&] {
     mesh_panel(frame);
     gap();
+    clip_controls(frame);
     legend_panel(frame);
   });
-  docked("##side", layout_.side, ImGuiWindowFlags_None, [&] { side_panel(frame, drafts_); });
+  docked("##side", layout_.side, ImGuiWindowFlags_None,
+         [&] { side_panel(frame, drafts_, histogram_drafts_); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
 
 std::string Interface::line_for_chord(const scene::Session& session, std::string_view chord) {
+  if (session.series() != nullptr && session.view.dialog == scene::Dialog::None)
+    return chord == "Escape" ? "cancel" : "";
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};
@@ -77,7 +86,8 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
 
 void Interface::handle_mouse(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Area& area = layout_.viewport;
+  const bool right = io.MousePos.x > layout_.viewport.position.x + 0.5f * layout_.viewport.size.x;
+  const Area area = picture_area(layout_.viewport, frame.session.view.side_by_side, right);
   if (!frame.has_mesh() || area.size.x < 2 || area.size.y < 2) return;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool other =

@@ -27,6 +27,8 @@ class Interface {
   /// The line that a chord means now; empty where it means nothing or goes into a field.
   [[nodiscard]] static std::string line_for_chord(const scene::Session& session, std::string_view chord);
   [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// What the palette has run, newest first: kept between sessions.
+  [[nodiscard]] std::vector<std::string>& recent_commands() { return dialogs_.palette.recent; }
   void remember_folder(const std::filesystem::path& folder) { dialogs_.meshes.set_folder(folder); }
 
  private:
@@ -36,6 +38,7 @@ class Interface {
   Layout layout_;
   DialogState dialogs_;
   DecimationDrafts drafts_;
+  HistogramDrafts histogram_drafts_;
   bool dragging_ = false;  ///< a drag that began on the scene
 };
 

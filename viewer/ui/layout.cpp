@@ -11,17 +11,33 @@ constexpr float status_ems = 1.9f;
 constexpr float timeline_ems = 6.6f;
 constexpr float mesh_ems = 17.5f;
 constexpr float side_ems = 18.5f;
+constexpr float usual_share = 0.3f;  // of the window's width, at most
+constexpr float largest_share = 0.42f;
+
+float panel_width(float chosen_ems, float usual_ems, float display, float em) {
+  const bool chosen = chosen_ems > 0;
+  return std::min(std::round((chosen ? chosen_ems : usual_ems) * em),
+                  std::round((chosen ? largest_share : usual_share) * display));
+}
 
 }  // namespace
+
+float clamped_panel_ems(float ems) { return std::clamp(ems, 8.0f, 60.0f); }
+Area picture_area(const Area& viewport, bool side_by_side, bool right) {
+  if (!side_by_side) return viewport;
+  Area half = viewport;
+  half.size.x = std::max(1.0f, std::floor(0.5f * (viewport.size.x - 1)));
+  if (right) half.position.x += viewport.size.x - half.size.x;
+  return half;
+}
 
 Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em) {
   Layout layout;
   const float menu = bars ? std::round(menu_ems * em) : 0;
   const float status = bars ? std::round(status_ems * em) : 0;
   const float timeline = bars && panels.timeline ? std::round(timeline_ems * em) : 0;
-  const float widest = std::round(0.3f * display.x);
-  const float left = bars && panels.mesh ? std::min(std::round(mesh_ems * em), widest) : 0;
-  const float right = bars && panels.side ? std::min(std::round(side_ems * em), widest) : 0;
+  const float left = bars && panels.mesh ? panel_width(panels.mesh_ems, mesh_ems, display.x, em) : 0;
+  const float right = bars && panels.side ? panel_width(panels.side_ems, side_ems, display.x, em) : 0;
   const float height = std::max(1.0f, display.y - menu - status - timeline);
   layout.menu = {{0, 0}, {display.x, menu}};
   layout.mesh = {{0, menu}, {left, height}};

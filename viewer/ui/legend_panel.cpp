@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -96,6 +95,7 @@ void entity_row(Frame& frame, const Item& item) {
   tooltip(on ? "Highlighted. Click to end that." : "Click to highlight what lies on it.");
   ImGui::TableNextColumn();
   text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
+  tooltip("Mesh entities of the same dimension on it");
   ImGui::PopID();
   ImGui::PopID();
 }
@@ -115,53 +115,11 @@ void rows(Frame& frame, const std::vector<Item>& items) {
   }
 }
 
-void ramp_bar() {
-  constexpr int parts = 14;
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = 0.8f * em();
-  const auto color_at = [](int i) { return scene::ramp_color(static_cast<float>(i) / parts); };
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (int i = 0; i < parts; ++i) {
-    const auto x = [&](int k) { return from.x + width * static_cast<float>(k) / parts; };
-    const ImU32 left = color_at(i), right = color_at(i + 1);
-    list.AddRectFilledMultiColor({x(i), from.y}, {x(i + 1), from.y + height}, left, right, right, left);
-  }
-  ImGui::Dummy({width, height});
-}
-
-/// The smallest value, the one in the middle of the colours, and the largest.
-void ramp_numbers(const scene::VertexField& field) {
-  const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
-  const double values[] = {field.low, std::sqrt(field.low * field.high), field.high};
-  for (int i = 0; i < 3; ++i) {
-    const std::string text = scene::significant(values[i]);
-    const float part = 0.5f * static_cast<float>(i);
-    if (i > 0) ImGui::SameLine();
-    ImGui::SetCursorPosX(left + part * (width - ImGui::CalcTextSize(text.c_str()).x));
-    ImGui::TextUnformatted(text.c_str());
-  }
-}
-
-void field_legend(const Frame& frame, const scene::VertexField& field) {
-  heading(frame, "Wanted edge length");
-  tooltip(
-      "How long decimation wants the edges at each vertex to be, in the units of the mesh. The colours "
-      "follow the logarithm.");
-  if (field.empty()) {
-    muted(frame, "No limit.");
-  } else {
-    ramp_bar();
-    ramp_numbers(field);
-    muted(frame, "units of the mesh, logarithmic");
-  }
-  gap();
-}
-
 }  // namespace
 
 void legend_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
-  if (const scene::VertexField* field = frame.session.field()) field_legend(frame, *field);
+  field_legend(frame);
   heading(frame, "Classification");
   tooltip("The model entities that the mesh lies on, with the number of mesh entities on each.");
   if (!frame.session.view.hidden.empty()) {
@@ -169,6 +127,7 @@ void legend_panel(Frame& frame) {
     if (ImGui::SmallButton("Show all")) frame.emit("hide");
     command_tooltip("hide");
   }
+  copy_button(frame, "legend");
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.12f * em()));
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
   const float height = std::max(6 * em(), ImGui::GetContentRegionAvail().y);

@@ -27,6 +27,25 @@ void samples_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+/// Where to and how many is asked for in the palette, which has the whole line ready.
+void export_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Export pictures", frame.has_mesh())) return;
+  command_item(frame, "Of a turn\u2026", "palette export turntable ~/turntable 60");
+  command_item(frame, "Of the history\u2026", "palette export history ~/history 60", false,
+               frame.document().journal().size() > 0);
+  ImGui::EndMenu();
+}
+
+void copy_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Copy as text", frame.has_mesh())) return;
+  command_item(frame, "Counts", "copy counts");
+  command_item(frame, "Classification", "copy legend");
+  command_item(frame, "Adjacencies", "copy adjacency");
+  command_item(frame, "Refusals of the last sweep", "copy refusals");
+  command_item(frame, "All sweeps", "copy sweeps");
+  ImGui::EndMenu();
+}
+
 void file_menu(Frame& frame, const RecentFiles& recent) {
   if (!ImGui::BeginMenu("File")) return;
   command_item(frame, "Open\u2026", "dialog open");
@@ -35,7 +54,12 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   ImGui::Separator();
   command_item(frame, "Save as\u2026", "dialog save", false, frame.has_mesh());
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
+  export_menu(frame);
   ImGui::Separator();
+  if (!frame.session.found_work.empty()) {
+    command_item(frame, "Recover unsaved work\u2026", "dialog recovery");
+    ImGui::Separator();
+  }
   command_item(frame, "Quit", "quit");
   ImGui::EndMenu();
 }
@@ -45,6 +69,8 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Undo", "undo", false, frame.document().can_undo());
   command_item(frame, "Redo", "redo", false, frame.document().can_redo());
   command_item(frame, "Reset", "reset", false, frame.document().can_undo());
+  ImGui::Separator();
+  copy_menu(frame);
   ImGui::Separator();
   command_item(frame, "Step", "step", false, frame.can_decimate());
   command_item(frame, "Step back", "step -1", false, frame.document().can_undo());
@@ -71,29 +97,60 @@ void camera_menu(Frame& frame) {
                camera.orthographic);
   const bool z_up = camera.up_axis == scene::UpAxis::Z;
   command_item(frame, "Z is up", z_up ? "camera up=y" : "camera up=z", z_up);
+  ImGui::Separator();
+  command_item(frame, "Copy", "camera copy");
+  command_item(frame, "Paste", "camera paste");
+  ImGui::EndMenu();
+}
+
+void color_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Colours")) return;
+  const scene::Coloring present = frame.session.view.coloring;
+  const bool surface = frame.has_mesh() && !frame.document().content().skin;
+  const auto item = [&](const char* name, const char* line, scene::Coloring coloring, bool enabled = true) {
+    command_item(frame, name, line, present == coloring, enabled);
+  };
+  item("Classification", "color classification", scene::Coloring::Classification);
+  item("Wanted edge length", "color spacing", scene::Coloring::Spacing, surface);
+  item("Smallest angle", "color quality", scene::Coloring::Quality);
+  item("Distance to the original", "color distance", scene::Coloring::Distance, surface);
+  item("Curvature", "color curvature", scene::Coloring::Curvature);
+  item("One colour", "color none", scene::Coloring::None);
+  ImGui::EndMenu();
+}
+
+void clip_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Clip and shrink", frame.has_mesh())) return;
+  const scene::View& view = frame.session.view;
+  for (const char* axis : {"x", "y", "z"})
+    command_item(frame, (std::string("Across ") + axis).c_str(), std::string("clip ") + axis + " 0.5");
+  command_item(frame, "Whole cells across x", "clip x 0.5 cells");
+  command_item(frame, "No clipping", "clip off", false, view.clip.has_value());
+  ImGui::Separator();
+  command_item(frame, "Shrunken cells", view.shrink > 0 ? "shrink 0" : "shrink 0.3", view.shrink > 0);
   ImGui::EndMenu();
 }
 
 void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
+  const bool volume = frame.has_mesh() && frame.document().content().volume();
+  const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   camera_menu(frame);
+  color_menu(frame);
+  clip_menu(frame);
+  ImGui::Separator();
+  command_item(frame, "Original over it", "show original toggle", view.original, surface);
+  command_item(frame, "Original beside it", "compare toggle", view.side_by_side, surface);
   ImGui::Separator();
   command_item(frame, "Surface", "show surface toggle", view.surface);
   command_item(frame, "Edges", "show edges toggle", view.edges);
   command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
   command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
-  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces,
-               frame.has_mesh() && frame.document().content().volume());
+  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces, volume);
+  command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges, volume);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
-  ImGui::Separator();
-  command_item(frame, "Colour by classification", "color classification",
-               view.coloring == scene::Coloring::Classification);
-  command_item(frame, "Colour by wanted edge length", "color spacing",
-               view.coloring == scene::Coloring::Spacing,
-               frame.has_mesh() && !frame.document().content().skin);
-  command_item(frame, "One colour", "color none", view.coloring == scene::Coloring::None);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
   const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };
@@ -103,6 +160,9 @@ void view_menu(Frame& frame) {
   command_item(frame, "Adjacencies T(I,J)",
                up(scene::Page::Adjacency) ? "panel adjacency off" : "panel adjacency on",
                up(scene::Page::Adjacency));
+  command_item(frame, "Histograms",
+               up(scene::Page::Histograms) ? "panel histograms off" : "panel histograms on",
+               up(scene::Page::Histograms));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();
@@ -112,6 +172,7 @@ void view_menu(Frame& frame) {
 
 void help_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Help")) return;
+  command_item(frame, "All commands\u2026", "palette");
   command_item(frame, "Keyboard and mouse", "dialog shortcuts");
   command_item(frame, "About", "dialog about");
   ImGui::EndMenu();

@@ -53,10 +53,11 @@ void model_lines(const Frame& frame) {
   tooltip(help);
 }
 
-void file_line(const Frame& frame) {
+void file_line(Frame& frame) {
   const scene::LoadedMesh& content = frame.document().content();
-  heading(frame, fitted(content.name, ImGui::GetContentRegionAvail().x).c_str());
+  heading(frame, fitted(content.name, ImGui::GetContentRegionAvail().x - 1.7f * em()).c_str());
   tooltip(content.file.empty() ? "A built-in sample" : content.file.string());
+  copy_button(frame, "counts");
   muted(frame, classified_by(frame.document()));
   tooltip(
       "Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says "

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/ui/frame.h"
+#include "viewer/ui/layout.h"
 
 namespace aomd::ui {
 
@@ -26,8 +27,22 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
 void adjacency_panel(Frame& frame);
-/// The titles of both pages, and the one that is up.
-void side_panel(Frame& frame, DecimationDrafts& drafts);
+
+/// What histograms remember: a bar that is pointed at is bright until the mouse leaves it.
+struct HistogramDrafts {
+  bool pointing = false;
+};
+/// Angles, lengths and valences as loaded and now.
+void histogram_panel(Frame& frame, HistogramDrafts& drafts);
+/// The titles of the pages, and the one that is up.
+void side_panel(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histograms);
+
+/// What the colours of the surface say, where they are numbers. Draws nothing where they are not.
+void field_legend(const Frame& frame);
+/// The plane that hides things, and how far cells are pulled apart, while one of them is on.
+void clip_controls(Frame& frame);
+/// What is seen where, over the scene, while the mesh as loaded is shown.
+void picture_labels(const Frame& frame, const Area& viewport);
 
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);

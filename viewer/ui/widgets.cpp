@@ -104,6 +104,7 @@ void value_row(const Frame& frame, const char* label, std::string_view value, st
   tooltip(help);
   ImGui::TableNextColumn();
   text_right(value);
+  tooltip(help);
 }
 
 void same_line_right(float width) {
@@ -196,6 +197,32 @@ void bar(double share, ImU32 color, float height_ems) {
   ImGui::Dummy({width, height});
 }
 
+void copy_button(Frame& frame, const char* table) {
+  const float side = 1.05f * em();
+  same_line_right(side);
+  ImGui::PushID(table);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("copy", {side, side})) frame.emit(std::string("copy ") + table);
+  const ImVec4 color = ImGui::IsItemHovered() ? frame.colors.accent : frame.colors.text_muted;
+  const float w = 0.5f * em(), h = 0.62f * em(), shift = 0.2f * em();
+  const ImVec2 back{at.x + 0.16f * em(), at.y + 0.12f * em()};
+  const ImVec2 front{back.x + shift, back.y + shift};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRect(back, {back.x + w, back.y + h}, ImGui::GetColorU32(color), 0.1f * em());
+  list.AddRectFilled(front, {front.x + w, front.y + h}, ImGui::GetColorU32(frame.colors.panel), 0.1f * em());
+  list.AddRect(front, {front.x + w, front.y + h}, ImGui::GetColorU32(color), 0.1f * em());
+  tooltip(std::string("Copy as text: ") + table);
+  ImGui::PopID();
+}
+
+bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+  return ImGui::IsKeyPressed(key);
+#else
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
 bool number_control(const char* id, double& value, const NumberStyle& style) {
   const float field = 4.6f * em();
   ImGui::PushID(id);
@@ -205,6 +232,7 @@ bool number_control(const char* id, double& value, const NumberStyle& style) {
       ImGuiSliderFlags_NoInput | (style.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   bool changed =
       ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low, &style.high, "", flags);
+  tooltip(style.help);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(field);
   double typed = value;
@@ -213,6 +241,7 @@ bool number_control(const char* id, double& value, const NumberStyle& style) {
     value = std::clamp(typed, style.low, style.high);
     changed = true;
   }
+  if (*style.help != '\0') tooltip(std::string(style.help) + " Type a value, then Enter.");
   ImGui::PopID();
   return changed;
 }
@@ -239,6 +268,16 @@ std::optional<std::size_t> choice_control(const char* id, std::span<const Choice
   }
   ImGui::EndCombo();
   return chosen;
+}
+
+std::string shortened(const std::string& a, float width) {
+  if (ImGui::CalcTextSize(a.c_str()).x <= width) return a;
+  for (std::size_t keep = a.size(); keep > 0; --keep) {
+    if ((static_cast<unsigned char>(a[keep]) & 0xc0u) == 0x80u) continue;  // within a character
+    const std::string shorter = a.substr(0, keep) + "\u2026";
+    if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
+  }
+  return "\u2026";
 }
 
 std::string fitted(const std::string& a, float width) {

@@ -40,6 +40,8 @@ void command_tooltip(std::string_view line);
 void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
 /// For text on the accent colour.
 [[nodiscard]] ImVec4 on_accent(const Frame& frame);
+/// A small sign that emits `copy TABLE`, at the right end of the present line.
+void copy_button(Frame& frame, const char* table);
 /// In the accent colour: the one thing to do.
 void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
 /// A menu entry that emits `line` and shows its key.
@@ -58,6 +60,7 @@ struct NumberStyle {
   double low = 0, high = 1;
   const char* format = "%.1f";
   bool logarithmic = false;
+  const char* help = "";  ///< what it is and in which unit: for both tooltips
 };
 [[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
 
@@ -74,6 +77,11 @@ struct Choice {
 [[nodiscard]] std::optional<std::size_t> choice_control(const char* id, std::span<const Choice> choices,
                                                         std::size_t present);
 
+/// Whether a key that ImGui knows went down in this frame, or repeats.
+[[nodiscard]] bool key_pressed(ImGuiKey key);
+
+/// `a` shortened at its end so that it is at most `width` wide.
+[[nodiscard]] std::string shortened(const std::string& a, float width);
 /// `a` shortened in its middle so that it is at most `width` wide.
 [[nodiscard]] std::string fitted(const std::string& a, float width);
 

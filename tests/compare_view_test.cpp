@@ -1,0 +1,361 @@
+// Numbers as colours, the mesh as loaded beside the present one, histograms, and the inside of volumes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <glm/geometric.hpp>
+
+#include "core/mesh/geometry.h"
+#include "session_helpers.h"
+#include "viewer/scene/palette.h"
+#include "zoo.h"
+
+namespace aomd::scene {
+namespace {
+
+using test::drive;
+
+void load(Session& s, const MeshData& data) {
+  s.document.replace(make_loaded(data, "test"));
+  s.drawing().set_bounds(s.document.content().bounds);
+  s.refresh();
+}
+
+std::span<const Corner> corners(Session& s) { return s.drawing().drawable().corners.values(); }
+
+/// n x n x n unit cubes.
+MeshData cubes(std::uint32_t n) {
+  MeshData data;
+  const std::uint32_t m = n + 1;
+  const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (x * m + y) * m + z; };
+  for (std::uint32_t x = 0; x < m; ++x)
+    for (std::uint32_t y = 0; y < m; ++y)
+      for (std::uint32_t z = 0; z < m; ++z) data.positions.emplace_back(x, y, z);
+  for (std::uint32_t x = 0; x < n; ++x)
+    for (std::uint32_t y = 0; y < n; ++y)
+      for (std::uint32_t z = 0; z < n; ++z)
+        data.regions.add(Shape::Hexahedron,
+                         {at(x, y, z), at(x + 1, y, z), at(x + 1, y + 1, z), at(x, y + 1, z), at(x, y, z + 1),
+                          at(x + 1, y, z + 1), at(x + 1, y + 1, z + 1), at(x, y + 1, z + 1)},
+                         ModelRef(3, 1));
+  return data;
+}
+
+double area(std::span<const Corner> corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    sum += 0.5 * glm::length(glm::cross(corners[i + 1].position - corners[i].position,
+                                        corners[i + 2].position - corners[i].position));
+  return sum;
+}
+
+TEST(FieldScale, LinearAndLogarithmic) {
+  FieldScale scale;
+  EXPECT_EQ(scale.color(1), plain_face_color()) << "nothing has a colour on an empty scale";
+  scale.add(0);
+  scale.add(10);
+  EXPECT_EQ(scale.color(0), ramp_color(0));
+  EXPECT_EQ(scale.color(5), ramp_color(0.5f));
+  EXPECT_EQ(scale.color(99), ramp_color(1));
+  EXPECT_EQ(scale.color(std::nan("")), plain_face_color());
+  scale.low = 1, scale.high = 100, scale.logarithmic = true;
+  EXPECT_EQ(scale.color(10), ramp_color(0.5f));
+  EXPECT_DOUBLE_EQ(scale.at(0.5), 10);
+  EXPECT_EQ(scale.color(0), plain_face_color());
+  scale.map = ColorMap::Magma;
+  EXPECT_EQ(scale.color(100), ramp_color(1, ColorMap::Magma));
+}
+
+TEST(ColorQuality, IsTheSmallestAngleOfEachFace) {
+  Session s;
+  load(s, zoo::square());
+  drive(s, {"color quality"});
+  ASSERT_NE(s.field(), nullptr);
+  for (const Corner& corner : corners(s)) EXPECT_EQ(corner.color, ramp_color(0.75f)) << "45 of 60 degrees";
+}
+
+TEST(ColorDistance, IsNothingAsLoadedAndMeasuredAfterwards) {
+  Session s;
+  drive(s, {"sample sphere 12", "color distance"});
+  ASSERT_NE(s.field(), nullptr);
+  EXPECT_EQ(s.field()->scale.high, 0);
+  drive(s, {"strategy paper", "angle 60", "factor 8", "sweep"});
+  ASSERT_GT(s.field()->scale.high, 0);
+  const Mesh& mesh = s.document.mesh();
+  const double percent = 100 / s.document.content().bounds.diagonal();
+  double worst = 0;
+  for (const Face f : mesh.faces()) {
+    const double expected = percent * face_distance(mesh, f, s.document.as_loaded().tree());
+    EXPECT_NEAR(s.field()->faces[f], expected, 1e-5 * (1 + expected));
+    worst = std::max(worst, expected);
+  }
+  EXPECT_NEAR(s.field()->scale.high, worst, 1e-5);
+  drive(s, {"reset"});
+  EXPECT_EQ(s.field()->scale.high, 0);
+}
+
+//  The original is the roof over an edge; the flat face below it is 1 away from the ridge's foot.
+TEST(ColorDistance, OfAFlatFaceBelowAParallelOne) {
+  MeshData above = zoo::triangle();
+  for (glm::dvec3& p : above.positions) p.z = 0.25;
+  const Mesh original(above), below(zoo::triangle());
+  EXPECT_DOUBLE_EQ(face_distance(below, Face(0), TriangleTree(triangles_of(original).corners)), 0.25);
+}
+
+TEST(ColorDistance, WaitsWhileSomethingRuns) {
+  Session s;
+  drive(s, {"sample sphere 24", "color distance", "strategy quality", "factor 6"});
+  execute(s, "run");
+  s.tick(std::chrono::microseconds(1), 0.01);
+  s.refresh();
+  EXPECT_EQ(s.field()->scale.high, 0) << "not measured yet";
+  s.finish();
+  s.refresh();
+  EXPECT_GT(s.field()->scale.high, 0);
+  for (const Face f : s.document.mesh().faces()) EXPECT_FALSE(std::isnan(s.field()->faces[f]));
+}
+
+TEST(ColorCurvature, KeepsTheScaleOfTheMeshAsLoaded) {
+  Session s;
+  drive(s, {"sample torus", "color curvature"});
+  ASSERT_NE(s.field(), nullptr);
+  const FieldScale scale = s.field()->scale;
+  EXPECT_FALSE(scale.empty());
+  drive(s, {"factor 6", "sweep"});
+  EXPECT_EQ(s.field()->scale, scale);
+}
+
+TEST(Fields, OfVolumesAreThoseThatAreNotAboutDecimation) {
+  Session s;
+  load(s, cubes(2));
+  for (const char* line : {"color spacing", "color distance"}) {
+    drive(s, {line});
+    EXPECT_EQ(s.field(), nullptr) << line;
+  }
+  for (const char* line : {"color quality", "color curvature"}) {
+    drive(s, {line});
+    EXPECT_NE(s.field(), nullptr) << line;
+  }
+}
+
+TEST(Original, IsTheMeshAsLoadedWhereverTheHistoryStands) {
+  Session s;
+  drive(s, {"sample bracket 4"});
+  const MeshData before = to_data(s.document.mesh());
+  drive(s, {"factor 6", "sweep", "swap", "step -3", "show original on"});
+  ASSERT_NE(s.original_drawing(), nullptr);
+  EXPECT_EQ(to_data(s.document.as_loaded().mesh()), before);
+  EXPECT_EQ(s.original_drawing()->drawable().corners.size(), 3 * before.faces.size());
+  drive(s, {"show original off"});
+  EXPECT_EQ(s.original_drawing(), nullptr);
+}
+
+// What looks must not touch: the same commands give the same mesh with and without a look back.
+TEST(Original, LookingBackChangesNothing) {
+  const auto result = [](bool look, const char* strategy) {
+    Session s;
+    drive(s, {"sample scan 3000", strategy, "step 40"});
+    if (look) drive(s, {"show original on", "color distance", "panel histograms on"});
+    drive(s, {"step 40", "sweep", "step -7", "run"});
+    return to_data(s.document.mesh());
+  };
+  for (const char* strategy : {"strategy paper", "strategy quality"})
+    EXPECT_EQ(result(false, strategy), result(true, strategy)) << strategy;
+}
+
+TEST(Compare, IsTwoPicturesOfASurfaceOnly) {
+  Session s;
+  drive(s, {"sample torus", "compare side"});
+  EXPECT_TRUE(s.shows_original());
+  drive(s, {"compare off"});
+  EXPECT_FALSE(s.shows_original());
+  drive(s, {"compare toggle"});
+  EXPECT_TRUE(s.view.side_by_side);
+  load(s, cubes(1));
+  EXPECT_FALSE(s.shows_original()) << "a volume stays as it was loaded";
+  EXPECT_THROW(execute(s, "compare sideways"), CommandError);
+}
+
+TEST(Histograms, CountTheMeshAsLoadedAndThePresentOne) {
+  Session s;
+  drive(s, {"sample torus", "panel histograms on"});
+  ASSERT_NE(s.histograms(), nullptr);
+  const auto faces = static_cast<std::size_t>(s.facts().faces);
+  EXPECT_FALSE(s.histograms()->changed);
+  EXPECT_EQ(s.histograms()->of(HistogramKind::Angle).now.total, faces);
+  drive(s, {"factor 4", "sweep"});
+  EXPECT_TRUE(s.histograms()->changed);
+  EXPECT_EQ(s.histograms()->of(HistogramKind::Angle).before.total, faces);
+  EXPECT_EQ(s.histograms()->of(HistogramKind::Angle).now.total, s.document.mesh().count(2));
+  EXPECT_EQ(s.histograms()->of(HistogramKind::Length).now.total, s.document.mesh().count(1));
+  // Everything is a fourth as long as wanted at first, in the mean over the torus.
+  EXPECT_NEAR(s.histograms()->of(HistogramKind::Length).before.mean, 0.25, 0.02);
+  drive(s, {"coarsest on"});
+  EXPECT_FALSE(s.histograms()->wanted_lengths);
+  EXPECT_NEAR(s.histograms()->of(HistogramKind::Length).before.mean, 1, 1e-12);
+  drive(s, {"panel decimation on"});
+  EXPECT_EQ(s.histograms(), nullptr) << "nobody looks";
+}
+
+TEST(Histograms, OfAVolumeAreItsDihedralAngles) {
+  Session s;
+  load(s, cubes(2));
+  drive(s, {"panel histograms on"});
+  ASSERT_NE(s.histograms(), nullptr);
+  EXPECT_TRUE(s.histograms()->volume);
+  EXPECT_EQ(s.histograms()->of(HistogramKind::Angle).now.total, 8u);
+  EXPECT_NEAR(s.histograms()->of(HistogramKind::Angle).now.mean, 90, 1e-9);
+}
+
+std::size_t bright_faces(Session& s) {
+  const auto all = corners(s);
+  return static_cast<std::size_t>(
+             std::count_if(all.begin(), all.end(),
+                           [](const Corner& c) { return (c.flags & CornerFlag::highlighted) != 0; })) /
+         3;
+}
+
+TEST(Mark, BrightensFacesEdgesAndVertices) {
+  Session s;
+  load(s, zoo::square());
+  drive(s, {"mark angle 45"});
+  EXPECT_EQ(bright_faces(s), 2u);
+  drive(s, {"mark angle 5"});
+  EXPECT_EQ(bright_faces(s), 0u);
+  drive(s, {"mark valence 3"});
+  EXPECT_EQ(s.drawing().drawable().highlight_discs.size(), 2u);
+  drive(s, {"coarsest on", "mark length 1.3"});  // the diagonal over the mean of all five
+  EXPECT_EQ(s.drawing().drawable().highlight_lines.size(), 1u);
+  EXPECT_EQ(s.drawing().drawable().highlight_discs.size(), 0u);
+  drive(s, {"mark off"});
+  EXPECT_EQ(s.drawing().drawable().highlight_lines.size(), 0u);
+  EXPECT_THROW(execute(s, "mark area 1"), CommandError);
+  EXPECT_THROW(execute(s, "mark angle"), CommandError);
+  load(s, cubes(1));
+  EXPECT_THROW(execute(s, "mark angle 5"), CommandError);
+}
+
+TEST(Mark, FollowsTheMesh) {
+  Session s;
+  drive(s, {"sample torus", "mark angle 31", "factor 4", "sweep", "panel decimation on"});
+  const auto& pair = s.histograms()->of(HistogramKind::Angle);
+  EXPECT_EQ(bright_faces(s), pair.now.counts[pair.now.bin(31)]);
+  EXPECT_GT(bright_faces(s), 0u);
+}
+
+std::size_t drawn(std::span<const Corner> corners) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    count += corners[i].position != corners[i + 1].position;
+  return count;
+}
+
+TEST(Clip, OfASurfaceByWholeFaces) {
+  Session s;
+  load(s, zoo::grid(4));  // 4 x 4 squares of two faces
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 16u);
+  drive(s, {"clip x 0.25 cells"});
+  EXPECT_EQ(drawn(corners(s)), 8u);
+  drive(s, {"clip x 0.25 cells flip"});
+  EXPECT_EQ(drawn(corners(s)), 24u);
+  drive(s, {"clip x 0.25"});
+  EXPECT_EQ(drawn(corners(s)), 32u) << "cutting is the renderer's";
+  drive(s, {"clip off"});
+  EXPECT_FALSE(s.view.clip);
+}
+
+TEST(Clip, OfAVolumeByWholeRegionsShowsTheirNeighbours) {
+  Session s;
+  load(s, cubes(2));
+  drive(s, {"clip z 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 2u * (2 * 4 + 4 * 2));  // a plate of 2 x 2 x 1
+  EXPECT_NEAR(area(corners(s)), 16, 1e-5);
+  drive(s, {"clip z 0 cells"});
+  EXPECT_EQ(drawn(corners(s)), 0u);
+}
+
+TEST(Clip, FacesOfTheFileGoWithTheirRegions) {
+  MeshData data = cubes(2);
+  const std::uint32_t m = 3, top = 2;
+  data.faces.add(Shape::Quad, {top, m * m + top, m * m + m + top, m + top}, ModelRef(2, 7));
+  Session s;
+  load(s, data);
+  drive(s, {"clip z 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 32u);
+  drive(s, {"clip z 0.5 cells flip"});
+  EXPECT_EQ(drawn(corners(s)), 32u);
+}
+
+TEST(Clip, CutsASectionThroughEveryRegion) {
+  Session s;
+  load(s, cubes(2));
+  drive(s, {"clip x 0.25"});
+  const auto cells = s.drawing().drawable().cells.values();
+  EXPECT_EQ(cells.size(), 3u * 2 * 4);
+  EXPECT_NEAR(area(cells), 4, 1e-5);
+  for (const Corner& corner : cells) {
+    EXPECT_NEAR(corner.position.x, -0.5, 1e-4);
+    EXPECT_LT(corner.position.x, -0.5) << "a hair inside, where the plane does not clip it";
+    EXPECT_GT(unpack_normal(corner.normal).x, 0.99);
+  }
+  for (std::size_t i = 0; i < cells.size(); i += 3)
+    EXPECT_GT(
+        glm::cross(cells[i + 1].position - cells[i].position, cells[i + 2].position - cells[i].position).x, 0)
+        << "seen from what is cut off";
+  drive(s, {"clip x 0.25 flip"});
+  EXPECT_LT(unpack_normal(s.drawing().drawable().cells[0].normal).x, -0.99);
+  drive(s, {"hide region:1"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+}
+
+TEST(Clip, SectionsOfTetrahedraFillTheSquare) {
+  Session s;
+  drive(s, {"sample mixed", "clip z 0.37"});
+  EXPECT_GT(area(s.drawing().drawable().cells.values()), 0);
+  drive(s, {"clip off"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+}
+
+TEST(Shrink, PullsFacesAndRegionsToTheirMiddles) {
+  Session s;
+  load(s, zoo::triangle());
+  const double whole = area(corners(s));
+  drive(s, {"shrink 0.5"});
+  EXPECT_NEAR(area(corners(s)), 0.25 * whole, 1e-6);
+  load(s, cubes(2));
+  drive(s, {"shrink 0.5"});
+  EXPECT_EQ(drawn(corners(s)), 0u);
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 8);
+  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), 8 * 6 * 0.25, 1e-5);
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 4);
+  drive(s, {"shrink 0", "clip off"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+  EXPECT_THROW(execute(s, "shrink 1"), CommandError);
+}
+
+TEST(InteriorEdges, AreThoseOnNoOuterSide) {
+  Session s;
+  load(s, cubes(2));
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 0u);
+  drive(s, {"show interior-edges on"});
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 6u);
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 1u) << "what was inside now lies outside";
+}
+
+TEST(Clip, CommandsSayWhatIsWrong) {
+  Session s;
+  load(s, zoo::square());
+  for (const char* line : {"clip", "clip w 0.5", "clip x", "clip x 1.5", "clip x 0.5 sideways", "clip off 3"})
+    EXPECT_THROW(execute(s, line), CommandError) << line;
+  drive(s, {"clip Y 0.75 cells flip"});
+  EXPECT_EQ(s.view.clip, (Clip{1, 0.75, true, true}));
+}
+
+}  // namespace
+}  // namespace aomd::scene

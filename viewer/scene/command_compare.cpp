@@ -1,0 +1,112 @@
+// Before and after, and the inside of volumes.
+
+#include <string>
+
+#include "viewer/scene/command_groups.h"
+
+namespace aomd::scene {
+namespace {
+
+constexpr double most_shrunk = 0.9;
+
+void compare(Session& session, Arguments& arguments) {
+  const std::string how = arguments.done() ? "toggle" : arguments.word("side, off or toggle");
+  arguments.end();
+  if (how != "side" && how != "off" && how != "toggle")
+    arguments.fail("'" + how + "' is none of side, off, toggle");
+  session.view.side_by_side = how == "toggle" ? !session.view.side_by_side : how == "side";
+}
+
+int axis_of(const std::string& word, const Arguments& arguments) {
+  const std::string names = "xyzXYZ";
+  const std::size_t at = word.size() == 1 ? names.find(word[0]) : std::string::npos;
+  if (at == std::string::npos) arguments.fail("'" + word + "' is none of x, y, z, off");
+  return static_cast<int>(at % 3);
+}
+
+void clip(Session& session, Arguments& arguments) {
+  const std::string axis = arguments.word("x, y, z or off");
+  if (axis == "off") {
+    arguments.end();
+    session.view.clip.reset();
+    return;
+  }
+  Clip clip;
+  clip.axis = axis_of(axis, arguments);
+  clip.position = arguments.number("a position from 0 to 1", 0, 1);
+  while (!arguments.done()) {
+    const std::string word = arguments.word("cut, cells or flip");
+    if (word == "flip")
+      clip.flip = true;
+    else if (word == "cells" || word == "cut")
+      clip.cells = word == "cells";
+    else
+      arguments.fail("'" + word + "' is none of cut, cells, flip");
+  }
+  session.view.clip = clip;
+}
+
+void shrink(Session& session, Arguments& arguments) {
+  session.view.shrink = arguments.number("a part from 0 to 0.9", 0, most_shrunk);
+  arguments.end();
+}
+
+HistogramKind kind_of(const std::string& word, const Arguments& arguments) {
+  if (word == "angle") return HistogramKind::Angle;
+  if (word == "length") return HistogramKind::Length;
+  if (word == "valence") return HistogramKind::Valence;
+  arguments.fail("'" + word + "' is none of angle, length, valence, off");
+}
+
+void mark(Session& session, Arguments& arguments) {
+  const std::string word = arguments.word("angle, length, valence or off");
+  if (word == "off") {
+    arguments.end();
+    session.view.marked.reset();
+    return;
+  }
+  need_mesh(session);
+  if (session.document.content().skin) arguments.fail("only surfaces of triangles have marks");
+  MarkedBar bar;
+  bar.kind = kind_of(word, arguments);
+  bar.value = arguments.number("a value in the bar");
+  arguments.end();
+  session.view.marked = bar;
+}
+
+}  // namespace
+
+std::vector<Command> compare_commands() {
+  return {
+      {"compare",
+       "side|off|toggle",
+       "side: the mesh as loaded on the left, the present one on the right, seen by one camera.",
+       CommandGroup::View,
+       compare,
+       {{"K", "compare toggle"}}},
+      {"clip",
+       "x|y|z|off POSITION [cut|cells] [flip]",
+       "Hides what lies beyond a plane across an axis; POSITION goes from 0 to 1 through the box of the mesh "
+       "as loaded. cut goes through the faces and shows the section of a volume; cells takes whole faces and "
+       "regions, by their middles. flip hides the other side.",
+       CommandGroup::View,
+       clip,
+       {{"X", "clip x 0.5"}, {"Shift+X", "clip off"}}},
+      {"shrink",
+       "F",
+       "Pulls every face, of a volume every region, towards its middle: 0 not at all, up to 0.9.",
+       CommandGroup::View,
+       shrink,
+       {}},
+      {"mark",
+       "angle|length|valence|off VALUE",
+       "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
+       "edges "
+       "by their length over the wanted one, vertices by their number of edges.",
+       CommandGroup::View,
+       mark,
+       {}},
+  };
+}
+
+}  // namespace aomd::scene

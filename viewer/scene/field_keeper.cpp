@@ -1,0 +1,166 @@
+#include "viewer/scene/field_keeper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/decimate/curvature.h"
+#include "core/mesh/geometry.h"
+
+namespace aomd::scene {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+constexpr double beyond_share = 0.02;   // of the curvatures, on either side of their scale
+constexpr double curvature_span = 1e3;  // at most, from the scale's low to its high
+
+/// Quads and volumes are not decimated: nothing is wanted of them, and they stay where they are.
+bool has_field(Coloring coloring, bool skin) {
+  if (!is_field(coloring)) return false;
+  return !skin || coloring == Coloring::Quality || coloring == Coloring::Curvature;
+}
+
+/// Most of the values: outliers would leave all others one colour.
+FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& values) {
+  std::vector<double> positive;
+  for (const Vertex v : mesh.vertices())
+    if (values[v] > 0) positive.push_back(values[v]);
+  FieldScale scale;
+  scale.logarithmic = true;
+  if (positive.empty()) return scale;
+  std::sort(positive.begin(), positive.end());
+  const auto last = static_cast<double>(positive.size() - 1);
+  const auto at = [&](double part) { return positive[static_cast<std::size_t>(std::lround(part * last))]; };
+  scale.add(at(1 - beyond_share));
+  scale.add(std::max(at(beyond_share), scale.high / curvature_span));
+  scale.beyond = positive.front() < scale.low || positive.back() > scale.high;
+  return scale;
+}
+
+template <typename H>
+void assign(Column<H, float>& column, const Column<H, double>& values) {
+  column.assign(values.size(), unknown);
+  for (std::uint32_t i = 0; i < values.size(); ++i) column[H(i)] = static_cast<float>(values[H(i)]);
+}
+
+}  // namespace
+
+void FieldKeeper::update(Coloring coloring, const FieldSource& source, SurfaceChanges& changes) {
+  const std::uint64_t generation = source.document.place().generation;
+  if (!has_field(coloring, source.skin)) {
+    field_.reset();
+    shown_.reset();
+    return;
+  }
+  const bool anew = !field_ || field_->kind != coloring || generation != generation_;
+  if (anew) {
+    field_ = std::make_shared<ScalarField>();
+    field_->kind = coloring;
+    shown_ = field_;
+    generation_ = generation;
+  }
+  SurfaceChanges everything;
+  everything.everything = true;
+  SurfaceChanges& seen = anew ? everything : changes;
+  if (coloring == Coloring::Spacing) spacing(source, anew || changes.everything);
+  if (coloring == Coloring::Quality) quality(source, seen);
+  if (coloring == Coloring::Distance) distance(source, seen);
+  if (coloring == Coloring::Curvature) curvature(source, seen);
+}
+
+void FieldKeeper::take_scale(const ScalarField& other) {
+  if (field_) set_scale(other.scale);
+}
+
+void FieldKeeper::set_scale(const FieldScale& scale) {
+  if (field_->scale == scale) return;
+  field_->scale = scale;
+  ++field_->version;
+}
+
+void FieldKeeper::spacing(const FieldSource& source, bool anew) {
+  if (!anew && options_ == source.document.options()) return;
+  options_ = source.document.options();
+  Column<Vertex, double> wanted = source.document.wanted_lengths();
+  FieldScale scale;
+  scale.logarithmic = true;
+  for (const Vertex v : source.mesh.vertices()) {
+    if (!std::isfinite(wanted[v])) wanted[v] = 0;
+    if (wanted[v] > 0) scale.add(wanted[v]);
+  }
+  assign(field_->vertices, wanted);
+  field_->scale = scale;
+  ++field_->version;
+}
+
+void FieldKeeper::quality(const FieldSource& source, const SurfaceChanges& changes) {
+  const Mesh& mesh = source.mesh;
+  const auto measure = [&](Face f) {
+    const auto v = mesh.triangle(f);
+    field_->faces[f] =
+        static_cast<float>(smallest_angle_deg(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
+  };
+  field_->scale.low = 0;
+  field_->scale.high = 60;
+  if (changes.everything) field_->faces.assign(mesh.capacity(2), unknown);
+  if (field_->faces.size() < mesh.capacity(2)) field_->faces.resize(mesh.capacity(2), unknown);
+  if (changes.everything)
+    for (const Face f : mesh.faces()) measure(f);
+  for (const Face f : changes.faces)
+    if (mesh.alive(f)) measure(f);
+}
+
+void FieldKeeper::distance(const FieldSource& source, SurfaceChanges& changes) {
+  const Mesh& mesh = source.mesh;
+  if (changes.everything) field_->faces.assign(mesh.capacity(2), source.as_loaded ? 0 : unknown);
+  if (source.as_loaded) return;
+  if (field_->faces.size() < mesh.capacity(2)) field_->faces.resize(mesh.capacity(2), unknown);
+  for (const Face f : changes.faces)
+    if (f.index < field_->faces.size()) field_->faces[f] = unknown;
+  pending_ = pending_ || !changes.nothing();
+  if (pending_ && source.still) measure_distances(source, changes);
+}
+
+void FieldKeeper::measure_distances(const FieldSource& source, SurfaceChanges& changes) {
+  AsLoaded& original = source.document.as_loaded();
+  const double percent = 100 / source.document.content().bounds.diagonal();
+  FieldScale scale;
+  scale.map = ColorMap::Magma;
+  scale.add(0);
+  for (const Face f : source.mesh.faces()) {
+    float& value = field_->faces[f];
+    if (std::isnan(value)) {
+      value = original.has(source.mesh, f)
+                  ? 0
+                  : static_cast<float>(percent * face_distance(source.mesh, f, original.tree()));
+      if (!changes.everything) changes.faces.push_back(f);
+    }
+    scale.add(value);
+  }
+  set_scale(scale);
+  pending_ = false;
+}
+
+void FieldKeeper::curvature(const FieldSource& source, const SurfaceChanges& changes) {
+  pending_ = pending_ || !changes.nothing();
+  if (!pending_ || !source.still) return;
+  pending_ = false;
+  // One scale for before and after, that of before.
+  if (source.as_loaded) {
+    AsLoaded& original = source.document.as_loaded();
+    assign(field_->vertices, original.curvatures());
+    field_->scale = curvature_scale(original.mesh(), original.curvatures());
+  } else {
+    const Column<Vertex, double> values = vertex_curvatures(source.mesh);
+    assign(field_->vertices, values);
+    if (source.skin)
+      field_->scale = curvature_scale(source.mesh, values);
+    else
+      field_->scale =
+          curvature_scale(source.document.as_loaded().mesh(), source.document.as_loaded().curvatures());
+  }
+  ++field_->version;
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,56 @@
+#pragma once
+// Histograms of the present mesh beside those of the mesh as loaded.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/decimate/options.h"
+#include "core/measure/histogram.h"
+#include "viewer/scene/document.h"
+#include "viewer/scene/surface_changes.h"
+#include "viewer/scene/view.h"
+
+namespace aomd::scene {
+
+/// One quantity. Both histograms have the same bins.
+struct HistogramPair {
+  std::vector<measure::Sample> samples;  ///< of the present mesh
+  std::vector<measure::Sample> earlier;  ///< of the mesh as loaded
+  measure::Histogram before, now;
+};
+
+/// By HistogramKind. Of a volume there are smallest dihedral angles alone, and the others are empty.
+struct Histograms {
+  std::array<HistogramPair, 3> pairs;
+  bool changed = false;         ///< whether the mesh may differ from the one as loaded
+  bool wanted_lengths = false;  ///< lengths over the wanted ones; else over their mean as loaded
+  bool volume = false;
+
+  [[nodiscard]] const HistogramPair& of(HistogramKind kind) const {
+    return pairs[static_cast<std::size_t>(kind)];
+  }
+};
+
+/// Makes them where somebody looks, and not again before the mesh or the options have changed.
+class HistogramKeeper {
+ public:
+  /// O(1) where nothing has changed, else O(entities). Lets go of them where they are not `wanted`. True when
+  /// they have changed. While something runs, which is not `still`, those that there are stay.
+  bool update(Document& document, bool wanted, bool still);
+  /// Whether they are of the mesh at this place.
+  [[nodiscard]] bool current(const HistoryPlace& place) const { return histograms_ && place == place_; }
+  [[nodiscard]] const Histograms* histograms() const { return histograms_ ? &*histograms_ : nullptr; }
+
+ private:
+  void measure_now(const Mesh& mesh);
+  void measure_before(Document& document);
+
+  std::optional<Histograms> histograms_;
+  Column<Vertex, double> lengths_;  ///< what edges are held against
+  HistoryPlace place_;
+  DecimationOptions options_;
+};
+
+}  // namespace aomd::scene
