@@ -31,7 +31,7 @@ void Mesh::build_hash(int dim) const {
 std::uint32_t Mesh::find_by_hash(int dim, std::span<const std::uint32_t> vertices) const {
   build_hash(dim);
   return hash(dim).find(EntityHash::key(vertices),
-                  [&](std::uint32_t id) { return same_vertices(EntityRef(dim, id), vertices); });
+                        [&](std::uint32_t id) { return same_vertices(EntityRef(dim, id), vertices); });
 }
 
 std::uint32_t Mesh::find_edge_index(std::uint32_t a, std::uint32_t b) const {

@@ -28,7 +28,7 @@ struct DecimateOptions {
   std::optional<double> angle_deg;  ///< none: what suits the strategy
   std::string topology = "safe", keep;
   double max_distance_pct = 0;  ///< of the diagonal of the input's box
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;              ///< 0: all cores
   // What is written
   std::string report, journal;
   bool quiet = false;
