@@ -2,6 +2,7 @@
 find_package(nlohmann_json REQUIRED)
 aomd_test(measure_test)
 aomd_test(distance_test)
+aomd_test(measure_threads_test)
 aomd_test(journal_file_test)
 aomd_test(cli_test nlohmann_json::nlohmann_json)
 aomd_test(cli_compare_test nlohmann_json::nlohmann_json)

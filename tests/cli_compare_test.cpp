@@ -37,6 +37,18 @@ TEST_F(CompareCommand, DistancesArePercentOfTheDiagonal) {
   EXPECT_NEAR(compared("square.off raised.off --samples 100")["result_to_original"]["samples"], 100, 1);
 }
 
+// What is written does not depend on the number of threads, down to the last digit.
+TEST_F(CompareCommand, ThreadsMakeNoDifference) {
+  sample("scan", "scan.ply", 20000);
+  ASSERT_EQ(aomd("decimate scan.ply coarse.ply --target-faces 3000 --quiet").code, 0);
+  const std::string one = aomd("compare --json --threads 1 scan.ply coarse.ply").out;
+  EXPECT_NE(one.find("hausdorff_pct"), std::string::npos);
+  for (const char* threads : {"0", "2", "3", "7"})
+    EXPECT_EQ(aomd(std::string("compare --json scan.ply coarse.ply --threads ") + threads).out, one)
+        << threads;
+  expect_failure("compare scan.ply coarse.ply --threads -1", 2, "--threads");
+}
+
 TEST_F(CompareCommand, HasEveryKey) {
   sample("box", "box.ply", 2);
   const auto json = compared("box.ply box.ply");

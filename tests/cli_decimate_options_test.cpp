@@ -50,6 +50,8 @@ TEST_F(DecimateOptionsCommand, WrongOptionsAreCode2AndSayWhatWouldBeRight) {
   expect_failure("decimate s.ply o.ply --spacing h --gradation 0", 2, "a number above 0, not 0");
   expect_failure("decimate s.ply o.ply --spacing '2 *'", 2, "--spacing: spacing \"2 *\", character 4");
   expect_failure("decimate s.ply o.ply --spacing nofile.txt", 2, "there is no such file");
+  expect_failure("decimate s.ply o.ply --threads -1", 2, "--threads");
+  expect_failure("decimate s.ply o.ply --threads two", 2, "--threads");
   expect_failure("decimate s.ply o.ply --spacing x", 2, "must be positive and finite");
   EXPECT_FALSE(exists("o.ply"));
 }
@@ -147,6 +149,24 @@ TEST_F(DecimateOptionsCommand, ASpacingFileIsOneNumberAVertex) {
   };
   EXPECT_EQ(faces("fine.txt"), in.faces.size());
   EXPECT_LT(faces("coarse.txt"), in.faces.size() / 4);
+}
+
+TEST_F(DecimateOptionsCommand, ThreadsMakeNoDifference) {
+  sample("scan", "s.ply", 20000);
+  EXPECT_EQ(decimate("s.ply", "--target-faces 4000 --threads 1")["options"]["threads"], 1);
+  const std::string one = text("o.ply");
+  const auto sweeps = json("r.json")["sweeps"];
+  for (const char* threads : {"", " --threads 0", " --threads 2", " --threads 3", " --threads 7"}) {
+    const auto report = decimate("s.ply", std::string("--target-faces 4000") + threads);
+    EXPECT_GE(report["options"]["threads"], 1) << threads;
+    EXPECT_TRUE(text("o.ply") == one) << threads;
+    EXPECT_EQ(report["sweeps"], sweeps) << threads;
+  }
+  EXPECT_EQ(aomd("decimate s.ply o.ply --target-faces 4000 --threads 2 --journal j.aomd").code, 0);
+  EXPECT_TRUE(text("o.ply") == one) << "with a journal";
+  const std::string journal = text("j.aomd");
+  EXPECT_EQ(aomd("decimate s.ply o.ply --target-faces 4000 --threads 1 --journal j.aomd").code, 0);
+  EXPECT_TRUE(text("j.aomd") == journal);
 }
 
 TEST_F(DecimateOptionsCommand, MinAngleHolds) {

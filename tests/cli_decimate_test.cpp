@@ -31,7 +31,7 @@ TEST_F(DecimateCommand, WrongOptionsAreCode2) {
   for (const char* wrong :
        {"--factor 0", "--factor -1", "--factor x", "--angle 0", "--angle 180", "--feature-angle 200",
         "--improve -1", "--topology loose", "--strategy best", "--coarsest --factor 2", "--target-faces -10",
-        "--regularity 2", "--snap cad", "--threads 2"}) {
+        "--regularity 2", "--snap cad", "--processes 2"}) {
     const Outcome run = aomd(std::string("decimate s.ply o.ply ") + wrong);
     EXPECT_EQ(run.code, 2) << wrong << ": " << run.err;
     EXPECT_EQ(run.err.rfind("aomd: ", 0), 0u) << run.err;

@@ -14,7 +14,8 @@ const char* phase_name(Phase phase) {
 }
 
 const char* idea_name(Idea idea) {
-  constexpr const char* names[] = {"placement", "third-powers", "facing", "second-stage", "far-points"};
+  constexpr const char* names[] = {"placement",    "third-powers", "facing",
+                                   "second-stage", "far-points",   "dense-points"};
   return names[static_cast<std::size_t>(idea)];
 }
 

@@ -31,8 +31,7 @@ struct FitRules {
 [[nodiscard]] double triangle_quality(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// Judges moves and swaps on one mesh against one original. The mesh must store T(0,2) and T(2,0); the points
-/// of the original must have been located on it. O(faces around the place and the points on them). Several
-/// threads may judge at once, once the existence of edges can be asked for (Mesh::build_hash).
+/// of the original must have been located on it. O(faces around the place and the points on them).
 class Fitter {
  public:
   Fitter(const Mesh& mesh, OriginalSurface& original) : mesh_(mesh), original_(original) {}
@@ -41,28 +40,30 @@ class Fitter {
   /// it, each seen as a plane through its face, pulled along the surface towards the neighbourhood's centre.
   /// Half or a quarter of the way where all of it goes too far. Refusals: Classification, Flat (no area
   /// around it), Angle (against what the face was, or the original under it), Quality (a poor face would get
-  /// poorer), Shape (below the least angle). Reads positions no further off than its neighbours. `star` is
-  /// scratch space.
-  [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, Star& star, glm::dvec3& target) const;
+  /// poorer), Shape (below the least angle).
+  [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, glm::dvec3& target);
+
+  /// The faces around the vertex that judge_move() looked at last.
+  [[nodiscard]] const Star& star() const { return star_; }
 
   /// Whether swapping the edge between a and b lowers the energy. Refusals: those of find_pair, Topology (the
   /// other diagonal exists), Flat, Angle (a new face against the two old ones together, or the original under
-  /// them), Shape (below the least angle), Quality (no gain).
+  /// them), Shape (below the least angle), Quality (no gain). Several threads may ask at once, after
+  /// Mesh::build_hash() where edges are found by it.
   [[nodiscard]] Verdict judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& pair) const;
   /// Gives the points of the two faces to those that they are nearest to. Call right before apply_swap().
   void swapped(const EdgePair& pair);
 
  private:
-  [[nodiscard]] Verdict judge_target(const Star& star, const glm::dvec3& from, const glm::dvec3& target,
-                                     const FitRules& rules) const;
-  [[nodiscard]] bool least_squares(const Star& star, const glm::dvec3& at, const FitRules& rules,
-                                   glm::dvec3& target) const;
+  [[nodiscard]] Verdict judge_target(Vertex v, const glm::dvec3& target, const FitRules& rules) const;
+  [[nodiscard]] bool least_squares(Vertex v, const FitRules& rules, glm::dvec3& target) const;
   [[nodiscard]] bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                                 const FitRules& rules) const;
   [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
 
   const Mesh& mesh_;
   OriginalSurface& original_;
+  Star star_;
 };
 
 }  // namespace aomd

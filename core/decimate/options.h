@@ -27,9 +27,11 @@ enum class Idea : std::uint8_t {
   Facing,       ///< no face looks away from the original around its corners
   SecondStage,  ///< the last collapses follow errors that were measured anew
   FarPoints,    ///< the fit cares more for points that are far off
+  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices come to each face of the result: the
+                ///< original has a point in each face too
 };
-inline constexpr int idea_count = 5;
-/// "placement", "third-powers", "facing", "second-stage", "far-points".
+inline constexpr int idea_count = 6;
+/// "placement", "third-powers", "facing", "second-stage", "far-points", "dense-points".
 [[nodiscard]] const char* idea_name(Idea idea);
 
 /// The angle that suits a strategy: 10 degrees where it is what limits, 60 for quality, whose faces are held

@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "core/mesh/geometry.h"
@@ -15,53 +14,63 @@
 namespace aomd {
 namespace {
 
-constexpr std::size_t points_a_piece = 1024;
-
-// Sums of a fixed number of faces are added up in their order: the same digits with any number of threads.
-double area_of(const Mesh& mesh, int threads) {
-  constexpr std::size_t faces_a_sum = 4096;
-  std::vector<double> sums(mesh.capacity(2) / faces_a_sum + 1, 0);
-  parallel_for(sums.size(), threads, 1, [&](std::size_t begin, std::size_t end) {
-    each_alive(mesh.ids(2), begin * faces_a_sum, end * faces_a_sum, [&](std::uint32_t f) {
-      const auto t = mesh.triangle(Face(f));
-      sums[f / faces_a_sum] +=
-          0.5 * glm::length(area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])));
-    });
-  });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
+constexpr std::size_t items_a_piece = 1024;
 
 }  // namespace
 
-OriginalSurface::OriginalSurface(const Mesh& mesh, int threads) : taken_by_(mesh.capacity(0)) {
-  for (const Vertex v : mesh.vertices()) {
-    taken_by_[v] = v;
-    if (!mesh.row<2>(v).empty()) vertex_of_.push_back(v);
-  }
-  points_.resize(vertex_of_.size());
-  parallel_for(points_.size(), threads, points_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i);
-  });
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
+    : taken_by_(mesh.capacity(0)) {
+  vertex_of_.reserve(mesh.count(0));
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f)) {
+      if (taken_by_[v].valid()) continue;
+      taken_by_[v] = v;
+      vertex_of_.push_back(v);
+    }
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
   Box box;
-  for (const OriginalPoint& p : points_) box.add(p.position);
+  for (const Vertex v : vertex_of_) box.add(mesh.position(v));
   diagonal_ = box.diagonal();
-  area_ = area_of(mesh, threads);
+  points_.resize(vertex_of_.size());
+  Column<Face, double> areas(mesh.capacity(2), 0);
+  parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, areas);
+  });
+  for (const Face f : mesh.faces()) area_ += areas[f];
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, areas);
 }
 
-void OriginalSurface::set_point(const Mesh& mesh, std::size_t i) {
-  glm::dvec3 normal(0.0);
-  double area = 0;  // twice that of the faces around it
-  for (const Face f : mesh.row<2>(vertex_of_[i])) {
+void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& areas) {
+  for (OriginalPoint& p : points_) p.weight /= 4;
+  points_.reserve(points_.size() + mesh.count(2));
+  vertex_of_.reserve(points_.capacity());
+  for (const Face f : mesh.faces()) {
+    if (!(areas[f] > 0)) continue;
     const auto t = mesh.triangle(f);
-    const glm::dvec3 n = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
-    normal += n;
-    area += glm::length(n);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(area_normal(a, b, c) / (2 * areas[f])),
+                       .weight = static_cast<float>(0.75 * areas[f])});
+    vertex_of_.push_back(t[0]);
   }
+}
+
+// Also fills in the area of each face of which the point is the first corner.
+void OriginalSurface::set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas) {
+  const double scale =
+      diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
   OriginalPoint& p = points_[i];
   p.position = mesh.position(vertex_of_[i]);
-  p.weight = static_cast<float>(area / 6);
-  if (area > 0) normal /= area;  // at any scale it can be squared then
-  if (const double length = glm::length(normal); length > 0) p.normal = glm::vec3(normal / length);
+  for (const Face f : mesh.row<2>(vertex_of_[i])) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 normal = area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const double area = glm::length(normal) / 2;
+    p.normal += glm::vec3(scale * normal);
+    p.weight += static_cast<float>(area / 3);
+    if (t[0] == vertex_of_[i]) areas[f] = area;
+  }
+  if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
+    p.normal = glm::vec3(glm::dvec3(p.normal) / length);
 }
 
 // Several threads may shorten the same path at once: whatever they write leads to the same end.
@@ -143,7 +152,7 @@ void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
 }
 
 void OriginalSurface::locate(const Mesh& mesh, int threads) {
-  parallel_for(points_.size(), threads, points_a_piece, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) locate_point(mesh, i);
   });
   link_points(mesh);
@@ -155,11 +164,11 @@ void OriginalSurface::locate_anywhere(const Mesh& mesh, int threads) {
   for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
   const Triangles triangles = triangles_of(mesh);
   const TriangleTree tree(triangles.corners);
-  parallel_for(points_.size() / points_a_piece + 1, threads, 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points_.size() / items_a_piece + 1, threads, 1, [&](std::size_t begin, std::size_t end) {
     std::uint32_t hint = no_index;
-    for (std::size_t i = begin * points_a_piece; i < std::min(end * points_a_piece, points_.size()); ++i) {
+    for (std::size_t i = begin * items_a_piece; i < std::min(end * items_a_piece, points_.size()); ++i) {
       OriginalPoint& p = points_[i];
-      if (i % points_a_piece == 0) hint = no_index;
+      if (i % items_a_piece == 0) hint = no_index;
       hint = tree.nearest(p.position, hint).triangle;
       p.face = hint == no_index ? no_index : triangles.faces[tree.source(hint)].index;
       if (p.face != no_index) vertex_of_[i] = mesh.triangle(Face(p.face))[0];

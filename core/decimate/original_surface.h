@@ -12,7 +12,7 @@
 
 namespace aomd {
 
-/// One vertex of the original surface; a cache line.
+/// One point of the original surface; a cache line.
 struct OriginalPoint {
   glm::dvec3 position;
   glm::vec3 normal{0.0f};         ///< of the original surface there, of length 1, or 0
@@ -23,15 +23,19 @@ struct OriginalPoint {
   float distance2 = 0;            ///< squared, to that place
 };
 
-/// The vertices of the mesh as it was at construction, each with the face that it lies on now. Points follow
-/// collapses by the vertex that took theirs in, and find the nearest face from there by walking; later
-/// changes move them to a neighbour. 64 bytes a point. Not meant for exact distances: a walk may stop at a
-/// local minimum.
+/// Where the original has points: at its vertices, or in the middle of each face too, with the weights of the
+/// quadrature that is exact for quadratic functions (1/12 of a face at each corner, 3/4 in the middle).
+enum class Sampling : std::uint8_t { Vertices, VerticesAndFaces };
+
+/// The vertices of the mesh as it was at construction, and its faces' middles on request, each with the face
+/// that it lies on now. Points follow collapses by the vertex that took theirs in, and find the nearest face
+/// from there by walking; later changes move them to a neighbour. 64 bytes a point. Not meant for exact
+/// distances: a walk may stop at a local minimum.
 class OriginalSurface {
  public:
   /// O(vertices + faces). T(0,2) and T(2,0) must be stored. Here and below the result does not depend on the
   /// number of threads.
-  explicit OriginalSurface(const Mesh& mesh, int threads = 1);
+  explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices, int threads = 1);
 
   [[nodiscard]] const std::vector<OriginalPoint>& points() const { return points_; }
   /// The diagonal of its box, and its area.
@@ -65,7 +69,8 @@ class OriginalSurface {
   void redistribute(Face f, Face g, Where&& goes_to_f);
 
  private:
-  void set_point(const Mesh& mesh, std::size_t i);
+  void add_faces(const Mesh& mesh, const Column<Face, double>& areas);
+  void set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas);
   void locate_point(const Mesh& mesh, std::size_t i);
   void find_face(const Mesh& mesh, OriginalPoint& p) const;
   bool walk_once(const Mesh& mesh, OriginalPoint& p) const;
@@ -74,7 +79,7 @@ class OriginalSurface {
   void link_points(const Mesh& mesh);
 
   std::vector<OriginalPoint> points_;
-  std::vector<Vertex> vertex_of_;      ///< by point: the vertex that it was
+  std::vector<Vertex> vertex_of_;      ///< by point: the vertex that it was, or a corner of its face
   Column<Vertex, Vertex> taken_by_;    ///< by vertex: the one that took it in; itself while it lives
   Column<Face, std::uint32_t> first_;  ///< by face: its first point
   Column<Face, glm::vec3> normal_;     ///< by face: see normal_under()

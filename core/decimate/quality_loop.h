@@ -6,10 +6,8 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "core/decimate/colouring.h"
 #include "core/decimate/fit.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/original_surface.h"
@@ -25,8 +23,8 @@ class QualityLoop final : public Loop {
 
   bool advance() override;
   void restart(const DecimationOptions& options) override;
-  std::uint32_t swap_pass() override { return pass(&QualityLoop::next_swap); }
-  std::uint32_t smooth_pass() override { return pass(&QualityLoop::next_move); }
+  std::uint32_t swap_pass() override;
+  std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
@@ -92,17 +90,28 @@ class QualityLoop final : public Loop {
   void set_rules();
   void fill_spacing();
 
-  // Passes of swaps and of moves (quality_improvement.cpp)
-  std::uint32_t pass(bool (QualityLoop::*next)(bool& made));
-  void begin_pass();
-  bool next_swap(bool& made);
-  bool judge_faces_ahead();
-  [[nodiscard]] bool still_refused(std::size_t item, std::uint32_t corner,
-                                   const std::array<Vertex, 3>& corners) const;
+  // Passes of swaps and of smoothing (quality_improvement.cpp)
+  /// Part of a pass of swaps: its edges are judged ahead, on all threads, and then have their turn one by
+  /// one.
+  struct SwapBatch {
+    std::vector<Face> faces;
+    /// By face and corner: the face across the edge from there, where swapping the two was refused for what
+    /// they are.
+    std::vector<std::array<Face, 3>> refused;
+    std::size_t turn = 0;      ///< the face that is next
+    std::uint32_t corner = 0;  ///< of that face
+    std::uint32_t after = 0;   ///< where the next batch begins
+  };
+  bool next_swap(SwapBatch& batch, bool& made);
+  bool fill(SwapBatch& batch);
+  void judge_ahead(SwapBatch& batch) const;
+  [[nodiscard]] Face refused_across(Vertex a, Vertex b) const;
+  [[nodiscard]] bool still_refused(const SwapBatch& batch) const;
+  std::uint32_t pass_done(std::uint32_t made);
+  bool advance_swap();
+  bool advance_smooth();
   bool try_swap(Vertex a, Vertex b);
-  bool next_move(bool& made);
-  bool judge_moves_ahead();
-  bool try_move(Vertex v, const glm::dvec3& target);
+  bool try_smooth(Vertex v);
 
   // Quadrics (quality_quadrics.cpp)
   void add_normal(Vertex v, const glm::vec3& normal);
@@ -135,20 +144,10 @@ class QualityLoop final : public Loop {
   int round_ = 0;
   std::uint32_t start_faces_ = 0;
 
-  /// The part of a pass that is judged ahead, on all threads, before its items have their turn one by one.
-  struct Batch {
-    std::vector<Face> faces;                         ///< of a pass of swaps
-    std::vector<std::uint8_t> refused;               ///< by face: bit k, its edge from corner k to the next
-    std::span<const Vertex> vertices;                ///< of a pass of moves
-    std::vector<std::optional<glm::dvec3>> targets;  ///< by vertex; none: it stays
-    std::size_t turn = 0;                            ///< the item that is next
-  } batch_;
-  std::uint32_t corner_ = 0;               ///< of the face whose turn it is
-  std::uint32_t next_face_ = 0;            ///< where the next batch of faces begins
-  Column<Vertex, std::uint32_t> swapped_;  ///< == swap_stamp_: at a swap since the batch was judged
+  std::uint32_t cursor_ = 0;             ///< of a pass of smoothing
+  SwapBatch swaps_;                      ///< of a pass of swaps
+  Column<Face, std::uint32_t> swapped_;  ///< == swap_stamp_: since the last batch was judged
   std::uint32_t swap_stamp_ = 0;
-  std::optional<Colouring> colouring_;        ///< of the vertices that a pass of moves may move
-  std::size_t colour_ = 0, next_vertex_ = 0;  ///< where the next batch of vertices begins
 };
 
 }  // namespace aomd

@@ -19,10 +19,23 @@ double between(double regularity, double at_0, double at_half, double at_1) {
   return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
 }
 
+// A vertex that is fitted to a handful of points follows their noise, and what lies between them not at all.
+// More points take time: for those who want accuracy first.
+Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
+  constexpr double enough = 8;  // vertices of the original for each face of the result
+  const bool by_factor = options.target_faces == 0 && !options.coarsest && !options.spacing;
+  const double faces = by_factor ? mesh.count(2) / (options.factor * options.factor) : options.target_faces;
+  const bool wanted = options.regularity < 0.5 && options.has(Idea::DensePoints);
+  return wanted && mesh.count(0) < enough * faces ? Sampling::VerticesAndFaces : Sampling::Vertices;
+}
+
 }  // namespace
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options), original_(mesh, options.threads), collapser_(mesh), fitter_(mesh, original_) {
+    : Loop(mesh, options),
+      original_(mesh, sampling(mesh, options), options.threads),
+      collapser_(mesh),
+      fitter_(mesh, original_) {
   start(options);
 }
 
@@ -130,7 +143,8 @@ void QualityLoop::measure_energy() {
 }
 
 void QualityLoop::enter(Phase phase) {
-  begin_pass();
+  cursor_ = 0;
+  swaps_ = {};
   phase_ = phase;
 }
 
@@ -158,11 +172,17 @@ void QualityLoop::end_round() {
 }
 
 bool QualityLoop::advance() {
-  if (phase_ == Phase::Collapse) return advance_collapse();
-  if (phase_ == Phase::Done) return false;
-  bool made = false;
-  if (!(phase_ == Phase::Swap ? next_swap(made) : next_move(made))) end_phase();
-  return made;
+  switch (phase_) {
+    case Phase::Collapse:
+      return advance_collapse();
+    case Phase::Swap:
+      return advance_swap();
+    case Phase::Smooth:
+      return advance_smooth();
+    case Phase::Done:
+      break;
+  }
+  return false;
 }
 
 double QualityLoop::progress() const {

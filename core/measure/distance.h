@@ -16,7 +16,7 @@ namespace aomd::measure {
 /// O(n log n); about 200 bytes a face.
 class Surface {
  public:
-  explicit Surface(const Mesh& mesh) : Surface(mesh, triangles_of(mesh)) {}
+  explicit Surface(const Mesh& mesh, int threads = 1) : Surface(mesh, triangles_of(mesh), threads) {}
 
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
   /// Its triangles; neighbours in the tree's order are mostly neighbours in space.
@@ -25,8 +25,8 @@ class Surface {
   [[nodiscard]] Face face(std::uint32_t n) const { return faces_[tree_.source(n)]; }
 
  private:
-  Surface(const Mesh& mesh, Triangles triangles)
-      : mesh_(&mesh), tree_(triangles.corners), faces_(std::move(triangles.faces)) {}
+  Surface(const Mesh& mesh, Triangles triangles, int threads)
+      : mesh_(&mesh), tree_(triangles.corners, threads), faces_(std::move(triangles.faces)) {}
 
   const Mesh* mesh_;
   TriangleTree tree_;
@@ -45,11 +45,12 @@ struct Distance {
 
 /// Measures from `from` to `to` at every vertex that a face of `from` uses and at `samples` points, spread
 /// evenly over its area (surfaces without area: at the vertices alone). The points follow from the surface
-/// and the number alone: equal input, equal result. `max` is a lower bound of the one-sided Hausdorff
-/// distance; the area that a sample stands for tells how much may be missing: about the square root of area /
-/// samples. About a microsecond a point. All zero when either surface has no faces. Sampling and definitions
-/// after Cignoni, Rocchini, Scopigno: Metro (Computer Graphics Forum 17, 1998).
-[[nodiscard]] Distance distance_from(const Surface& from, const Surface& to, std::size_t samples);
+/// and the number alone: equal input, equal result, for any number of threads. `max` is a lower bound of the
+/// one-sided Hausdorff distance; the area that a sample stands for tells how much may be missing: about the
+/// square root of area / samples. About a microsecond a point. All zero when either surface has no faces.
+/// Sampling and definitions after Cignoni, Rocchini, Scopigno: Metro (Computer Graphics Forum 17, 1998).
+[[nodiscard]] Distance distance_from(const Surface& from, const Surface& to, std::size_t samples,
+                                     int threads = 1);
 
 /// Both ways. Each symmetric value is the larger of the two; their `max` is the Hausdorff distance.
 struct MutualDistance {
@@ -60,6 +61,6 @@ struct MutualDistance {
 };
 
 [[nodiscard]] MutualDistance mutual_distance(const Surface& original, const Surface& result,
-                                             std::size_t samples);
+                                             std::size_t samples, int threads = 1);
 
 }  // namespace aomd::measure

@@ -23,7 +23,9 @@ struct NormalDeviation {
 
 /// Compares every triangle of `result` (a quad counts as two) with the triangle of the original that is
 /// nearest to its barycentre. Where several are equally near, at edges and vertices, the one that agrees best
-/// counts. Without an original nothing deviates. About O(faces log originals).
-[[nodiscard]] NormalDeviation measure_normals(const TriangleTree& original, const Mesh& result);
+/// counts. Without an original nothing deviates. The same for any number of threads. About O(faces log
+/// originals).
+[[nodiscard]] NormalDeviation measure_normals(const TriangleTree& original, const Mesh& result,
+                                              int threads = 1);
 
 }  // namespace aomd::measure

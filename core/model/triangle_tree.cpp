@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/mesh/parallel.h"
+
 namespace aomd {
 
 namespace {
@@ -47,7 +49,8 @@ struct TriangleTree::Item {
   std::uint32_t source;
 };
 
-TriangleTree::TriangleTree(std::span<const Triangle> triangles) {
+TriangleTree::TriangleTree(std::span<const Triangle> triangles, int threads) {
+  constexpr std::size_t grain = 4096;
   const auto n = static_cast<std::uint32_t>(triangles.size());
   if (n == 0) return;
   std::vector<Item> items(n);
@@ -56,16 +59,21 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles) {
     items[i] = {t[0] + t[1] + t[2], i};
   }
   nodes_.reserve(n);
-  triangles_.reserve(n);
-  boxes_.reserve(n);
-  source_.reserve(n);
-  build(items, 0);
-  for (const Item& item : items) {
-    triangles_.push_back(triangles[item.source]);
-    source_.push_back(item.source);
-    Box& box = boxes_.emplace_back();
-    for (const glm::dvec3& p : triangles_.back()) box.add(p);
-  }
+  build(items, 0, threads, nodes_);
+  triangles_.resize(n);
+  boxes_.resize(n);
+  source_.resize(n);
+  parallel_for(n, threads, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      source_[i] = items[i].source;
+      triangles_[i] = triangles[source_[i]];
+      for (const glm::dvec3& p : triangles_[i]) boxes_[i].add(p);
+    }
+  });
+  add_boxes();
+}
+
+void TriangleTree::add_boxes() {
   for (std::size_t id = nodes_.size(); id-- > 0;) {  // children stand after their parents
     Node& node = nodes_[id];
     if (node.leaf()) {
@@ -83,29 +91,46 @@ double TriangleTree::diagonal2() const {
   return glm::dot(size, size);
 }
 
-std::uint32_t TriangleTree::build(std::span<Item> items, std::uint32_t begin) {
-  const auto id = static_cast<std::uint32_t>(nodes_.size());
-  Node& node = nodes_.emplace_back();
-  node.begin = begin;
-  node.end = begin + static_cast<std::uint32_t>(items.size());
-  if (items.size() <= leaf_size) return id;
+// Sorts the items into two halves and returns the size of the first.
+std::size_t TriangleTree::split(std::span<Item> items) {
   Box centres;
   for (const Item& item : items) centres.add(item.centre);
   const glm::dvec3 size = centres.high - centres.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const double middle = 0.5 * (centres.low[axis] + centres.high[axis]);
-  const auto split = std::partition(items.begin(), items.end(),
-                                    [axis, middle](const Item& item) { return item.centre[axis] < middle; });
-  auto half = static_cast<std::size_t>(split - items.begin());
+  const auto second = std::partition(items.begin(), items.end(),
+                                     [axis, middle](const Item& item) { return item.centre[axis] < middle; });
+  auto half = static_cast<std::size_t>(second - items.begin());
   if (std::min(half, items.size() - half) * lopsided < items.size()) {
     half = items.size() / 2;
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
                      [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
   }
-  build(items.first(half), begin);
-  const std::uint32_t right = build(items.subspan(half), begin + static_cast<std::uint32_t>(half));
-  nodes_[id].right = right;
-  return id;
+  return half;
+}
+
+// Where threads share the halves, the right one gets nodes of its own, to be put behind those of the left.
+void TriangleTree::build(std::span<Item> items, std::uint32_t begin, int threads, std::vector<Node>& nodes) {
+  constexpr std::size_t worth_a_thread = 4096;
+  const std::size_t id = nodes.size();
+  nodes.push_back({{}, begin, begin + static_cast<std::uint32_t>(items.size()), 0});
+  if (items.size() <= leaf_size) return;
+  const std::size_t half = split(items);
+  const std::uint32_t middle = begin + static_cast<std::uint32_t>(half);
+  if (threads <= 1 || items.size() < worth_a_thread) {
+    build(items.first(half), begin, 1, nodes);
+    nodes[id].right = static_cast<std::uint32_t>(nodes.size());
+    return build(items.subspan(half), middle, 1, nodes);
+  }
+  std::vector<Node> rest;
+  parallel_for(2, 2, 1, [&](std::size_t first, std::size_t) {
+    if (first == 0) build(items.first(half), begin, threads - threads / 2, nodes);
+    if (first == 1) build(items.subspan(half), middle, threads / 2, rest);
+  });
+  const auto right = static_cast<std::uint32_t>(nodes.size());
+  nodes[id].right = right;
+  for (Node& node : rest) node.right += node.leaf() ? 0 : right;
+  nodes.insert(nodes.end(), rest.begin(), rest.end());
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {

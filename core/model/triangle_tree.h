@@ -34,7 +34,8 @@ struct Triangles {
 /// copied, about 170 bytes each with the tree.
 class TriangleTree {
  public:
-  explicit TriangleTree(std::span<const Triangle> triangles);
+  /// The same tree for any number of threads.
+  explicit TriangleTree(std::span<const Triangle> triangles, int threads = 1);
 
   [[nodiscard]] std::size_t size() const { return triangles_.size(); }
   /// The n-th triangle in the tree's order, and its index in what the tree was built from.
@@ -70,7 +71,13 @@ class TriangleTree {
 
   /// Calls visit(n, m) once for every pair of triangles whose boxes touch.
   template <typename Visit>
-  void touching_pairs(Visit&& visit) const;
+  void touching_pairs(Visit&& visit) const {
+    touching_pairs(0, nodes(), visit);
+  }
+  /// A part of them: those told apart by the nodes [begin, end) of all.
+  template <typename Visit>
+  void touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) const;
+  [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
 
  private:
   struct Node {
@@ -84,7 +91,9 @@ class TriangleTree {
   static constexpr std::size_t lopsided = 8, stack_size = 176;
 
   struct Item;
-  std::uint32_t build(std::span<Item> items, std::uint32_t begin);
+  static std::size_t split(std::span<Item> items);
+  static void build(std::span<Item> items, std::uint32_t begin, int threads, std::vector<Node>& nodes);
+  void add_boxes();
   template <typename Visit>
   void pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const;
 
@@ -149,8 +158,8 @@ void TriangleTree::pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit)
 
 // Two children of one node against each other, for every node: that meets every pair once.
 template <typename Visit>
-void TriangleTree::touching_pairs(Visit&& visit) const {
-  for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
+void TriangleTree::touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) const {
+  for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
     const Node& node = nodes_[id];
     if (!node.leaf()) {
       pairs_between(id + 1, node.right, visit);

@@ -8,6 +8,7 @@
 #include "core/measure/distance.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
+#include "core/mesh/parallel.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/interrupt.h"
 #include "tools/aomd/progress.h"
@@ -20,6 +21,7 @@ struct Options {
   std::string original, result;
   bool json = false, same_topology = false;
   std::size_t samples = 500'000;
+  int threads = 0;  ///< 0: all cores
   std::optional<double> max_distance, max_rms;
   std::optional<std::size_t> max_flips, max_intersections;
 };
@@ -43,27 +45,32 @@ struct Comparison {
   [[nodiscard]] double percent(double length) const { return length > 0 ? 100 * length / diagonal : 0; }
 };
 
-Side read_side(const std::string& file, Progress& progress) {
+Side read_side(const std::string& file, Progress& progress, int threads) {
   progress.show("reading " + file);
   Side side{file, Mesh(read_mesh(file).mesh), {}, {}, 0};
   if (side.mesh.count(2) == 0) throw io::ReadError(file, {}, "has no faces to compare");
   progress.show("measuring " + file);
   side.counts = measure::count_entities(side.mesh);
   side.quality = measure::measure_quality(side.mesh);
-  side.self_intersections = measure::self_intersections(side.mesh).size();
+  side.self_intersections = measure::self_intersections(side.mesh, threads).size();
   stop_if_interrupted();
   return side;
 }
 
 Comparison compare(const Options& options) {
   Progress progress(false);
-  Comparison c{read_side(options.original, progress), read_side(options.result, progress), 0, {}, {}};
+  const int threads = thread_count(options.threads);
+  Comparison c{read_side(options.original, progress, threads),
+               read_side(options.result, progress, threads),
+               0,
+               {},
+               {}};
   progress.show("measuring distances");
-  const measure::Surface original(c.original.mesh), result(c.result.mesh);
+  const measure::Surface original(c.original.mesh, threads), result(c.result.mesh, threads);
   c.diagonal = original.tree().box().diagonal();
-  c.distance = measure::mutual_distance(original, result, options.samples);
+  c.distance = measure::mutual_distance(original, result, options.samples, threads);
   stop_if_interrupted();
-  c.normals = measure::measure_normals(original.tree(), c.result.mesh);
+  c.normals = measure::measure_normals(original.tree(), c.result.mesh, threads);
   return c;
 }
 
@@ -218,6 +225,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("--samples", options->samples, "Points on each surface, besides all vertices")
       ->check(CLI::Range(1, 1'000'000'000))
       ->capture_default_str();
+  add_threads(*command, options->threads);
   add_limits(command, *options);
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

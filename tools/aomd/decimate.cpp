@@ -145,8 +145,9 @@ class Run {
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
-    self_intersections_ = measure::self_intersections(mesh_).size();
-    flips_ = measure::measure_normals(TriangleTree(triangles_of(original_).corners), mesh_).flips;
+    self_intersections_ = measure::self_intersections(mesh_, steps_.threads).size();
+    const TriangleTree original(triangles_of(original_).corners, steps_.threads);
+    flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
     stop_if_interrupted();

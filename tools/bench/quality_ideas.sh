@@ -28,10 +28,10 @@ if [ -z "$mesh" ]; then
 fi
 [ -n "$faces" ] || faces=$("$program" info "$mesh" --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["faces"] // 20)')
 
-names=(all "no placement" "no third-powers" "no facing" "no second-stage" "no far-points" "no swaps" "no fit" none)
+names=(all "no placement" "no third-powers" "no facing" "no second-stage" "no far-points" "no dense-points" "no swaps" "no fit" none)
 options=("" "--without placement" "--without third-powers" "--without facing" "--without second-stage"
-  "--without far-points" --no-swap --no-smooth
-  "--without placement,third-powers,facing,second-stage,far-points --no-swap --no-smooth")
+  "--without far-points" "--without dense-points" --no-swap --no-smooth
+  "--without placement,third-powers,facing,second-stage,far-points,dense-points --no-swap --no-smooth")
 for ((run = 0; run < runs; ++run)); do
   for i in "${!names[@]}"; do
     read -r -a extra <<<"${options[$i]}"
