@@ -295,8 +295,8 @@ std::optional<MoveOutlook> QualityLoop::move_outlook(Vertex v) {
   MoveOutlook o;
   o.vertex = v;
   o.target = mesh_.position(v);
-  o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, star_, o.target);
-  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, star_, o.target);
+  o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, o.target);
+  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, fitter_.star(), o.target);
   o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }
