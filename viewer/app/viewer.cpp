@@ -35,6 +35,13 @@ std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path&
   return folder;
 }
 
+/// Each press and release takes a frame of its own, so that slow drawing would make two clicks of one double
+/// click.
+float double_click_time(std::chrono::microseconds drawing_time) {
+  constexpr float usual_s = 0.3f, frames = 4;
+  return usual_s + frames * std::chrono::duration<float>(drawing_time).count();
+}
+
 /// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
 scene::Camera seen_in(scene::Camera camera, double before, double now) {
   camera.distance *= std::max(1.0, std::min(before, widest) / std::min(now, widest));
@@ -351,6 +358,7 @@ void Viewer::run_window() {
     draw_frame(window_.framebuffer_size(), 0);
     window_.present();
     drawing_time_ = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - drawing);
+    ImGui::GetIO().MouseDoubleClickTime = double_click_time(drawing_time_);
     for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);
     print_log();
     take_screenshots_or_tell();

@@ -107,6 +107,7 @@ void Interface::handle_click(Frame& frame) {
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && dragging_) {
     began_ = io.MousePos;
     moved_ = false;
+    again_ = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     boxing_ = io.KeyCtrl && holds(present_, io.MousePos);
   }
   if (!dragging_) return;
@@ -114,7 +115,8 @@ void Interface::handle_click(Frame& frame) {
   if (boxing_ && moved_) selection_box(frame, began_, io.MousePos);
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
   const char* adds = io.KeyShift ? " add" : "";
-  if (!moved_ && holds(present_, io.MousePos)) frame.emit("pick " + place_words(io.MousePos) + adds);
+  if (!moved_ && !again_ && holds(present_, io.MousePos))
+    frame.emit("pick " + place_words(io.MousePos) + adds);
   if (moved_ && boxing_)
     frame.emit("select box " + place_words(began_) + " " + place_words(io.MousePos) + adds);
 }

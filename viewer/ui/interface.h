@@ -46,6 +46,7 @@ class Interface {
   HistogramDrafts histogram_drafts_;
   bool dragging_ = false;  ///< a drag that began on the scene
   bool moved_ = false;     ///< and has left the place where it began: no click
+  bool again_ = false;     ///< the second press of a double click: it has moved the picture below the mouse
   bool boxing_ = false;    ///< a drag with Ctrl
   ImVec2 began_;
   ImVec2 hovered_at_{-1, -1};

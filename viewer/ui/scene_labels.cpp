@@ -98,7 +98,8 @@ void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, con
   const Mesh& mesh = frame.document().mesh();
   const std::string title =
       scene::entity_title(hovered.entity) + ", " + scene::model_words(mesh.classification(hovered.entity));
-  const float wrap = std::min(22 * em(), 0.6f * viewport.size.x);
+  const float width = viewport.size.x;
+  const float wrap = std::min(22 * em(), std::max(0.6f * width, std::min(12 * em(), 0.9f * width)));
   const std::string words = broken_at_blanks(frame.session.hovered_words(), wrap);
   const ImVec2 first = ImGui::CalcTextSize(title.c_str());
   const ImVec2 second = words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str());
