@@ -246,9 +246,10 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
   try {
     execute(s, "color verdict");
   } catch (const CommandError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "color: 'verdict' is none of classification, spacing, none (usage: color "
-              "classification|spacing|none)");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "color: 'verdict' is none of classification, spacing, quality, distance, curvature, none (usage: "
+        "color classification|spacing|quality|distance|curvature|none)");
   }
 }
 
