@@ -128,6 +128,18 @@ TEST(ColorCurvature, KeepsTheScaleOfTheMeshAsLoaded) {
   EXPECT_EQ(s.field()->scale, scale);
 }
 
+// Its larger principal curvature is that of the tube, everywhere.
+TEST(ColorCurvature, OfATorusIsOneColour) {
+  Session s;
+  drive(s, {"sample torus", "color curvature"});
+  const FieldScale& scale = s.field()->scale;
+  EXPECT_DOUBLE_EQ(scale.high, 4 * scale.low);
+  for (const Corner& corner : corners(s)) {
+    const glm::vec4 difference = unpack_color(corner.color) - unpack_color(ramp_color(0.5f));
+    EXPECT_LT(glm::length(difference), 0.1f);
+  }
+}
+
 TEST(Fields, OfVolumesAreThoseThatAreNotAboutDecimation) {
   Session s;
   load(s, cubes(2));
@@ -315,7 +327,9 @@ TEST(Clip, CutsASectionThroughEveryRegion) {
 TEST(Clip, SectionsOfTetrahedraFillTheSquare) {
   Session s;
   drive(s, {"sample mixed", "clip z 0.37"});
-  EXPECT_GT(area(s.drawing().drawable().cells.values()), 0);
+  const Box& box = s.document.content().bounds;
+  const double square = (box.high.x - box.low.x) * (box.high.y - box.low.y);
+  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), square, 1e-4 * square);
   drive(s, {"clip off"});
   EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double beyond_share = 0.02;   // of the curvatures, on either side of their scale
 constexpr double curvature_span = 1e3;  // at most, from the scale's low to its high
+constexpr double least_span = 4;        // at least: what hardly differs should look so
 
 /// Quads and volumes are not decimated: nothing is wanted of them, and they stay where they are.
 bool has_field(Coloring coloring, bool skin) {
@@ -34,6 +35,11 @@ FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& value
   const auto at = [&](double part) { return positive[static_cast<std::size_t>(std::lround(part * last))]; };
   scale.add(at(1 - beyond_share));
   scale.add(std::max(at(beyond_share), scale.high / curvature_span));
+  if (scale.high < least_span * scale.low) {
+    const double middle = std::sqrt(scale.low * scale.high), half = std::sqrt(least_span);
+    scale.low = middle / half;
+    scale.high = middle * half;
+  }
   scale.beyond = positive.front() < scale.low || positive.back() > scale.high;
   return scale;
 }

@@ -55,6 +55,8 @@ void field_legend(const Frame& frame) {
     muted(frame, why_none(coloring));
   } else if (field->scale.empty()) {
     muted(frame, coloring == scene::Coloring::Spacing ? "No limit." : "Flat all over, or not measured yet.");
+  } else if (coloring == scene::Coloring::Distance && field->scale.high == 0) {
+    muted(frame, "None: all faces lie on it.");
   } else {
     ramp_bar(field->scale.map);
     ramp_numbers(field->scale);
