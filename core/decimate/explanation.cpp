@@ -82,7 +82,9 @@ std::string general_words(const Verdict& verdict, const Limits& limits) {
   switch (verdict.reason) {
     case Reason::Flat:
       return sentence(name(who) + " would have no area");
-    case Reason::Angle:
+    case Reason::Angle:  // one number for both: what is within one limit was refused by the other
+      if (limits.away_deg > 0 && verdict.number() <= limits.turn_deg)
+        return away_words(who, verdict.number(), limits.away_deg);
       return turn_words(who, verdict.number(), limits.turn_deg);
     case Reason::Kept:
       return sentence(name(who) + " is to stay where it is");
@@ -223,8 +225,8 @@ ReasonWords reason_words(Reason reason) {
       {"Quality", "The triangles would not get a better shape."},
       {"Kept", "Its vertices are to stay where they are."},
       {"Small angle",
-       "A face would get a smaller angle than is allowed: the least angle, and for quality at least 6 to 12 "
-       "degrees."},
+       "A face would get a smaller angle than is allowed: the least angle, and for quality 8 to 12 "
+       "degrees unless one as small was there."},
       {"Distance", "The surface would leave the original by more than the limit."},
       {"Intersection", "The surface would cut itself where it did not."},
   }};
@@ -263,10 +265,6 @@ std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
     case Reason::Quality:
       return "It would not pay: the smallest angle of its two faces would be " + degrees(o.verdict.number()) +
              " degrees; it is " + degrees(least_angle(mesh, p)) + ".";
-    case Reason::Angle:
-      if (o.limits.away_deg > 0 && o.verdict.number() <= o.limits.turn_deg)
-        return away_words(o.verdict.entity, o.verdict.number(), o.limits.away_deg);
-      [[fallthrough]];
     default:
       return general_words(o.verdict, o.limits);
   }
@@ -284,10 +282,6 @@ std::string explain_move(const Mesh& mesh, const MoveOutlook& o) {
       return "It has no neighbours to be moved between.";
     case Reason::Quality:
       return sentence(name(o.verdict.entity) + " would become still poorer");
-    case Reason::Angle:
-      if (o.limits.away_deg > 0 && o.verdict.number() <= o.limits.turn_deg)
-        return away_words(o.verdict.entity, o.verdict.number(), o.limits.away_deg);
-      [[fallthrough]];
     default:
       return general_words(o.verdict, o.limits);
   }

@@ -1,15 +1,24 @@
 #include "core/operators/collapse.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <glm/trigonometric.hpp>
 
 #include "core/mesh/check.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/journal_scope.h"
 
 namespace aomd {
+namespace {
+
+// The cosine of the smallest angle of all faces around a vertex.
+double smallest_angle_around(const Mesh& mesh, const Star& star, const glm::dvec3& centre) {
+  double cosine = 0.5;
+  for (const StarFace& f : star)
+    cosine =
+        std::max(cosine, smallest_angle_cosine(centre, mesh.position(f.next), mesh.position(f.previous)));
+  return cosine;
+}
+
+}  // namespace
 
 Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
   AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
@@ -83,19 +92,6 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::a
     if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, apex)) return {Reason::Topology, apex};
   return {};
 }
-
-namespace {
-
-// The cosine of the smallest angle of all faces around a vertex.
-double smallest_angle_around(const Mesh& mesh, const Star& star, const glm::dvec3& centre) {
-  double cosine = 0.5;
-  for (const StarFace& f : star)
-    cosine =
-        std::max(cosine, smallest_angle_cosine(centre, mesh.position(f.next), mesh.position(f.previous)));
-  return cosine;
-}
-
-}  // namespace
 
 // The faces that stay when `moved` goes to `to`; those that also use `other` fall away.
 Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
