@@ -39,6 +39,16 @@ Camera facing(StandardView view, UpAxis up = UpAxis::Z) {
   return camera;
 }
 
+TEST(Camera, EachEndOfAnAxisHasItsStandardView) {
+  EXPECT_EQ(view_from(0, true, UpAxis::Z), "right");
+  EXPECT_EQ(view_from(0, false, UpAxis::Z), "left");
+  EXPECT_EQ(view_from(1, false, UpAxis::Z), "front");
+  EXPECT_EQ(view_from(2, true, UpAxis::Z), "top");
+  EXPECT_EQ(view_from(1, true, UpAxis::Y), "top");
+  EXPECT_EQ(view_from(2, true, UpAxis::Y), "front");
+  EXPECT_EQ(view_from(2, false, UpAxis::Y), "back");
+}
+
 TEST(Camera, StandardViewsLookAlongTheAxes) {
   expect_near(facing(StandardView::Front).forward(), {0, 1, 0});
   expect_near(facing(StandardView::Back).forward(), {0, -1, 0});

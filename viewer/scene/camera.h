@@ -80,6 +80,8 @@ class Camera {
 
 /// "iso", "front", "back", "left", "right", "top" or "bottom".
 [[nodiscard]] std::optional<StandardView> standard_view(std::string_view name);
+/// The name of the view whose eye is at one end of an axis: 0 <= axis < 3.
+[[nodiscard]] std::string_view view_from(int axis, bool positive, UpAxis up);
 
 /// What parse_camera answers: a camera, or the reason why the text is none.
 struct CameraSpec {

@@ -110,6 +110,16 @@ std::optional<StandardView> standard_view(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view view_from(int axis, bool positive, UpAxis up) {
+  Camera camera;
+  camera.up_axis = up;
+  for (const auto& [name, view] : view_names) {
+    camera.turn_to(view);
+    if (camera.forward()[axis] * (positive ? -1 : 1) > 0.9) return name;
+  }
+  return "iso";
+}
+
 std::string Camera::to_text() const {
   return "azimuth=" + number(azimuth_deg) + " elevation=" + number(elevation_deg) +
          " distance=" + number(distance) + " target=" + number(target.x) + "," + number(target.y) + "," +

@@ -32,7 +32,7 @@ void color(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 8> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 9> choices = {
       {{"surface", &View::surface},
        {"edges", &View::edges},
        {"model-edges", &View::model_edges},
@@ -40,6 +40,7 @@ void show(Session& session, Arguments& arguments) {
        {"interfaces", &View::interfaces},
        {"interior-edges", &View::interior_edges},
        {"original", &View::original},
+       {"axes", &View::axes},
        {"operation", &View::operation}}};
   bool& shown = session.view.*choose(arguments, choices);
   shown = arguments.flag(shown);
@@ -140,11 +141,12 @@ std::vector<Command> view_commands() {
        color,
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
-       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|operation "
+       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|axes|operation "
        "[on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; interior-edges "
        "are those inside a volume, whose surface turns to glass; original is the mesh as loaded, as glass "
-       "over the present one; operation is what the last single step touched.",
+       "over the present one; axes is where x, y and z point; operation is what the last single step "
+       "touched.",
        CommandGroup::View,
        show,
        {{"E", "show edges toggle"},

@@ -80,6 +80,7 @@ struct View {
   bool model_edges = true;
   bool model_vertices = true;
   bool interfaces = true;       ///< faces between two model regions, seen where something is hidden
+  bool axes = true;             ///< where x, y and z point, in a corner
   bool operation = true;        ///< what the last single step touched
   bool original = false;        ///< the mesh as loaded, as glass over the present one
   bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right

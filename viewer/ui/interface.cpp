@@ -7,6 +7,7 @@
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
+#include "viewer/ui/orientation_axes.h"
 #include "viewer/ui/scene_labels.h"
 #include "viewer/ui/splitter.h"
 #include "viewer/ui/widgets.h"
@@ -51,6 +52,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   scene_labels(frame, present_);
   if (bars) {
     picture_labels(frame, layout_.viewport);
+    orientation_axes(frame, layout_.viewport);
     draw_panels(frame);
     draw_splitters(frame, layout_);
     draw_messages(frame, layout_.viewport);

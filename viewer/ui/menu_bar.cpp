@@ -157,6 +157,7 @@ void view_menu(Frame& frame) {
   command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges, volume);
   command_item(frame, "Ids at the selection", "labels toggle", view.labels);
   command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on", view.preview);
+  command_item(frame, "Axes", "show axes toggle", view.axes);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
