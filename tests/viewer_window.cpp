@@ -76,7 +76,7 @@ std::string ViewerWindow::mesh_file(const std::string& sample, int size, const c
 }
 
 bool ViewerWindow::waits_for(const std::function<bool()>& condition) {
-  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
        std::chrono::steady_clock::now() < end;) {
     if (condition()) return true;
     if (!program_->running()) return condition();

@@ -28,7 +28,7 @@ class ViewerWindow : public testing::Test {
   /// Writes a sample into the folder.
   [[nodiscard]] std::string mesh_file(const std::string& sample, int size, const char* name) const;
 
-  /// Whether a condition comes true while the program runs, within a minute.
+  /// Whether a condition comes true while the program runs, within two minutes.
   [[nodiscard]] bool waits_for(const std::function<bool()>& condition);
   /// Whether the program carries out a line as its `count`th of that text: see --record.
   [[nodiscard]] bool carries_out(const std::string& line, int count = 1);

@@ -20,14 +20,14 @@ namespace aomd::test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds patience{60};
+constexpr std::chrono::seconds patience{120};
 
 /// The number that Xvfb writes once it takes connections; -1 when it ends instead.
 int display_number(int pipe) {
   std::string digits;
   for (char c = 0;;) {
     pollfd wait{pipe, POLLIN, 0};
-    if (::poll(&wait, 1, 60'000) != 1 || ::read(pipe, &c, 1) != 1) return -1;
+    if (::poll(&wait, 1, 120'000) != 1 || ::read(pipe, &c, 1) != 1) return -1;
     if (c == '\n') return std::stoi(digits);
     digits += c;
   }

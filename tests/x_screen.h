@@ -30,7 +30,7 @@ class XScreen {
   [[nodiscard]] bool find_window();
   [[nodiscard]] std::string title() const;
   /// Waits until the window has drawn that many frames after everything sent before; false when it does not
-  /// answer within a minute.
+  /// answer within two minutes.
   [[nodiscard]] bool settle(int frames = 4);
 
   /// In pixels of the window, from its upper left corner.
