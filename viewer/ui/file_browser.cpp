@@ -154,7 +154,7 @@ std::optional<fs::path> FileBrowser::draw(Frame& frame, const BrowserPurpose& pu
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::PushID(times_shown_);
-  chosen_ = text_input("##name", typed_) || chosen_;
+  chosen_ = text_input("##name", typed_, "A name in this folder, or a whole path") || chosen_;
   ImGui::PopID();
   tooltip("A name in this folder, or a whole path");
   const float width = 6 * em();
