@@ -20,7 +20,7 @@ enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery };
+enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery, Lessons };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
