@@ -100,6 +100,29 @@ std::string class_of(Session& session, Arguments& arguments) {
   return text.empty() ? "none" : text;
 }
 
+std::string model_level(const Mesh& mesh, EntityRef e) {
+  const ModelRef ref = mesh.classification(e);
+  return ref.valid() ? std::string(entity_name(ref.dimension())) : "nothing";
+}
+
+/// The level of what the selected entity lies on.
+std::string lies_on(Session& session, Arguments&) {
+  const EntityRef e = session.selection.single();
+  return e.valid() ? model_level(session.document.mesh(), e) : "unknown";
+}
+
+/// The same of the vertices of the selected entity.
+std::string ends(Session& session, Arguments&) {
+  const EntityRef e = session.selection.single();
+  const Mesh& mesh = session.document.mesh();
+  if (e.dimension < 1 || explain(mesh, e.dimension, 0).kind == AdjacencyPath::Kind::None) return "unknown";
+  std::vector<std::uint32_t> ids;
+  adjacent(mesh, e, 0, ids);
+  std::string text;
+  for (const std::uint32_t id : ids) text += (text.empty() ? "" : " ") + model_level(mesh, {0, id});
+  return text;
+}
+
 std::string alive(Session& session, Arguments& arguments) {
   return flag_word(entity(session, arguments).valid());
 }
@@ -125,7 +148,8 @@ std::string direction(Session& session, Arguments& arguments) {
   const auto face = static_cast<std::uint32_t>(arguments.integer("a face"));
   const auto edge = static_cast<std::uint32_t>(arguments.integer("an edge"));
   const Mesh& mesh = session.document.mesh();
-  if (face >= mesh.capacity(2) || !mesh.alive({2, face}) || edge >= mesh.capacity(1) || !mesh.alive({1, edge}))
+  if (face >= mesh.capacity(2) || !mesh.alive({2, face}) || edge >= mesh.capacity(1) ||
+      !mesh.alive({1, edge}))
     return "gone";
   std::vector<std::uint32_t> edges;
   adjacent(mesh, {2, face}, 1, edges);
@@ -137,7 +161,7 @@ struct Question {
   std::string_view name;
   std::string (*answer)(Session&, Arguments&);
 };
-constexpr std::array<Question, 12> questions = {{{"selection", selection},
+constexpr std::array<Question, 14> questions = {{{"selection", selection},
                                                  {"kind", kind},
                                                  {"verdict", verdict},
                                                  {"verdict-of", verdict_of},
@@ -145,6 +169,8 @@ constexpr std::array<Question, 12> questions = {{{"selection", selection},
                                                  {"strategy", strategy},
                                                  {"topology", topology},
                                                  {"class", class_of},
+                                                 {"lies-on", lies_on},
+                                                 {"ends", ends},
                                                  {"alive", alive},
                                                  {"derived", derived},
                                                  {"around", around},
@@ -166,8 +192,9 @@ double stored_relations(Session& session) {
 
 double met(Session& session) {
   const auto& checks = session.lesson.met();
-  return session.lesson.lesson() == nullptr ? 0
-                                            : static_cast<double>(std::count(checks.begin(), checks.end(), true));
+  return session.lesson.lesson() == nullptr
+             ? 0
+             : static_cast<double>(std::count(checks.begin(), checks.end(), true));
 }
 
 struct Measure {
@@ -177,7 +204,8 @@ struct Measure {
 constexpr std::array<Measure, 9> measures = {
     {{"angle", [](Session& s) { return s.document.options().angle_deg; }},
      {"factor", [](Session& s) { return s.document.options().factor; }},
-     {"feature-angle", [](Session& s) { return s.document.classify_options().feature_angle_deg.value_or(0); }},
+     {"feature-angle",
+      [](Session& s) { return s.document.classify_options().feature_angle_deg.value_or(0); }},
      {"decided", decided},
      {"stored", stored_relations},
      {"lesson-page",
@@ -197,7 +225,8 @@ bool holds(double value, const std::string& relation, double bound, const Argume
   arguments.fail("'" + relation + "' is none of =, <, >, <=, >=");
 }
 
-void expect_answer(Session& session, const Question& question, const std::string& what, Arguments& arguments) {
+void expect_answer(Session& session, const Question& question, const std::string& what,
+                   Arguments& arguments) {
   session.refresh();
   const std::string answer = question.answer(session, arguments);
   const std::string sign = arguments.word("= or !=");

@@ -53,7 +53,8 @@ void lesson(Session& session, Arguments& arguments) {
     arguments.end();
     return session.lesson.load_mesh(session, name);
   }
-  constexpr std::string_view words[] = {"next", "back", "restart", "off", "show", "hide", "hint", "solve", "list"};
+  constexpr std::string_view words[] = {"next", "back", "restart", "off", "show",
+                                        "hide", "hint", "solve",   "list"};
   if (std::find(std::begin(words), std::end(words), word) == std::end(words))
     return open_by_name(session, word, arguments);
   arguments.end();

@@ -76,7 +76,8 @@ class LessonReader {
       section_ = section;
       return;
     }
-    fail("'@" + std::string(word) + "' is none of @lesson, @about, @minutes, @mesh, @page, @do, @task, @hint, "
+    fail("'@" + std::string(word) +
+         "' is none of @lesson, @about, @minutes, @mesh, @page, @do, @task, @hint, "
          "@check, @solution");
   }
 
@@ -190,7 +191,8 @@ class LessonReader {
   void check_page(const LessonPage& each) const {
     const std::string name = "the page '" + each.title + "' has ";
     if (each.text.empty()) fail(name + "no text");
-    if (each.task.empty() != each.checks.empty()) fail(name + "a task without checks, or checks without a task");
+    if (each.task.empty() != each.checks.empty())
+      fail(name + "a task without checks, or checks without a task");
     if (each.checks.empty() != each.solution.empty())
       fail(name + "checks without a solution, or a solution without checks");
     for (const LessonCheck& check : each.checks)
@@ -209,7 +211,9 @@ class LessonReader {
 
 }  // namespace
 
-Lesson parse_lesson(const std::string& file, std::string_view text) { return LessonReader(file, text).read(); }
+Lesson parse_lesson(const std::string& file, std::string_view text) {
+  return LessonReader(file, text).read();
+}
 
 std::span<const Lesson> lessons() {
   static const std::vector<Lesson> all = [] {

@@ -20,7 +20,8 @@ constexpr Mark marks[] = {{'*', '*', TextSpan::Kind::Emphasis, "an emphasis"},
                           {'[', ']', TextSpan::Kind::Link, "a link"}};
 
 const Mark* mark_at(char c) {
-  const auto found = std::find_if(std::begin(marks), std::end(marks), [c](const Mark& m) { return m.open == c; });
+  const auto found =
+      std::find_if(std::begin(marks), std::end(marks), [c](const Mark& m) { return m.open == c; });
   return found == std::end(marks) ? nullptr : found;
 }
 

@@ -52,9 +52,9 @@ void LessonPlayer::open(Session& session, const Lesson& lesson, std::size_t page
   session.play(false);
   session.document.cancel_run();
   if (!before_)
-    before_ = std::make_unique<Before>(Before{source_of(session.document), session.view,
-                                              session.document.options(), session.document.classify_options(),
-                                              session.document.snaps()});
+    before_ =
+        std::make_unique<Before>(Before{source_of(session.document), session.view, session.document.options(),
+                                        session.document.classify_options(), session.document.snaps()});
   before_->options.spacing.reset();  // these belong to the mesh
   before_->options.keep.reset();
   before_->options.model = nullptr;
@@ -70,8 +70,8 @@ void LessonPlayer::open(Session& session, const Lesson& lesson, std::size_t page
   session.document.set_snapping(false);
   const Flag entering(entering_);
   for (std::size_t i = 0; i <= page; ++i) carry_out(session, lesson.pages[i].commands, i < page);
-  session.status = lesson.title + ", page " + std::to_string(page + 1) + " of " +
-                   std::to_string(lesson.pages.size());
+  session.status =
+      lesson.title + ", page " + std::to_string(page + 1) + " of " + std::to_string(lesson.pages.size());
   met_.assign(lesson.pages[page].checks.size(), false);
   done_ = met_.empty();
   looked_at_.reset();
@@ -121,6 +121,8 @@ void LessonPlayer::leave(Session& session, bool reload) {
   session.view.aspect = present.aspect;
   session.view.height_px = present.height_px;
   session.view.theme = present.theme;
+  session.view.panels.mesh_ems = present.panels.mesh_ems;
+  session.view.panels.side_ems = present.panels.side_ems;
   session.view.dialog = present.dialog;
   session.document.set_options(before->options);
   session.document.set_classify_options(before->classify);
