@@ -103,6 +103,7 @@ void Viewer::restore_settings() {
   const ui::Settings settings = ui::read_settings(ui::settings_path());
   session_.view.theme = options_.theme.value_or(settings.theme);
   session_.view.panels = settings.panels;
+  session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
   session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
   session_.lesson.suggested = options_.file.empty() && !std::filesystem::exists(ui::settings_path());
@@ -115,6 +116,7 @@ void Viewer::save_settings() {
                       session_.view.panels,
                       window_.place(),
                       interface_.recent_commands(),
+                      session_.view.play_speed,
                       {session_.lesson.completed.begin(), session_.lesson.completed.end()}});
 }
 

@@ -17,6 +17,7 @@ View plain_view(const View& present) {
   view.aspect = present.aspect;
   view.height_px = present.height_px;
   view.theme = present.theme;
+  view.play_speed = present.play_speed;
   view.panels = present.panels;
   view.panels.mesh = true;
   return view;

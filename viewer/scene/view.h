@@ -10,11 +10,15 @@
 #include "core/mesh/model_ref.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/play_speed.h"
 
 namespace aomd::scene {
 
 /// What a click takes: Automatic is the vertex or edge that is near, else the face, else the region.
 enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
+/// What is drawn of what an operation on the selected edge would lead to: a collapse to the end that is
+/// better off, or to either, or the swap.
+enum class PreviewedWay { Best, First, Second, Swap };
 /// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h. Verdict:
 /// why each edge would be refused now.
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
@@ -76,8 +80,9 @@ struct View {
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
-  bool interfaces = true;       ///< faces between two model regions, seen where something is hidden
-  bool operation = true;        ///< what the last single step touched
+  bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
+  bool operation = true;   ///< what the last single step touched
+  PlaySpeed play_speed;
   bool original = false;        ///< the mesh as loaded, as glass over the present one
   bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right
   bool interior_edges = false;  ///< of a volume, through a surface of glass
@@ -86,9 +91,9 @@ struct View {
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
   PickLevel pick_level = PickLevel::Automatic;
-  bool preview = true;          ///< what collapsing the selected edge, or smoothing the vertex, would lead to
-  std::size_t preview_way = 0;  ///< 0: the best way, else the one of this number
-  bool labels = false;          ///< ids at what is selected and around the cursor
+  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to
+  PreviewedWay previewed = PreviewedWay::Best;
+  bool labels = false;             ///< ids at what is selected and around the cursor
   bool labels_everywhere = false;  ///< also at all else, as far as there is room
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
