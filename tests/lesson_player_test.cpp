@@ -78,7 +78,9 @@ TEST_P(EachLesson, HoldsFromPageToPage) {
 void follow_links(Session& s, const std::vector<Paragraph>& text) {
   for (const Paragraph& paragraph : text)
     for (const TextSpan& span : paragraph)
-      if (span.kind == TextSpan::Kind::Link) EXPECT_NO_THROW(drive(s, {span.line})) << span.line;
+      if (span.kind == TextSpan::Kind::Link) {
+        EXPECT_NO_THROW(drive(s, {span.line})) << span.line;
+      }
 }
 
 TEST_P(EachLesson, EveryLinkAndKeyDoesSomething) {
@@ -94,7 +96,9 @@ TEST_P(EachLesson, EveryLinkAndKeyDoesSomething) {
     all.push_back(page.hint);
     for (const Paragraph& paragraph : all)
       for (const TextSpan& span : paragraph)
-        if (span.kind == TextSpan::Kind::Key) EXPECT_FALSE(line_of_chord(span.text).empty()) << span.text;
+        if (span.kind == TextSpan::Kind::Key) {
+          EXPECT_FALSE(line_of_chord(span.text).empty()) << span.text;
+        }
   }
 }
 

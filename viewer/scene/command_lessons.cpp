@@ -79,7 +79,7 @@ std::vector<Command> lesson_commands() {
        "back what was there before the lesson; mesh loads one that the open lesson brings along.",
        CommandGroup::Scripts,
        lesson,
-       {{"PageDown", "lesson next"}, {"PageUp", "lesson back"}}},
+       {{"Ctrl+PageDown", "lesson next"}, {"Ctrl+PageUp", "lesson back"}}},
   };
 }
 
