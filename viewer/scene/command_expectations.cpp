@@ -191,10 +191,16 @@ double stored_relations(Session& session) {
 }
 
 double met(Session& session) {
+  session.lesson.update(session);
   const auto& checks = session.lesson.met();
   return session.lesson.lesson() == nullptr
              ? 0
              : static_cast<double>(std::count(checks.begin(), checks.end(), true));
+}
+
+double lesson_done(Session& session) {
+  session.lesson.update(session);
+  return session.lesson.lesson() != nullptr && session.lesson.done() ? 1 : 0;
 }
 
 struct Measure {
@@ -213,7 +219,7 @@ constexpr std::array<Measure, 9> measures = {
         return s.lesson.lesson() == nullptr ? 0 : static_cast<double>(s.lesson.page_number() + 1);
       }},
      {"lesson-met", met},
-     {"lesson-done", [](Session& s) { return s.lesson.lesson() != nullptr && s.lesson.done() ? 1.0 : 0.0; }},
+     {"lesson-done", lesson_done},
      {"lessons-completed", [](Session& s) { return static_cast<double>(s.lesson.completed.size()); }}}};
 
 bool holds(double value, const std::string& relation, double bound, const Arguments& arguments) {

@@ -37,12 +37,17 @@ void list(Session& session) {
   session.log = text;
 }
 
+/// Keys come here too: at the ends, and without a lesson, a word is enough.
 void turn(Session& session, bool forwards) {
-  const Lesson& lesson = open_lesson(session);
-  const std::size_t page = session.lesson.page_number();
-  if (forwards && session.lesson.last_page()) throw CommandError("this is the lesson's last page");
-  if (!forwards && page == 0) throw CommandError("this is the lesson's first page");
-  session.lesson.open(session, lesson, forwards ? page + 1 : page - 1);
+  const LessonPlayer& player = session.lesson;
+  if (player.lesson() == nullptr) {
+    session.status = "No lesson is open: F2 lists them";
+  } else if (forwards ? player.last_page() : player.page_number() == 0) {
+    session.status = forwards ? "This is the lesson's last page" : "This is the lesson's first page";
+  } else {
+    session.lesson.open(session, *player.lesson(),
+                        forwards ? player.page_number() + 1 : player.page_number() - 1);
+  }
 }
 
 void lesson(Session& session, Arguments& arguments) {
@@ -59,8 +64,8 @@ void lesson(Session& session, Arguments& arguments) {
     return open_by_name(session, word, arguments);
   arguments.end();
   if (word == "list") return list(session);
+  if (word == "next" || word == "back") return turn(session, word == "next");
   const Lesson& present = open_lesson(session);
-  if (word == "next" || word == "back") turn(session, word == "next");
   if (word == "restart") session.lesson.open(session, present, session.lesson.page_number());
   if (word == "off") session.lesson.leave(session, true);
   if (word == "show" || word == "hide") session.lesson.shown = word == "show";

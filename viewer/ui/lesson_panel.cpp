@@ -29,7 +29,6 @@ void page_marks(const Frame& frame, const LessonPlayer& player) {
 void paragraphs(Frame& frame, const std::vector<scene::Paragraph>& list) {
   for (const scene::Paragraph& each : list) {
     rich_text(frame, each, frame.colors.text);
-    gap(0.15f);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 using scene::TextSpan;
 using Kind = scene::TextSpan::Kind;
 
-constexpr float line_ems = 1.34f;
+constexpr float line_ems = 1.27f;
 constexpr float key_pad_ems = 0.32f;
 
 /// What is never broken: a word, or a key whatever stands on it.
