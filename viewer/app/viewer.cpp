@@ -103,13 +103,21 @@ void Viewer::restore_settings() {
   const ui::Settings settings = ui::read_settings(ui::settings_path());
   session_.view.theme = options_.theme.value_or(settings.theme);
   session_.view.panels = settings.panels;
+  session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
+  session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
+  session_.lesson.suggested = options_.file.empty() && !std::filesystem::exists(ui::settings_path());
   if (settings.window && !options_.size_given) window_.move_to(*settings.window);
 }
 
 void Viewer::save_settings() {
-  ui::write_settings(ui::settings_path(), {session_.view.theme, session_.view.panels, window_.place(),
-                                           interface_.recent_commands()});
+  ui::write_settings(ui::settings_path(),
+                     {session_.view.theme,
+                      session_.view.panels,
+                      window_.place(),
+                      interface_.recent_commands(),
+                      session_.view.play_speed,
+                      {session_.lesson.completed.begin(), session_.lesson.completed.end()}});
 }
 
 void Viewer::connect_clipboard() {
@@ -161,7 +169,7 @@ render::RenderSettings Viewer::settings(bool transparent) const {
 }
 
 void Viewer::lay_out_frame() {
-  update_look(window_.content_scale());
+  update_look(options_.scale ? static_cast<float>(*options_.scale) : window_.content_scale());
   session_.refresh();
   ImGui::NewFrame();
   em_ = ui::em();

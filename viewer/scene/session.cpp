@@ -10,8 +10,6 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double longest_play_s = 12;      // however long the history
-constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
 constexpr std::chrono::milliseconds slice_of_kept_run{50};
 
 SkinStyle skin_style(const View& view) {
@@ -55,6 +53,7 @@ void Session::keep() {
 
 void Session::start_loading(LoadRequest request) {
   request.recoverable = recovery != nullptr;
+  request.practice = lesson.entering();
   loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
@@ -69,6 +68,7 @@ void Session::take_loaded(Loader::Result result) {
   if (result.error) std::rethrow_exception(result.error);
   playing_ = false;
   error.clear();
+  if (!result.mesh->source.practice) lesson.leave(*this, false);
   document.replace(std::move(result.mesh));
   view.hidden.clear();
   view.highlighted.reset();
@@ -143,8 +143,7 @@ void Session::play(bool on) {
 }
 
 void Session::advance_playing(double frame_s) {
-  const auto size = static_cast<double>(document.journal().size());
-  steps_due_ += frame_s * std::max(slowest_steps_per_s, size / longest_play_s);
+  steps_due_ += frame_s * view.play_speed.in(document.journal().size());
   const double whole = std::floor(steps_due_);
   steps_due_ -= whole;
   if (whole > 0) document.seek(document.journal().cursor() + static_cast<std::size_t>(whole));
@@ -164,6 +163,7 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   run_on(budget);
   if (playing_) advance_playing(frame_s);
   keep();
+  lesson.update(*this);
 }
 
 void Session::finish() {
@@ -176,6 +176,7 @@ void Session::finish() {
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
   keep();
+  lesson.update(*this);
 }
 
 void Session::refresh() {

@@ -10,6 +10,7 @@
 #include "core/mesh/model_ref.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/play_speed.h"
 
 namespace aomd::scene {
 
@@ -23,7 +24,7 @@ enum class PreviewedWay { Best, First, Second, Swap };
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery };
+enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery, Lessons };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
@@ -79,9 +80,10 @@ struct View {
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
-  bool interfaces = true;       ///< faces between two model regions, seen where something is hidden
-  bool axes = true;             ///< where x, y and z point, in a corner
-  bool operation = true;        ///< what the last single step touched
+  bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
+  bool axes = true;        ///< where x, y and z point, in a corner
+  bool operation = true;   ///< what the last single step touched
+  PlaySpeed play_speed;
   bool original = false;        ///< the mesh as loaded, as glass over the present one
   bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right
   bool interior_edges = false;  ///< of a volume, through a surface of glass
@@ -92,7 +94,8 @@ struct View {
   PickLevel pick_level = PickLevel::Automatic;
   bool preview = true;  ///< what an operation on the selected edge or vertex would lead to
   PreviewedWay previewed = PreviewedWay::Best;
-  bool labels = false;  ///< ids at what is selected and around the cursor
+  bool labels = false;             ///< ids at what is selected and around the cursor
+  bool labels_everywhere = false;  ///< also at all else, as far as there is room
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;

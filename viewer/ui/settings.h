@@ -25,6 +25,8 @@ struct Settings {
   scene::Panels panels;
   std::optional<WindowPlace> window;
   std::vector<std::string> recent_commands;  ///< of the palette, newest first
+  scene::PlaySpeed play_speed;
+  std::vector<std::string> lessons_done;  ///< by name
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -46,6 +46,8 @@ void command_button(Frame& frame, const char* label, std::string_view line, floa
 void copy_button(Frame& frame, const char* table);
 /// In the accent colour: the one thing to do.
 void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+/// A title that turns to its page; the one that is up is underlined. True when it is pressed.
+[[nodiscard]] bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up);
 /// A menu entry that emits `line` and shows its key.
 void command_item(Frame& frame, const char* label, const std::string& line, bool selected = false,
                   bool enabled = true);
@@ -66,8 +68,8 @@ struct NumberStyle {
 };
 [[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
 
-/// For a string of any length up to a path's. True when it is entered.
-[[nodiscard]] bool text_input(const char* id, std::string& value);
+/// For a string of any length up to a path's; `hint` stands in it while it is empty. True when it is entered.
+[[nodiscard]] bool text_input(const char* id, std::string& value, const char* hint = "");
 
 /// One of the rows of a list that drops down, with what its tooltip says.
 struct Choice {
