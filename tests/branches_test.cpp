@@ -71,7 +71,8 @@ TEST(Branches, OfBranchesKnowWhatTheyLeave) {
 
 TEST(Branches, ACommandThatDoesNothingMakesNone) {
   Session s;
-  drive(s, {"sample sphere 12", "factor 8", "step 4", "undo", "factor 1", "step", "expect branches = 0"});
+  drive(s, {"sample sphere 12", "improve-passes 0", "factor 8", "step 4", "undo", "factor 1", "step",
+            "expect branches = 0"});
   EXPECT_EQ(size(s), 4u);
 }
 
@@ -141,7 +142,9 @@ TEST(Branches, RandomProgramsLoseNothing) {
       if (const auto& all = s.document.tree().branches(); choice == 8 && !all.empty()) {
         drive(s, {"branch switch " + std::to_string(all[below(all.size())].id)});
         const auto known = seen.find({s.document.tree().present(), size(s)});
-        if (known != seen.end()) EXPECT_EQ(hash(s), known->second) << seed << " " << i;
+        if (known != seen.end()) {
+          EXPECT_EQ(hash(s), known->second) << seed << " " << i;
+        }
       }
       if (choice == 9 && !marked.empty()) {
         const auto at = std::next(marked.begin(), static_cast<std::ptrdiff_t>(below(marked.size())));

@@ -111,7 +111,7 @@ void measure_frames(Stage& stage) {
   print_row("a frame of 1280x800", std::move(frames));
 }
 
-void measure(const std::string& file, const std::string& operations) {
+void measure_history(const std::string& file, const std::string& operations) {
   Stage stage;
   carry_out(stage.session, "open " + file);
   carry_out(stage.session, "step " + operations);
@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    aomd::measure(argv[1], argc > 2 ? argv[2] : "100000");
+    aomd::measure_history(argv[1], argc > 2 ? argv[2] : "100000");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "aomd-history-bench: %s\n", error.what());
     return 1;

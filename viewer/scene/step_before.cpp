@@ -39,6 +39,9 @@ class Reversal {
   }
 
   [[nodiscard]] StepBefore result() {
+    // A smoothing may come out where the vertex was.
+    std::erase_if(moved_,
+                  [&](const auto& m) { return mesh_.alive(m.first) && mesh_.position(m.first) == m.second; });
     for (const auto& [v, position] : moved_)
       if (mesh_.alive(v))
         for (const Face f : mesh_.row<2>(v)) was(f.index);

@@ -130,7 +130,8 @@ void draw_places(const Frame& frame, ImVec2 from, ImVec2 to) {
     if (b.branch != 0) continue;
     const float x = x_of(frame, b.step, from, to), top = from.y - 0.5f * em();
     list.AddLine({x, top}, {x, to.y}, flag, 1.5f);
-    list.AddTriangleFilled({x, top}, {x + 0.6f * em(), top + 0.24f * em()}, {x, top + 0.48f * em()}, flag);
+    const float length = (x + 0.6f * em() > to.x ? -0.6f : 0.6f) * em();
+    list.AddTriangleFilled({x, top}, {x + length, top + 0.24f * em()}, {x, top + 0.48f * em()}, flag);
   }
 }
 

@@ -130,10 +130,10 @@ std::string strip_tooltip(const scene::Document& document, std::size_t step) {
 void strip(Frame& frame) {
   const Journal& journal = frame.document().journal();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = 1.95f * em();
+  const float height = 1.5f * em();
   const float width = ImGui::GetContentRegionAvail().x;
-  const ImVec2 from{corner.x + 0.3f * em(), corner.y + 0.55f * em()};
-  const ImVec2 to{corner.x + width - 0.3f * em(), corner.y + height - 0.5f * em()};
+  const ImVec2 from{corner.x + 0.3f * em(), corner.y + 0.3f * em()};
+  const ImVec2 to{corner.x + width - 0.3f * em(), corner.y + height - 0.3f * em()};
   ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 0.2f * em());
   ImGui::InvisibleButton("strip", {std::max(width, 1.0f), height});
   if (journal.size() == 0) return;
