@@ -77,6 +77,7 @@ void expect(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   const std::string what = again.rest("a quantity");
   if (what.rfind("adjacency ", 0) == 0) return expect_adjacency(session, arguments);
+  if (expect_other(session, arguments)) return;
   const Quantity of = quantity(arguments);
   const std::string relation = arguments.word("=, <, >, <= or >=");
   const long long bound = arguments.integer("a whole number");
@@ -106,7 +107,11 @@ std::vector<Command> script_commands() {
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, branches "
        "(others than the present one), bookmarks, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
-       "on|off.",
+       "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
+       "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "
+       "word: kind, selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class "
+       "KIND "
+       "ID, alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
        CommandGroup::Scripts,
        expect,
        {}},
