@@ -42,6 +42,8 @@ void fit_selection(Session& session, Arguments& arguments) {
   const glm::dvec3 middle = box_of(mesh, session.selection.entities()).center();
   const bool vertex = session.selection.single().valid() && session.selection.single().dimension == 0;
   const std::vector<EntityRef> around = vertex ? grown(mesh, session.selection) : std::vector<EntityRef>();
+  if (const Neighbours* n = session.neighbours(); n && !n->entities.empty())
+    return camera.fit(box_of(mesh, n->entities), session.view.aspect);
   camera.fit(box_of(mesh, vertex ? around : session.selection.entities()), session.view.aspect);
   camera.target = middle;
   camera.distance = std::min(far, (vertex ? around_vertex : context) * camera.distance);

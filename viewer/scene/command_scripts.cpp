@@ -20,13 +20,18 @@ std::int64_t refused(const Session& s, Reason reason) {
   return sweep == nullptr ? 0 : sweep->refused[static_cast<std::size_t>(reason)];
 }
 
+std::int64_t neighbours(const Session& s) {
+  return s.neighbours() ? static_cast<std::int64_t>(s.neighbours()->entities.size()) : 0;
+}
+
 struct Named {
   std::string_view name;
   Quantity value;
 };
 
-constexpr std::array<Named, 21> quantities = {{
+constexpr std::array<Named, 22> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
+    {"neighbours", [](const Session& s) { return neighbours(s); }},
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
@@ -97,7 +102,7 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, "
+       "faces, regions, selected, neighbours (that light up), outer-faces (of a volume), euler (over used vertices), boundary, "
        "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "

@@ -19,6 +19,7 @@
 #include "viewer/scene/inspection.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/neighbours.h"
 #include "viewer/scene/picking.h"
 #include "viewer/scene/picture_series.h"
 #include "viewer/scene/recovery.h"
@@ -113,6 +114,9 @@ class Session {
   [[nodiscard]] const Inspection* inspection() const { return inspection_ ? &*inspection_ : nullptr; }
   /// What decimation says about it; null where nothing, and while it runs.
   [[nodiscard]] const Judgement* judgement() const { return judgement_ ? &*judgement_ : nullptr; }
+  /// Around the only entity that is selected, of the level View::neighbours; null where nothing is to light
+  /// up.
+  [[nodiscard]] const Neighbours* neighbours() const { return neighbours_ ? &*neighbours_ : nullptr; }
   /// What is said about every edge, while the colours show it; else null (session_verdicts.cpp).
   [[nodiscard]] const VerdictField* verdicts() const { return verdicts_ ? &*verdicts_ : nullptr; }
   /// The edges that would be refused now, and why. A mesh that can be decimated must be there. O(edges).
@@ -135,6 +139,7 @@ class Session {
   [[nodiscard]] Shown shown() const;
   void refresh_selection(bool mesh_changed, bool cells_changed = false);
   void refresh_inspection(bool mesh_changed);
+  void refresh_neighbours(bool anew);
   void refresh_preview();
   /// The mesh is on its way: looking would be in the way of that.
   [[nodiscard]] bool busy() const { return document.running() || playing_; }
@@ -179,6 +184,9 @@ class Session {
   EntityRef hovered_words_of_;
   std::optional<Inspection> inspection_;
   std::optional<Judgement> judgement_;
+  std::optional<Neighbours> neighbours_;
+  std::optional<int> neighbours_level_;
+  std::uint32_t seen_relations_ = 0;  ///< stored_bits() when inspection and neighbours were found
   DecimationOptions judged_options_;
   bool judged_busy_ = false;
   std::optional<std::size_t> drawn_way_;

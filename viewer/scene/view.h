@@ -89,6 +89,7 @@ struct View {
   bool preview = true;          ///< what collapsing the selected edge, or smoothing the vertex, would lead to
   std::size_t preview_way = 0;  ///< 0: the best way, else the one of this number
   bool labels = false;          ///< ids at what is selected and around the cursor
+  std::optional<int> neighbours;  ///< the level whose entities around the selected one light up
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;

@@ -47,6 +47,9 @@ void clip_controls(Frame& frame);
 /// What is seen where, over the scene, while the mesh as loaded is shown.
 void picture_labels(const Frame& frame, const Area& viewport);
 
+/// What lights up around the selected entity: the path in words, and the two looks. Over the scene.
+void neighbour_legend(const Frame& frame, const Area& viewport);
+
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);
 
