@@ -3,20 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "session_helpers.h"
+#include "zoo.h"
 
 namespace aomd::scene {
 namespace {
 
 using test::drive;
 using Entities = std::vector<EntityRef>;
-
-/// Two triangles 0 1 2 and 0 2 3 of a square; the only relations are those that each test sets.
-Mesh square() {
-  MeshData data;
-  data.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  data.faces = triangles({{0, 1, 2}, {0, 2, 3}});
-  return Mesh(data);
-}
 
 Entities of_level(int level, std::initializer_list<std::uint32_t> ids) {
   Entities result;
@@ -33,7 +26,7 @@ Edge edge(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
 }
 
 TEST(Neighbours, AStoredRowIsOneStep) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   mesh.set(0, 2);
   const Neighbours n = find_neighbours(mesh, Vertex(0), 2);
   EXPECT_TRUE(n.known && n.stored());
@@ -44,7 +37,7 @@ TEST(Neighbours, AStoredRowIsOneStep) {
 }
 
 TEST(Neighbours, ADerivedOneNamesItsPathAndWhatLiesOnIt) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   mesh.set(0, 1);
   mesh.set(1, 2);
   const Neighbours n = find_neighbours(mesh, Vertex(1), 2);
@@ -58,7 +51,7 @@ TEST(Neighbours, ADerivedOneNamesItsPathAndWhatLiesOnIt) {
 }
 
 TEST(Neighbours, FacesOfAnEdgeThroughItsVertices) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   mesh.set(1, 0);
   mesh.set(0, 2);
   const Edge diagonal = edge(mesh, 0, 2);
@@ -69,7 +62,7 @@ TEST(Neighbours, FacesOfAnEdgeThroughItsVertices) {
 }
 
 TEST(Neighbours, WhereNothingLeadsItSaysWhatToStore) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   const Neighbours n = find_neighbours(mesh, Vertex(0), 2);
   EXPECT_FALSE(n.known);
   EXPECT_TRUE(n.entities.empty());
@@ -81,7 +74,7 @@ TEST(Neighbours, WhereNothingLeadsItSaysWhatToStore) {
 }
 
 TEST(Neighbours, LookingBuildsNoHashSet) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   mesh.set(1, 0);
   mesh.set(2, 0);
   const Neighbours n = find_neighbours(mesh, Face(0), 1);
@@ -97,7 +90,7 @@ TEST(Neighbours, LookingBuildsNoHashSet) {
 }
 
 TEST(Neighbours, StoredOnesAreSolidAndDerivedOnesAreDashed) {
-  Mesh mesh = square();
+  Mesh mesh(zoo::square());
   mesh.set(0, 1);
   mesh.set(2, 1);
   const glm::dvec3 origin(0);

@@ -131,6 +131,31 @@ TEST(Selecting, AnEdgeIsJudgedAsTheLoopWould) {
       << "new options are followed";
 }
 
+TEST(Selecting, ThePreviewOfASwapIsTheOtherDiagonal) {
+  Session s;
+  drive(s, {"sample sphere 12", "step 40"});
+  const Mesh& mesh = s.document.mesh();
+  const Edge edge = *mesh.edges().begin();
+  drive(s, {"select edge " + std::to_string(edge.index), "preview swap"});
+  ASSERT_NE(s.judgement(), nullptr);
+  ASSERT_TRUE(s.judgement()->swap);
+  const EdgePair& pair = s.judgement()->swap->pair;
+  const Drawable& drawable = s.drawing().drawable();
+  const Overlay& preview = drawable.preview;
+  ASSERT_EQ(preview.faces.size(), 6u) << "two faces";
+  const auto shows = [&](Vertex v) {
+    const glm::vec3 p(mesh.position(v) - drawable.origin);
+    const auto corners = preview.faces.values();
+    return std::count_if(corners.begin(), corners.end(), [&](const Corner& c) { return c.position == p; });
+  };
+  EXPECT_EQ(shows(pair.c), 2) << "the far corners belong to both";
+  EXPECT_EQ(shows(pair.d), 2);
+  EXPECT_EQ(shows(pair.a), 1);
+  EXPECT_EQ(shows(pair.b), 1);
+  drive(s, {"preview best"});
+  EXPECT_NE(preview.faces.size(), 6u);
+}
+
 TEST(Selecting, TheColoursCountEveryEdgeOnce) {
   Session s;
   drive(s, {"sample scan 2000", "color verdict"});

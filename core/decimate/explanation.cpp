@@ -3,104 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/decimate/verdict_words.h"
 #include "core/operators/star.h"
 
 namespace aomd {
 namespace {
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 40> buffer;
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
-/// "10" and "23.4".
-std::string degrees(double value) {
-  std::string text = formatted("%.1f", value);
-  if (text.ends_with(".0")) text.resize(text.size() - 2);
-  return text;
-}
-
-/// A number and its limit, with as many digits as tell them apart.
-struct Held {
-  std::string value, limit;
-};
-
-Held held_degrees(double value, double limit) {
-  Held held{degrees(value), degrees(limit)};
-  if (held.value == held.limit && value != limit) held.value = formatted("%.4f", value);
-  return held;
-}
-
-Held held_length(double value, double limit) {
-  Held held{formatted("%.3g", value), formatted("%.3g", limit)};
-  if (held.value == held.limit) held = {formatted("%.6g", value), formatted("%.6g", limit)};
-  return held;
-}
-
-/// "face 812"
-std::string name(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
-
-/// "model edge 3"
-std::string name(ModelRef model) {
-  if (!model.valid()) return "nothing of the model";
-  return "model " + std::string(entity_name(model.dimension())) + " " + std::to_string(model.tag());
-}
-
-std::string sentence(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text + ".";
-}
-
-std::string turn_words(EntityRef who, double deg, double limit) {
-  const Held held = held_degrees(deg, limit);
-  return sentence(name(who) + " would turn by " + held.value + " degrees; the limit is " + held.limit);
-}
-
-std::string away_words(EntityRef who, double deg, double limit) {
-  const Held held = held_degrees(deg, limit);
-  return sentence(name(who) + " would look " + held.value +
-                  " degrees away from the original surface there; the limit is " + held.limit);
-}
-
-std::string distance_words(const Verdict& verdict, double limit) {
-  if (verdict.number() <= limit)
-    return sentence(name(verdict.entity) + " cannot be shown to stay within " + formatted("%.3g", limit) +
-                    " of the original");
-  const Held held = held_length(verdict.number(), limit);
-  return sentence("at " + name(verdict.entity) + " the surface would leave the original by " + held.value +
-                  "; the limit is " + held.limit);
-}
-
-/// What all operations have in common.
-std::string general_words(const Verdict& verdict, const Limits& limits) {
-  const EntityRef who = verdict.entity;
-  switch (verdict.reason) {
-    case Reason::Flat:
-      return sentence(name(who) + " would have no area");
-    case Reason::Angle:  // one number for both: what is within one limit was refused by the other
-      if (limits.away_deg > 0 && verdict.number() <= limits.turn_deg)
-        return away_words(who, verdict.number(), limits.away_deg);
-      return turn_words(who, verdict.number(), limits.turn_deg);
-    case Reason::Kept:
-      return sentence(name(who) + " is to stay where it is");
-    case Reason::Shape: {
-      const Held held = held_degrees(verdict.number(), limits.min_angle_deg);
-      return sentence(name(who) + " would get an angle of " + held.value + " degrees; the least is " +
-                      held.limit);
-    }
-    case Reason::Distance:
-      return distance_words(verdict, limits.distance);
-    case Reason::Intersection:
-      return sentence("the surface would cut itself at " + name(who));
-    default:
-      return reason_words(verdict.reason).help;
-  }
-}
+using namespace words;
 
 // The corners of a face as it is, and as a contraction would leave it.
 struct BeforeAfter {
@@ -139,17 +49,12 @@ std::string length_words(const CollapseOutlook& o) {
          held.limit + ", half the wanted " + formatted("%.3g", 2 * o.longest) + ".";
 }
 
-ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b) {
-  if (mesh.stored(0, 1))
-    if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
-  return mesh.classification(a).dimension() > mesh.classification(b).dimension() ? mesh.classification(a)
-                                                                                 : mesh.classification(b);
-}
-
 // Paper, section 3: a vertex goes only along what it lies on.
 std::string model_words(const Mesh& mesh, const Contraction& c) {
   const ModelRef gone = mesh.classification(c.deleted), kept = mesh.classification(c.kept);
-  const ModelRef between = class_between(mesh, c.deleted, c.kept);
+  Star around;
+  gather(mesh, c.deleted, around);
+  const ModelRef between = class_between(mesh, c.deleted, c.kept, around);
   const auto differ = [&](const ModelRef& a, const ModelRef& b) { return a != b && a.dimension() < 3; };
   if (gone.dimension() == 0 && kept.dimension() == 0)
     return sentence("Both ends are model vertices (" + std::to_string(gone.tag()) + " and " +
@@ -215,10 +120,9 @@ ReasonWords reason_words(Reason reason) {
   constexpr std::array<ReasonWords, reason_count> words = {{
       {"Could go", "Nothing is against it."},
       {"Long enough", "The edge has reached the wanted length: a larger factor would let it go."},
-      {"Shape of the model",
+      {"Classification",
        "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it would cut "
-       "a "
-       "corner off."},
+       "a corner off."},
       {"Topology", "The surface would be pinched, doubled or torn (link condition)."},
       {"Flat face", "A face would lose its area."},
       {"Angle", "A face would turn by more than the angle limit."},

@@ -71,7 +71,9 @@ class QualityLoop final : public Loop {
   void refresh_around(Vertex kept);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction);
-  /// The same with what would go where, and at what cost: infinite where it is out of the question.
+
+  // What is said without being done (quality_outlook.cpp)
+  /// With what would go where, and at what cost: infinite where it is out of the question.
   [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
   [[nodiscard]] Limits limits(const TurnLimit& turn, double least_angle_deg) const;
 

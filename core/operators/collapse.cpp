@@ -182,21 +182,10 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
   return judge_either(mesh, edge, {first, !first}, rules, deleted);
 }
 
-// What the edge between two vertices lies on. Only model edges may be entities; every other edge lies on the
-// face around it.
-ModelRef Collapser::class_between(const Mesh& mesh, Vertex a, Vertex b) const {
-  for (const Vertex v : {a, b})
-    if (!may_end_model_edge(mesh, v)) return mesh.classification(v);
-  if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
-  for (const StarFace& f : stars_[0])
-    if (f.uses(b)) return mesh.classification(f.face);
-  return {};
-}
-
 Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseRules& rules) {
   gather(mesh, c.deleted, stars_[0]);
   gather(mesh, c.kept, stars_[1]);
-  const ModelRef model = class_between(mesh, c.deleted, c.kept);
+  const ModelRef model = class_between(mesh, c.deleted, c.kept, stars_[0]);
   const bool moves = c.position != mesh.position(c.kept);
   for (const Vertex v : {c.deleted, c.kept})
     if (const ModelRef own = mesh.classification(v);

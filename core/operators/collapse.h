@@ -101,7 +101,6 @@ class Collapser {
   };
   [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
                                               const CollapseRules& rules);
-  [[nodiscard]] ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b) const;
   [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
                                            const Contraction& contraction, const TurnLimit& limit);
   [[nodiscard]] static Verdict judge_rest_of_curve(const Mesh& mesh, const Star& star, ModelRef model,

@@ -74,6 +74,17 @@ void for_neighbours(const Star& star, Visit&& visit) {
   return !on.valid() || on.dimension() <= 1;
 }
 
+/// What the edge between two vertices lies on, from the faces around the first. Only model edges may be
+/// entities; every other edge lies on the face around it. Invalid where no face joins them.
+[[nodiscard]] inline ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b, const Star& around_a) {
+  for (const Vertex v : {a, b})
+    if (!may_end_model_edge(mesh, v)) return mesh.classification(v);
+  if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
+  for (const StarFace& f : around_a)
+    if (f.uses(b)) return mesh.classification(f.face);
+  return {};
+}
+
 /// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else the mesh
 /// lists model edges only, each of them a side of a face, and those are found by existence queries between
 /// vertices that may end one.

@@ -50,7 +50,10 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
 
 Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
   pair = {{}, {}, a, b, {}, {}};
-  if (!find_faces(mesh, pair)) return {Reason::Topology, a};
+  if (!find_faces(mesh, pair)) {
+    pair = {{}, {}, a, b, {}, {}};
+    return {Reason::Topology, a};
+  }
   if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, pair.f};
   if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return {};
   const Edge edge = mesh.find_edge(a, b);

@@ -23,8 +23,8 @@ struct EdgePair {
 
 /// Fills `pair` with the two triangles at the edge between two vertices. Refusals: Classification (the edge
 /// lies on a model edge, or its faces differ), Topology (not exactly two faces, oppositely oriented, or two
-/// faces on the same vertices). T(0,2) and T(2,0) must be stored; edges need not be entities (see
-/// for_edges_at). O(faces around a).
+/// faces on the same vertices; `pair` then has none). T(0,2) and T(2,0) must be stored; edges need not be
+/// entities (see for_edges_at). O(faces around a).
 [[nodiscard]] Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair);
 
 /// Whether an edge or a face joins two vertices already. T(0,2) and T(2,0) must be stored. O(faces around a).

@@ -41,12 +41,15 @@ void fit_selection(Session& session, Arguments& arguments) {
   const double far = camera.distance;
   const glm::dvec3 middle = box_of(mesh, session.selection.entities()).center();
   const bool vertex = session.selection.single().valid() && session.selection.single().dimension == 0;
-  const std::vector<EntityRef> around = vertex ? grown(mesh, session.selection) : std::vector<EntityRef>();
-  if (const Neighbours* n = session.neighbours(); n && !n->entities.empty())
-    return camera.fit(box_of(mesh, n->entities), session.view.aspect);
-  camera.fit(box_of(mesh, vertex ? around : session.selection.entities()), session.view.aspect);
+  const Neighbours* lit = session.neighbours();
+  const bool ring = lit && !lit->entities.empty();
+  const auto selected = session.selection.entities();
+  std::vector<EntityRef> around(selected.begin(), selected.end());
+  if (vertex) around = grown(mesh, session.selection);
+  if (ring) around = lit->entities;
+  camera.fit(box_of(mesh, around), session.view.aspect);
   camera.target = middle;
-  camera.distance = std::min(far, (vertex ? around_vertex : context) * camera.distance);
+  camera.distance = std::min(far, (vertex || ring ? around_vertex : context) * camera.distance);
 }
 
 void fit(Session& session, Arguments& arguments) {

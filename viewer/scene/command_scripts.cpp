@@ -102,7 +102,8 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, neighbours (that light up), outer-faces (of a volume), euler (over used vertices), boundary, "
+       "faces, regions, selected, neighbours (that light up), outer-faces (of a volume), euler (over used "
+       "vertices), boundary, "
        "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "

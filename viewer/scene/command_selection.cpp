@@ -1,7 +1,9 @@
 // What is selected and pointed at.
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "viewer/scene/command_groups.h"
 #include "viewer/scene/selection_drawing.h"
@@ -154,13 +156,13 @@ void labels(Session& session, Arguments& arguments) {
 }
 
 void preview(Session& session, Arguments& arguments) {
-  const std::string word = arguments.word("on, off, best, 1 or 2");
+  constexpr std::array<std::string_view, 6> words = {"best", "1", "2", "swap", "on", "off"};
+  const std::string word = arguments.word("on, off, best, 1, 2 or swap");
   arguments.end();
-  if (word != "on" && word != "off" && word != "best" && word != "1" && word != "2")
-    arguments.fail("'" + word + "' is none of on, off, best, 1, 2");
+  const auto chosen = static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
+  if (chosen == words.size()) arguments.fail("'" + word + "' is none of on, off, best, 1, 2, swap");
   session.view.preview = word != "off";
-  if (word == "best") session.view.preview_way = 0;
-  if (word == "1" || word == "2") session.view.preview_way = word == "1" ? 1 : 2;
+  if (chosen < 4) session.view.previewed = static_cast<PreviewedWay>(chosen);
 }
 
 void why(Session& session, Arguments& arguments) {
@@ -213,9 +215,9 @@ std::vector<Command> selection_commands() {
        why,
        {}},
       {"preview",
-       "on|off|best|1|2",
+       "on|off|best|1|2|swap",
        "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
-       "way, or the first or second end.",
+       "way, or the first or second end. swap draws the faces that swapping the edge would make.",
        CommandGroup::Selection,
        preview,
        {}},

@@ -34,9 +34,12 @@ struct Sketch {
       lines.push_back({place(t[i]), place(t[(i + 1) % 3]), color, line_px});
     }
   }
-  void move(const glm::dvec3& from, const glm::dvec3& to) {
+  void line(const glm::dvec3& from, const glm::dvec3& to) {
     rims.push_back({place(from), place(to), rim, 4.2f});
     lines.push_back({place(from), place(to), ghost, 2.4f});
+  }
+  void move(const glm::dvec3& from, const glm::dvec3& to) {
+    line(from, to);
     discs.push_back({place(to), ghost, 5.5f});
   }
   void finish(Overlay& overlay) {
@@ -102,6 +105,18 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
   const bool own = decided.dimension == 1 && !way.outlook.verdict.accepted() &&
                    way.outlook.verdict.reason == Reason::Spacing;  // the edge itself is selected already
   if (decided.valid() && !own) draw_entities(mesh, std::span(&decided, 1), deciding_style(), origin, overlay);
+}
+
+void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin, Overlay& overlay) {
+  const EdgePair& pair = swap.pair;
+  Sketch sketch{origin, {}, {}, {}, {}};
+  if (pair.f.valid() && pair.g.valid()) {
+    Change change;
+    describe(mesh, pair, change);
+    draw_change(change, swap.verdict.entity, sketch);
+    sketch.line(mesh.position(pair.c), mesh.position(pair.d));
+  }
+  sketch.finish(overlay);
 }
 
 void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin, Overlay& overlay) {

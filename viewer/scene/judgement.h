@@ -38,6 +38,8 @@ struct Judgement {
 
 /// The new faces of a way, where its kept vertex would be, and what decided against it.
 void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin, Overlay& overlay);
+/// The two faces that a swap would make; nothing where there are not two.
+void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin, Overlay& overlay);
 /// The same for a vertex that is smoothed.
 void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin, Overlay& overlay);
 

@@ -124,7 +124,7 @@ class Session {
   /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may run, and
   /// a mesh must be there. O(entities).
   [[nodiscard]] std::vector<EntityRef> counted_in(const MarkedBar& bar);
-  /// The way of the judgement that is drawn.
+  /// Which of the judgement's ways is drawn; their number: the swap.
   [[nodiscard]] std::size_t previewed_way() const;
 
  private:

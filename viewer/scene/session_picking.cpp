@@ -42,7 +42,17 @@ void Session::hover(std::optional<glm::dvec2> ndc) {
 
 std::size_t Session::previewed_way() const {
   if (!judgement_ || judgement_->ways.empty()) return 0;
-  return view.preview_way == 0 ? judgement_->best : std::min(view.preview_way, judgement_->ways.size()) - 1;
+  switch (view.previewed) {
+    case PreviewedWay::Best:
+      return judgement_->best;
+    case PreviewedWay::First:
+      return 0;
+    case PreviewedWay::Second:
+      return judgement_->ways.size() - 1;
+    case PreviewedWay::Swap:
+      break;
+  }
+  return judgement_->ways.size();
 }
 
 void Session::refresh_inspection(bool mesh_changed) {
@@ -88,8 +98,10 @@ void Session::refresh_preview() {
   drawable.preview.clear();
   if (neighbours_) draw_neighbours(document.mesh(), *neighbours_, drawable.origin, drawable.preview);
   if (wanted == 0) return;
-  if (!judgement_->ways.empty())
+  if (wanted <= judgement_->ways.size())
     draw_preview(document.mesh(), judgement_->ways[wanted - 1], drawable.origin, drawable.preview);
+  else if (judgement_->swap)
+    draw_preview(document.mesh(), *judgement_->swap, drawable.origin, drawable.preview);
   else if (judgement_->move)
     draw_preview(document.mesh(), *judgement_->move, drawable.origin, drawable.preview);
 }

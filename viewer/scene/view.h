@@ -15,6 +15,9 @@ namespace aomd::scene {
 
 /// What a click takes: Automatic is the vertex or edge that is near, else the face, else the region.
 enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
+/// What is drawn of what an operation on the selected edge would lead to: a collapse to the end that is
+/// better off, or to either, or the swap.
+enum class PreviewedWay { Best, First, Second, Swap };
 /// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h. Verdict:
 /// why each edge would be refused now.
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
@@ -86,9 +89,9 @@ struct View {
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
   PickLevel pick_level = PickLevel::Automatic;
-  bool preview = true;          ///< what collapsing the selected edge, or smoothing the vertex, would lead to
-  std::size_t preview_way = 0;  ///< 0: the best way, else the one of this number
-  bool labels = false;          ///< ids at what is selected and around the cursor
+  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to
+  PreviewedWay previewed = PreviewedWay::Best;
+  bool labels = false;            ///< ids at what is selected and around the cursor
   std::optional<int> neighbours;  ///< the level whose entities around the selected one light up
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;

@@ -167,6 +167,7 @@ void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
 
 void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number, bool shown) {
   ImGui::PushID(static_cast<int>(number));
+  if (number > 1) gap(0.25f);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
   if (ImGui::RadioButton(scene::way_title(way).c_str(), shown))
     frame.emit("preview " + std::to_string(number));
@@ -189,6 +190,19 @@ void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number
   ImGui::PopID();
 }
 
+void swap_choice(Frame& frame, const scene::Judgement& judgement) {
+  const EdgePair& pair = judgement.swap->pair;
+  if (!pair.f.valid() || !pair.g.valid()) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+  const std::string label =
+      "Vertex " + std::to_string(pair.c.index) + " to vertex " + std::to_string(pair.d.index);
+  if (ImGui::RadioButton(label.c_str(), frame.session.view.preview &&
+                                            frame.session.previewed_way() == judgement.ways.size()))
+    frame.emit("preview swap");
+  ImGui::PopStyleVar();
+  tooltip("Draw the faces that this would make.");
+}
+
 void judgement_section(Frame& frame, const scene::Judgement& judgement) {
   if (!judgement.ways.empty()) {
     gap(0.2f);
@@ -201,6 +215,7 @@ void judgement_section(Frame& frame, const scene::Judgement& judgement) {
     if (words.empty()) return;
     gap(0.2f);
     heading(frame, title);
+    if (judgement.swap) swap_choice(frame, judgement);
     wrapped(frame, words,
             !known     ? &frame.colors.text_muted
             : accepted ? &frame.colors.good
