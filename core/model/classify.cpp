@@ -9,6 +9,7 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal_scope.h"
 #include "core/model/classify_volume.h"
+#include "core/model/curve_corners.h"
 
 namespace aomd {
 namespace {
@@ -90,53 +91,19 @@ class Classifier {
   }
 
   void find_model_vertices() {
+    const auto is_feature = [&](Edge e) { return feature_[e] != 0; };
     std::vector<std::pair<Vertex, ModelRef>> found;
     for (const Vertex v : mesh_.vertices()) {
       if (mesh_.classification(v).valid()) continue;
-      const CurveEnds ends = curve_at(v);
+      const CurveEnds ends = curve_at(mesh_, v, is_feature);
       if (ends.count == 0) continue;
       const ModelRef first = mesh_.classification(ends.edges[0]),
                      second = ends.count > 1 ? mesh_.classification(ends.edges[1]) : first;
       const bool split = (first.dimension() == 1 || second.dimension() == 1) && first != second;
-      if (ends.count == 2 && !split && !turns(v, ends)) continue;
+      if (ends.count == 2 && !split && !curve_turns(mesh_, v, ends, corner_, is_feature)) continue;
       found.emplace_back(v, ModelRef(0, tags_[0].take()));
     }
     for (const auto& [v, model] : found) mesh_.set_classification(v, model);
-  }
-
-  /// The first two model edges at a vertex, and how many there are.
-  struct CurveEnds {
-    std::array<Edge, 2> edges;
-    std::size_t count = 0;
-  };
-  CurveEnds curve_at(Vertex v) const {
-    CurveEnds ends;
-    for (const Edge e : mesh_.row<1>(v))
-      if (feature_[e] && ends.count++ < 2) ends.edges[ends.count - 1] = e;
-    return ends;
-  }
-
-  // A corner turns at the vertex, and still does when looked at from a few edges away: the jags of a scan's
-  // border cancel each other.
-  bool turns(Vertex v, const CurveEnds& ends) const {
-    constexpr int edges_away = 3;
-    for (const int away : {1, edges_away}) {
-      const glm::dvec3 at = mesh_.position(v);
-      const glm::dvec3 in = at - mesh_.position(along_curve(v, ends.edges[0], away));
-      const glm::dvec3 out = mesh_.position(along_curve(v, ends.edges[1], away)) - at;
-      if (corner_.allows(in, out)) return false;
-    }
-    return true;
-  }
-
-  // The vertex so many edges along a curve, or where it branches or ends before.
-  Vertex along_curve(Vertex v, Edge e, int edges) const {
-    for (int i = 0;; ++i) {
-      v = mesh_.other_end(e, v);
-      const CurveEnds ends = curve_at(v);
-      if (i + 1 >= edges || ends.count != 2) return v;
-      e = ends.edges[0] == e ? ends.edges[1] : ends.edges[0];
-    }
   }
 
   bool ends_curve(Vertex v) const { return mesh_.classification(v).dimension() == 0; }
