@@ -17,6 +17,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> aim_commands();        // command_aims.cpp
 [[nodiscard]] std::vector<Command> option_commands();     // command_options.cpp
 [[nodiscard]] std::vector<Command> adjacency_commands();  // command_adjacency.cpp
+[[nodiscard]] std::vector<Command> tensor_commands();     // command_tensor.cpp
 [[nodiscard]] std::vector<Command> edit_commands();       // command_edits.cpp
 [[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp

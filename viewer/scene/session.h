@@ -25,6 +25,7 @@
 #include "viewer/scene/recovery.h"
 #include "viewer/scene/selection.h"
 #include "viewer/scene/skin_surface.h"
+#include "viewer/scene/strategy_comparison.h"
 #include "viewer/scene/surface_drawing.h"
 #include "viewer/scene/verdict_field.h"
 #include "viewer/scene/view.h"
@@ -57,8 +58,17 @@ class Session {
   [[nodiscard]] bool playing() const { return playing_; }
   /// Nothing is loaded, running, played, exported or judged.
   [[nodiscard]] bool idle() const {
-    return !loading() && !busy() && !series_ && !(verdicts_ && verdicts_->pending());
+    return !loading() && !busy() && !series_ && !comparison_ && !(verdicts_ && verdicts_->pending());
   }
+
+  /// Measures the paper's two ways to store adjacencies on a copy of the present mesh, which must be there
+  /// and can be decimated, in the background. Ends a run.
+  void start_comparison();
+  void cancel_comparison();
+  /// While it goes on; else null.
+  [[nodiscard]] const StrategyComparison* comparison() const { return comparison_.get(); }
+  /// The last one on the present mesh; null before.
+  [[nodiscard]] const StrategyResult* strategies() const { return strategies_ ? &*strategies_ : nullptr; }
 
   /// Keeps unsaved work in a folder from now on, and looks for what others have left there.
   void keep_work(const std::filesystem::path& folder);
@@ -129,6 +139,7 @@ class Session {
 
  private:
   void take_loaded(Loader::Result result);
+  void take_comparison(bool wait);
   void restore(const SavedWork& work);
   void keep();
   void advance_playing(double frame_s);
@@ -151,6 +162,8 @@ class Session {
   void refresh_marks(bool changed);
 
   Loader loader_;
+  std::unique_ptr<StrategyComparison> comparison_;
+  std::optional<StrategyResult> strategies_;
   std::optional<PictureSeries> series_;
   bool playing_ = false;
   double steps_due_ = 0;

@@ -70,6 +70,11 @@ struct MarkedBar {
   friend bool operator==(const MarkedBar&, const MarkedBar&) = default;
 };
 
+/// Which sections of the page on T(I,J) are open.
+struct TensorSections {
+  bool hash_sets = false, ids = false, strategies = false;
+};
+
 struct View {
   Camera camera;
   double aspect = 1.5;     ///< width by height of the picture; whoever draws keeps it true
@@ -93,6 +98,7 @@ struct View {
   PreviewedWay previewed = PreviewedWay::Best;
   bool labels = false;            ///< ids at what is selected and around the cursor
   std::optional<int> neighbours;  ///< the level whose entities around the selected one light up
+  TensorSections sections;
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;

@@ -27,6 +27,10 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
 void adjacency_panel(Frame& frame);
+/// Its sections below the table, each open or closed: hash sets, id stacks, and what strategies cost.
+void tensor_sections(Frame& frame);
+/// The two ways to store adjacencies during decimation, measured.
+void strategy_section(Frame& frame);
 /// What is selected: what it is, what is adjacent to it, why it stays.
 void inspector_panel(Frame& frame);
 /// The titles of the pages, and the one that is up.
