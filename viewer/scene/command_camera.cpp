@@ -30,7 +30,7 @@ void camera(Session& session, Arguments& arguments) {
 }
 
 void fit_selection(Session& session, Arguments& arguments) {
-  constexpr double context = 5, around_vertex = 2.5;  // what is around matters as much
+  constexpr double context = 5, around_vertex = 2.5, around_ring = 1.4;  // what is around matters as much
   if (const std::string word = arguments.word("selection"); word != "selection")
     arguments.fail("'" + word + "' is not selection");
   arguments.end();
@@ -49,7 +49,7 @@ void fit_selection(Session& session, Arguments& arguments) {
   if (ring) around = lit->entities;
   camera.fit(box_of(mesh, around), session.view.aspect);
   camera.target = middle;
-  camera.distance = std::min(far, (vertex || ring ? around_vertex : context) * camera.distance);
+  camera.distance = std::min(far, (ring ? around_ring : vertex ? around_vertex : context) * camera.distance);
 }
 
 void fit(Session& session, Arguments& arguments) {

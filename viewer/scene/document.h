@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/scene/adjacency.h"
 #include "viewer/scene/as_loaded.h"
 #include "viewer/scene/loaded_mesh.h"
 #include "viewer/scene/surface_changes.h"

@@ -16,9 +16,7 @@ using scene::StrategyRun;
 std::string ms_text(double ms) { return scene::short_number(ms, ms < 10 ? 1 : 0) + " ms"; }
 
 void wrapped(const Frame& frame, const std::string& words) {
-  ImGui::PushTextWrapPos(0);
-  muted(frame, words);
-  ImGui::PopTextWrapPos();
+  muted(frame, broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
 }
 
 /// A value with a bar that compares it with the larger of the two.
@@ -50,11 +48,10 @@ void result(const Frame& frame, const scene::StrategyResult& r) {
     wrapped(frame, phase_words(frame, run));
   }
   gap(0.1f);
-  ImGui::PushTextWrapPos(0);
-  text((r.same ? "The same mesh either way: " : "Different meshes: ") + scene::grouped(r.ways[0].counts[2]) +
-       (r.same ? "" : " and " + scene::grouped(r.ways[1].counts[2])) + " faces; relations changed places " +
-       scene::grouped(r.ways[1].exchanges) + " times.");
-  ImGui::PopTextWrapPos();
+  wrapped(frame, (r.same ? "The same mesh either way: " : "Different meshes: ") +
+                     scene::grouped(r.ways[0].counts[2]) +
+                     (r.same ? "" : " and " + scene::grouped(r.ways[1].counts[2])) +
+                     " faces; relations changed places " + scene::grouped(r.ways[1].exchanges) + " times.");
 }
 
 }  // namespace

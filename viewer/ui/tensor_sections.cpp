@@ -31,13 +31,15 @@ bool section(Frame& frame, const char* title, bool open, const char* line, const
   list.AddText({at.x + 1.1f * em(), at.y}, color, title);
   ImGui::PopFont();
   tooltip(help);
+  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID(title), 0);
+  if (open && shown == 0)  // What has just been opened is to be seen.
+    ImGui::SetScrollFromPosY(at.y - ImGui::GetWindowPos().y - 0.6f * em(), 0);
+  shown = open ? 1 : 0;
   return open;
 }
 
 void wrapped(const Frame& frame, const std::string& words) {
-  ImGui::PushTextWrapPos(0);
-  muted(frame, words);
-  ImGui::PopTextWrapPos();
+  muted(frame, broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
 }
 
 std::string count(std::uint64_t n) { return scene::grouped(static_cast<std::int64_t>(n)); }
@@ -45,7 +47,7 @@ std::string count(std::uint64_t n) { return scene::grouped(static_cast<std::int6
 /// A button of the small font at the right end of the present line.
 void small_button(Frame& frame, const char* label, const std::string& line, const char* help) {
   ImGui::PushFont(frame.fonts.small);
-  const float width = ImGui::CalcTextSize(label).x + 0.8f * em();
+  const float width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
   same_line_right(width);
   ImGui::PushID(line.c_str());
   if (ImGui::SmallButton(label)) frame.emit(line);
