@@ -27,13 +27,6 @@ std::int64_t neighbours(const Session& s) {
 
 std::int64_t signed_count(std::size_t n) { return static_cast<std::int64_t>(n); }
 
-std::int64_t stored_relations(const Session& s) {
-  std::int64_t count = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) count += s.document.mesh().stored(i, j);
-  return count;
-}
-
 template <typename Of>
 std::int64_t hash_sum(const Session& s, Of&& of) {
   std::int64_t sum = 0;
@@ -53,10 +46,9 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 31> quantities = {{
+constexpr std::array<Named, 30> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"neighbours", [](const Session& s) { return neighbours(s); }},
-    {"stored-relations", stored_relations},
     {"adjacency-bytes", [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
     {"hash-entities", [](const Session& s) { return hash_sum(s, [](auto& f) { return f.entities; }); }},
     {"hash-buckets",
@@ -113,6 +105,7 @@ void expect(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   const std::string what = again.rest("a quantity");
   if (what.rfind("adjacency ", 0) == 0) return expect_adjacency(session, arguments);
+  if (expect_other(session, arguments)) return;
   const Quantity of = quantity(arguments);
   const std::string relation = arguments.word("=, <, >, <= or >=");
   const long long bound = arguments.integer("a whole number");
@@ -137,7 +130,7 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, neighbours (that light up), stored-relations, adjacency-bytes, "
+       "faces, regions, selected, neighbours (that light up), adjacency-bytes, "
        "hash-entities, hash-buckets, hash-rehashes (of all levels), free-vertices, free-edges, free-faces "
        "(on the id stacks), same-result (1 where both strategies led to the same mesh), outer-faces (of a "
        "volume), euler (over used "
@@ -145,7 +138,11 @@ std::vector<Command> script_commands() {
        "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
-       "on|off.",
+       "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
+       "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "
+       "word: kind, selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class "
+       "KIND "
+       "ID, alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
        CommandGroup::Scripts,
        expect,
        {}},

@@ -53,6 +53,7 @@ void Session::keep() {
 
 void Session::start_loading(LoadRequest request) {
   request.recoverable = recovery != nullptr;
+  request.practice = lesson.entering();
   loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
@@ -69,6 +70,7 @@ void Session::take_loaded(Loader::Result result) {
   error.clear();
   comparison_.reset();
   strategies_.reset();
+  if (!result.mesh->source.practice) lesson.leave(*this, false);
   document.replace(std::move(result.mesh));
   view.hidden.clear();
   view.highlighted.reset();
@@ -188,6 +190,7 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   take_comparison(false);
   if (playing_) advance_playing(frame_s);
   keep();
+  lesson.update(*this);
 }
 
 void Session::finish() {
@@ -201,6 +204,7 @@ void Session::finish() {
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
   keep();
+  lesson.update(*this);
 }
 
 void Session::refresh() {
