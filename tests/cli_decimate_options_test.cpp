@@ -229,6 +229,7 @@ TEST_F(DecimateOptionsCommand, EveryReasonAndOptionIsInTheReport) {
                              "no_intersections",
                              "feature_angle_deg",
                              "improve",
+                             "exchange",
                              "swap",
                              "smooth",
                              "threads",

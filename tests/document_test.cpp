@@ -169,19 +169,24 @@ TEST(Adjacency, ARefusalIsAValueAndChangesNothing) {
 
 TEST(Adjacency, CellsAndWordsOfASquare) {
   Mesh mesh(zoo::square());
-  EXPECT_EQ(adjacency_words(mesh, 1, 2, 0),
+  EXPECT_EQ(adjacency_words(mesh, 1, 2, false),
             "T(1,2): The faces around each edge, sorted.\nNot stored. Storing it creates the missing edges.");
   {
-    const Request need = mesh.request(0, 2);
+    const Request need = mesh.request(0, 2, "a test");
     const std::string bytes = bytes_text(mesh.representation().bytes(0, 2));
-    EXPECT_EQ(adjacency_words(mesh, 0, 2, 3.14),
+    EXPECT_EQ(adjacency_words(mesh, 0, 2, false),
               "T(0,2): The faces around each vertex, sorted.\nStored: " + bytes +
-                  ", 4 rows of 1.5 on average, built in 3.1 ms.\nNot set, but 1 request holds it.");
+                  ", 4 rows of 1.5 on average.\nHeld by: a test.");
+    EXPECT_NE(adjacency_words(mesh, 0, 2, true).find(", built in "), std::string::npos);
+    const Request again = mesh.request(0, 2, "a test");
+    EXPECT_EQ(askers(mesh, 0, 2), "a test (2)");
   }
+  EXPECT_EQ(mesh.representation().record(0, 2).builds, 1u);
+  EXPECT_NE(adjacency_words(mesh, 0, 2, false).find(" Freed once, last of "), std::string::npos);
   EXPECT_FALSE(adjacency_cell(mesh, 0, 2).stored);
-  EXPECT_EQ(adjacency_words(mesh, 2, 0, 0),
+  EXPECT_EQ(adjacency_words(mesh, 2, 0, false),
             "T(2,0): The vertices of each face, in template order.\nStored: 24 B, 2 rows of 3 on average.\n"
-            "Set. It defines the faces: it stays until T(2,1) is stored.");
+            "Held by: you or its source. It defines the faces: it stays until T(2,1) is stored.");
   static_cast<void>(mesh.request(0, 1));
   const AdjacencyCell ends = adjacency_cell(mesh, 1, 0);
   EXPECT_TRUE(ends.stored && ends.defines && !ends.set && ends.requests == 0 && ends.bytes > 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "core/decimate/paper_loop.h"
 #include "core/decimate/quality_loop.h"
@@ -63,10 +64,16 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(dec
 
 void Decimation::begin(const DecimationOptions& options) {
   const bool paper = options.strategy == Strategy::Paper;
+  const char* name = paper ? "the paper's loop" : "the quality loop";
   std::vector<Request> needs;
-  needs.push_back(mesh_.request(2, 0));
-  needs.push_back(mesh_.request(0, 2));
-  if (paper || !lists_model_edges_only(mesh_)) needs.push_back(mesh_.request(0, 1));
+  const auto need = [&](int i, int j) { needs.push_back(mesh_.request(i, j, name)); };
+  need(2, 0);
+  if (paper && options.exchange) {
+    need(1, 0);
+  } else {
+    need(0, 2);
+    if (paper || !lists_model_edges_only(mesh_)) need(0, 1);
+  }
   needs_ = std::move(needs);
   if (paper)
     loop_ = std::make_unique<PaperLoop>(mesh_, options);
@@ -76,7 +83,7 @@ void Decimation::begin(const DecimationOptions& options) {
 
 void Decimation::set_options(const DecimationOptions& options) {
   if (options == this->options()) return;
-  if (options.strategy == this->options().strategy)
+  if (options.strategy == this->options().strategy && options.exchange == this->options().exchange)
     loop_->restart(options);
   else
     begin(options);
@@ -97,6 +104,17 @@ std::uint32_t Decimation::sweep() {
   const std::size_t present = sweeps().size();
   while (phase() == Phase::Collapse && sweeps().size() == present) collapses += loop_->advance();
   return collapses;
+}
+
+Decimation::Stop Decimation::run_phase(const std::function<bool()>& cancelled) {
+  constexpr int candidates_between_checks = 64;
+  const auto here = [&] { return std::pair(phase(), sweeps().size()); };
+  const auto start = here();
+  for (int i = 1; !done() && here() == start; ++i) {
+    loop_->advance();
+    if (i % candidates_between_checks == 0 && cancelled && cancelled()) return Stop::Cancelled;
+  }
+  return Stop::Done;
 }
 
 Decimation::Stop Decimation::run(std::optional<std::chrono::microseconds> budget,

@@ -20,12 +20,15 @@ namespace aomd {
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
 /// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too for Paper
-/// and where the mesh has other edges than those on model edges; they go with it. The mesh must not change
+/// and where the mesh has other edges than those on model edges; with DecimationOptions::exchange T(2,0), and
+/// what the present phase needs. They go with it. The mesh must not change
 /// otherwise while it lives, except through invalidate().
 class Decimation {
  public:
   /// Throws std::invalid_argument where there is an obstacle (above).
   explicit Decimation(Mesh& mesh, const DecimationOptions& options = {});
+
+  enum class Stop { Done, Budget, Cancelled };
 
   [[nodiscard]] const DecimationOptions& options() const { return loop_->options(); }
   /// Takes new options at any time; everything is judged again. Another strategy starts from the mesh as it
@@ -39,13 +42,14 @@ class Decimation {
   std::optional<Operation> step();
   /// To the end of the present sweep of collapses. Returns how many it made.
   std::uint32_t sweep();
+  /// To the end of the present phase, or until `cancelled` says so, asked every few candidates.
+  Stop run_phase(const std::function<bool()>& cancelled = {});
   /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many operations it
   /// made.
   std::uint32_t swap_pass() { return loop_->swap_pass(); }
   std::uint32_t smooth_pass() { return loop_->smooth_pass(); }
   std::uint32_t improve() { return swap_pass() + smooth_pass(); }
 
-  enum class Stop { Done, Budget, Cancelled };
   /// Runs until done, until `budget` of time is spent (checked every few operations), or until `cancelled`
   /// says so.
   Stop run(std::optional<std::chrono::microseconds> budget = {}, const std::function<bool()>& cancelled = {});

@@ -56,6 +56,10 @@ struct DecimationOptions {
   bool no_intersections = false;  ///< no operation adds a pair of faces that cut each other
   TopologyRule topology = TopologyRule::Safe;
   int improve_passes = 4;  ///< Paper: sweeps that are followed by swaps and smoothing
+  /// Paper: T(0,2) makes way for T(0,1) and T(1,2) while edges are swapped and vertices smoothed, and comes
+  /// back for the next collapses, which find edges through a hash set. Off: T(0,1) and T(0,2) stay. The
+  /// result is the same (docs/REPRESENTATIONS.md).
+  bool exchange = false;
   bool swap = true;
   bool smooth = true;
   int threads = 1;  ///< Quality: used wherever there is something to share out; the result is the same

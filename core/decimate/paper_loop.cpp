@@ -3,10 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/decimate/spacing.h"
 
 namespace aomd {
+namespace {
+
+constexpr const char* paper_name = "the paper's loop";
+
+bool has_wires(Mesh& mesh) {
+  const Request faces = mesh.request(1, 2, paper_name);
+  for (const Edge e : mesh.edges())
+    if (mesh.row<2>(e).empty()) return true;
+  return false;
+}
+
+}  // namespace
+
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
       collapser_(mesh),
@@ -14,8 +28,31 @@ PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
       judged_(mesh.capacity(1), 0),
       refusal_(mesh.capacity(1), Reason::None) {
   set_rules();
+  if (options_.exchange) wires_ = has_wires(mesh_);
   fill_spacing();
   begin_sweep();
+}
+
+PaperLoop::~PaperLoop() {
+  needs_.clear();
+  if (built_hash_) mesh_.drop_hash(1);
+}
+
+/// What collapses read, or swaps and smoothing; what the others need goes first.
+void PaperLoop::hold(bool collapses) {
+  if (!options_.exchange || collapsing_ == collapses) return;
+  collapsing_ = collapses;
+  needs_.clear();
+  if (std::exchange(built_hash_, false)) mesh_.drop_hash(1);
+  if (collapses) {
+    needs_.push_back(mesh_.request(0, 2, paper_name));
+    if (wires_) needs_.push_back(mesh_.request(0, 1, paper_name));
+    built_hash_ = !mesh_.stored(0, 1) && !mesh_.hash(1).built();
+    if (built_hash_) mesh_.build_hash(1);
+  } else {
+    needs_.push_back(mesh_.request(0, 1, paper_name));
+    needs_.push_back(mesh_.request(1, 2, paper_name));
+  }
 }
 
 void PaperLoop::fill_spacing() {
@@ -69,6 +106,7 @@ void PaperLoop::begin_sweep() {
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
 
 Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {
+  hold(true);
   const auto ends = mesh_.edge_vertices(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
@@ -134,6 +172,7 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
 }
 
 Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
+  hold(false);
   const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, pair);
   return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
 }
@@ -147,9 +186,11 @@ std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
 
 Verdict PaperLoop::judge_smoothing(Vertex v, glm::dvec3& target) {
   if (options_.kept(v)) return {Reason::Kept, v};
+  hold(false);
   const Verdict verdict = judge_smooth(mesh_, v, smooth_, target);
   if (!verdict.accepted() || !guards_.any()) return verdict;
-  gather(mesh_, v, star_);
+  std::vector<std::uint32_t> derived;
+  gather(mesh_, v, faces_around(mesh_, v, derived), star_);
   return guards_.judge(mesh_, v, star_, target);
 }
 

@@ -12,8 +12,9 @@ namespace aomd {
 
 class PaperLoop final : public Loop {
  public:
-  /// T(0,1), T(0,2) and T(2,0) must be stored.
+  /// T(0,1), T(0,2) and T(2,0) must be stored; where they are exchanged, T(1,0) and T(2,0).
   PaperLoop(Mesh& mesh, const DecimationOptions& options);
+  ~PaperLoop() override;
 
   bool advance() override;
   void restart(const DecimationOptions& options) override;
@@ -36,6 +37,7 @@ class PaperLoop final : public Loop {
   [[nodiscard]] Verdict judge_smoothing(Vertex v, glm::dvec3& target);
   [[nodiscard]] Verdict judge_swapping(Edge edge, EdgePair& pair);
   [[nodiscard]] double first_reach() const;
+  void hold(bool collapses);
   void fill_spacing();
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);
@@ -53,6 +55,10 @@ class PaperLoop final : public Loop {
   void next_phase();
   [[nodiscard]] std::uint32_t end_of_phase() const;
 
+  std::vector<Request> needs_;      ///< of the present phase, where relations are exchanged
+  std::optional<bool> collapsing_;  ///< which ones needs_ are for
+  bool built_hash_ = false;
+  bool wires_ = false;  ///< some edges have no face: T(0,1) alone finds them
   CollapseRules rules_;
   SmoothRules smooth_{TurnLimit(0)};
   Collapser collapser_;

@@ -7,7 +7,6 @@
 namespace aomd {
 namespace {
 
-constexpr std::uint16_t crowded_length = 10;
 constexpr std::size_t bucket_limit = 100'000'000;
 
 }  // namespace
@@ -28,7 +27,13 @@ std::uint64_t EntityHash::key(std::span<const std::uint32_t> vertices) {
 EntityHash::Statistics EntityHash::statistics() const {
   const auto worst = std::max_element(length_.begin(), length_.end());
   return {static_cast<std::uint32_t>(first_.size()), used_, crowded_, worst == length_.end() ? 0u : *worst,
-          rehashes_};
+          static_cast<std::uint32_t>(rehashes_.size())};
+}
+
+std::vector<std::uint32_t> EntityHash::lengths() const {
+  std::vector<std::uint32_t> counts(statistics().worst + std::size_t{1}, 0);
+  for (const std::uint16_t length : length_) ++counts[length];
+  return counts;
 }
 
 void EntityHash::build(std::uint32_t expected) {
@@ -81,9 +86,11 @@ void EntityHash::grow_when_crowded() {
   first_.assign(old.size() * 10 | 1u, no_index);
   length_.assign(first_.size(), 0);
   used_ = crowded_ = 0;
-  ++rehashes_;
+  std::uint32_t entities = 0;
   for (const std::uint32_t head : old)
-    for (std::uint32_t e = head; e != no_index; e = old_next[e]) link(e);
+    for (std::uint32_t e = head; e != no_index; e = old_next[e], ++entities) link(e);
+  rehashes_.push_back(
+      {entities, static_cast<std::uint32_t>(old.size()), static_cast<std::uint32_t>(first_.size())});
 }
 
 }  // namespace aomd

@@ -20,9 +20,21 @@ class EntityHash {
   struct Statistics {
     std::uint32_t buckets = 0, used = 0, crowded = 0, worst = 0, rehashes = 0;
   };
+  /// From how many entities in a bucket on it is crowded.
+  static constexpr std::uint16_t crowded_length = 10;
+  /// A growth: with so many entities in the set, so many buckets became so many.
+  struct Rehash {
+    std::uint32_t entities = 0, before = 0, after = 0;
+    friend bool operator==(const Rehash&, const Rehash&) = default;
+  };
 
   [[nodiscard]] bool built() const { return !first_.empty(); }
   [[nodiscard]] Statistics statistics() const;
+  /// Since it was built, the first one first.
+  [[nodiscard]] const std::vector<Rehash>& rehashes() const { return rehashes_; }
+  /// How many buckets hold 0, 1, 2, ... entities, up to the worst; lengths past 65,535 count as that.
+  /// O(buckets).
+  [[nodiscard]] std::vector<std::uint32_t> lengths() const;
   [[nodiscard]] std::size_t bytes() const {
     return (first_.capacity() + next_.capacity()) * 4 + keys_.capacity() * 8 + length_.capacity() * 2;
   }
@@ -60,7 +72,8 @@ class EntityHash {
   std::vector<std::uint16_t> length_;  ///< by bucket, saturated
   std::vector<std::uint32_t> next_;    ///< by entity
   std::vector<std::uint64_t> keys_;    ///< by entity
-  std::uint32_t used_ = 0, crowded_ = 0, rehashes_ = 0;
+  std::uint32_t used_ = 0, crowded_ = 0;
+  std::vector<Rehash> rehashes_;
 };
 
 }  // namespace aomd

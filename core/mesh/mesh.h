@@ -97,9 +97,10 @@ class Mesh {
   /// downward one of a populated level, since it defines the entities; the message names another to set
   /// first.
   void unset(int i, int j);
-  /// Stores a relation until the returned object dies (it stays if the user has set it too). Counted. Throws
-  /// as set() does.
-  [[nodiscard]] Request request(int i, int j);
+  /// Stores a relation until the returned object dies (it stays if the user has set it too). Counted. `by`
+  /// names who asks, for those who look (Representation::Demand), and must outlive the mesh. Throws as set()
+  /// does.
+  [[nodiscard]] Request request(int i, int j, const char* by = "an algorithm");
 
   // Adjacency; relations that are not stored: core/mesh/derive.h --------------------------------------------
   /// The stored row of T(I,J): downward rows in the order of the template, upward rows sorted. No allocation,
@@ -141,8 +142,9 @@ class Mesh {
   [[nodiscard]] Region find_region(std::span<const Vertex> vertices) const;
   /// The hash set of level 1, 2 or 3; may not be built.
   [[nodiscard]] const EntityHash& hash(int dim) const { return hashes_[static_cast<std::size_t>(dim)]; }
-  /// Builds it now if it is not: what several threads need before they ask at once. O(entities).
-  void build_hash(int dim) const;
+  /// Builds it now if it is not: what several threads need before they ask at once. It starts with about so
+  /// many buckets (0: one for each entity) and grows as it must. O(entities).
+  void build_hash(int dim, std::uint32_t buckets = 0) const;
   void drop_hash(int dim) { hashes_[static_cast<std::size_t>(dim)].release(); }
 
   // The mesh entities of each model entity (paper, section 2.2) ---------------------------------------------

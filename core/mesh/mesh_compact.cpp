@@ -39,6 +39,7 @@ std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
     for (int j = 0; j < 4; ++j) {
       if (i == j) continue;
       compacted.demand(i, j) = representation_.demand(i, j);
+      compacted.record(i, j) = representation_.record(i, j);
       if (!stored(i, j)) continue;
       if (i < j)
         upward[static_cast<std::size_t>(4 * i + j)] = true;
@@ -71,8 +72,8 @@ std::vector<std::uint8_t> Mesh::edges_to_keep() {
   for (const Edge e : edges()) {
     const ModelRef on = classification(e);
     if (!on.valid() && !faces) {
-      faces = request(1, 2);
-      if (count(3) > 0) regions = request(1, 3);
+      faces = request(1, 2, "letting go of edges");
+      if (count(3) > 0) regions = request(1, 3, "letting go of edges");
     }
     stays[e.index] =
         on.valid() ? on.dimension() <= 1 : row<2>(e).empty() && (count(3) == 0 || row<3>(e).empty());

@@ -20,10 +20,10 @@ std::uint64_t Mesh::hash_key(EntityRef e) const {
   return EntityHash::key(vertices_of(e, buffer));
 }
 
-void Mesh::build_hash(int dim) const {
+void Mesh::build_hash(int dim, std::uint32_t buckets) const {
   EntityHash& set = hashes_[static_cast<std::size_t>(dim)];
   if (set.built()) return;
-  set.build(count(dim));
+  set.build(buckets == 0 ? count(dim) : buckets);
   for (std::uint32_t id = 0; id < capacity(dim); ++id)
     if (ids(dim).alive(id)) set.insert(hash_key(EntityRef(dim, id)), id);
 }

@@ -1,6 +1,7 @@
 // T(I,J) of Mesh: what is stored, who wants it, and bulk building (count, prefix sum, fill).
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,12 +27,15 @@ Request& Request::operator=(Request&& other) noexcept {
   std::swap(mesh_, other.mesh_);
   std::swap(i_, other.i_);
   std::swap(j_, other.j_);
+  std::swap(by_, other.by_);
   return *this;
 }
 
 void Request::release() {
   if (!mesh_) return;
-  --mesh_->representation_.demand(i_, j_).requests;
+  Representation::Demand& demand = mesh_->representation_.demand(i_, j_);
+  --demand.requests;
+  demand.by.erase(std::find(demand.by.begin(), demand.by.end(), by_));
   mesh_->free_unwanted(i_, j_);
   mesh_ = nullptr;
 }
@@ -55,11 +59,13 @@ void Mesh::unset(int i, int j) {
   free_unwanted(i, j);
 }
 
-Request Mesh::request(int i, int j) {
+Request Mesh::request(int i, int j, const char* by) {
   check_cell(i, j);
   build(i, j);
-  ++representation_.demand(i, j).requests;
-  return Request(*this, i, j);
+  Representation::Demand& demand = representation_.demand(i, j);
+  demand.by.push_back(by);
+  ++demand.requests;
+  return Request(*this, i, j, by);
 }
 
 bool Mesh::can_hold(int i, int j) const {
@@ -82,6 +88,9 @@ bool Mesh::defines_level(int i, int j) const {
 
 void Mesh::free_unwanted(int i, int j) {
   if (!stored(i, j) || representation_.demand(i, j).wanted() || defines_level(i, j)) return;
+  Representation::Record& record = representation_.record(i, j);
+  ++record.frees;
+  record.freed_bytes = representation_.bytes(i, j);
   if (i > j)
     representation_.down(i, j).release();
   else
@@ -89,15 +98,20 @@ void Mesh::free_unwanted(int i, int j) {
 }
 
 void Mesh::build(int i, int j) {
+  using Clock = std::chrono::steady_clock;
   complete_level(i);
   complete_level(j);
   if (stored(i, j)) return;
+  const auto before = Clock::now();
   if (i < j)
     build_up(i, j);
   else if (j == 0)
     build_vertices(i);
   else
     build_sides(*this, i, j, representation_.down(i, j));
+  Representation::Record& record = representation_.record(i, j);
+  ++record.builds;
+  record.build_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
 }
 
 std::uint32_t Mesh::widest(int dim, int lower) const {
@@ -108,7 +122,7 @@ std::uint32_t Mesh::widest(int dim, int lower) const {
 
 void Mesh::build_up(int i, int j) {
   Request sides;  // which edges or faces an entity has cannot be read off its vertices
-  if (i > 0) sides = request(j, i);
+  if (i > 0) sides = request(j, i, "building the other way");
   build_upward(*this, i, j, representation_.up(i, j));
   if (i == 0) hash_of(j).release();
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "core/mesh/relation.h"
 
@@ -33,10 +34,20 @@ class Representation {
   struct Demand {
     bool user = false;
     int requests = 0;
+    std::vector<const char*> by = {};  ///< the names that the requests gave, in their order
     [[nodiscard]] bool wanted() const { return user || requests > 0; }
   };
   [[nodiscard]] const Demand& demand(int i, int j) const { return demand_[at(i, j)]; }
   [[nodiscard]] Demand& demand(int i, int j) { return demand_[at(i, j)]; }
+
+  /// What became of a relation since the mesh was made.
+  struct Record {
+    std::uint32_t builds = 0, frees = 0;
+    double build_ms = 0;          ///< what the last building took
+    std::size_t freed_bytes = 0;  ///< what the last freeing gave back
+  };
+  [[nodiscard]] const Record& record(int i, int j) const { return records_[at(i, j)]; }
+  [[nodiscard]] Record& record(int i, int j) { return records_[at(i, j)]; }
 
   /// True when some downward relation of the level is stored: its entities exist in the database.
   [[nodiscard]] bool has_level(int level) const {
@@ -56,6 +67,7 @@ class Representation {
   std::array<DownRows, 6> down_;
   std::array<UpRows, 6> up_;
   std::array<Demand, 16> demand_{};
+  std::array<Record, 16> records_{};
 };
 
 }  // namespace aomd

@@ -9,8 +9,8 @@ class Mesh;
 class Request {
  public:
   Request() = default;
-  Request(Mesh& mesh, int i, int j) : mesh_(&mesh), i_(i), j_(j) {}
-  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_) {
+  Request(Mesh& mesh, int i, int j, const char* by) : mesh_(&mesh), i_(i), j_(j), by_(by) {}
+  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_), by_(other.by_) {
     other.mesh_ = nullptr;
   }
   Request& operator=(Request&& other) noexcept;
@@ -20,6 +20,7 @@ class Request {
  private:
   Mesh* mesh_ = nullptr;
   int i_ = 0, j_ = 0;
+  const char* by_ = nullptr;
 };
 
 }  // namespace aomd

@@ -30,7 +30,8 @@ class Classifier {
       : mesh_(mesh),
         options_(options),
         corner_(options.corner_angle_deg),
-        needs_{mesh.request(2, 0), mesh.request(0, 1), mesh.request(2, 1), mesh.request(1, 2)} {}
+        needs_{mesh.request(2, 0, "classification"), mesh.request(0, 1, "classification"),
+               mesh.request(2, 1, "classification"), mesh.request(1, 2, "classification")} {}
 
   ClassifyResult run() {
     if (!options_.keep_present) forget();

@@ -13,7 +13,8 @@ class VolumeClassifier {
   VolumeClassifier(Mesh& mesh, const ClassifyOptions& options)
       : mesh_(mesh),
         options_(options),
-        needs_{mesh.request(3, 2), mesh.request(2, 3), mesh.request(3, 1), mesh.request(0, 1)},
+        needs_{mesh.request(3, 2, "classification"), mesh.request(2, 3, "classification"),
+               mesh.request(3, 1, "classification"), mesh.request(0, 1, "classification")},
         on_skin_{std::vector<std::uint8_t>(mesh.capacity(0), 0),
                  std::vector<std::uint8_t>(mesh.capacity(1), 0),
                  std::vector<std::uint8_t>(mesh.capacity(2), 0)} {}

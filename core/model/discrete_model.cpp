@@ -22,8 +22,9 @@ void add_sides(Boundaries& boundaries, const Mesh& mesh, ModelRef model, const R
 }
 
 std::vector<Model::Entry> entries_of(Mesh& mesh) {
-  const std::array<Request, 2> needs{mesh.request(2, 0), mesh.request(2, 1)};
-  const Request regions = mesh.count(3) > 0 ? mesh.request(3, 2) : Request();
+  const std::array<Request, 2> needs{mesh.request(2, 0, "the faceted model"),
+                                     mesh.request(2, 1, "the faceted model")};
+  const Request regions = mesh.count(3) > 0 ? mesh.request(3, 2, "the faceted model") : Request();
   Boundaries boundaries;
   for (int dim = 0; dim <= 3; ++dim) {
     const IdPool& ids = mesh.ids(dim);

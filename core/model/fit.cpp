@@ -54,7 +54,8 @@ class Fitter {
       : mesh_(mesh),
         model_(model),
         tolerance_(tolerance > 0 ? tolerance : 1e-6 * model.box().diagonal()),
-        needs_{mesh.request(2, 0), mesh.request(0, 1), mesh.request(2, 1), mesh.request(1, 2)},
+        needs_{mesh.request(2, 0, "fitting to the model"), mesh.request(0, 1, "fitting to the model"),
+               mesh.request(2, 1, "fitting to the model"), mesh.request(1, 2, "fitting to the model")},
         vertices_(mesh.capacity(0)),
         edges_(mesh.capacity(1)),
         faces_(mesh.capacity(2)) {

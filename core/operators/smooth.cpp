@@ -1,6 +1,7 @@
 #include "core/operators/smooth.h"
 
 #include "core/mesh/journal_scope.h"
+#include "core/operators/star.h"
 
 namespace aomd {
 namespace {
@@ -28,7 +29,8 @@ Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::
   if (const ModelRef on = mesh.classification(v); rules.model && on.valid())
     target = rules.model->snap(on, target);
   const glm::dvec3 from = mesh.position(v);
-  for (const Face f : mesh.row<2>(v)) {
+  std::vector<std::uint32_t> derived;
+  for (const Face f : faces_around(mesh, v, derived)) {
     const auto t = mesh.triangle(f);
     const int slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
     const glm::dvec3 p = mesh.position(t[static_cast<std::size_t>((slot + 1) % 3)]);

@@ -1,9 +1,12 @@
 #pragma once
 // The faces around a vertex, and the model edges there, as the operators look at them.
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
+#include "core/mesh/derive.h"
 #include "core/mesh/mesh.h"
 
 namespace aomd {
@@ -18,17 +21,26 @@ struct StarFace {
 };
 using Star = std::vector<StarFace>;
 
-/// Fills `star` with the faces around `v`, in ascending order. T(0,2) and T(2,0) must be stored, all faces be
-/// triangles. O(faces around v).
-inline void gather(const Mesh& mesh, Vertex v, Star& star) {
+/// Fills `star` with these faces around `v`. T(2,0) must be stored, all faces be triangles.
+inline void gather(const Mesh& mesh, Vertex v, const Row<2>& faces, Star& star) {
   constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
-  const Row<2> faces = mesh.row<2>(v);
   star.resize(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto t = mesh.triangle(faces[i]);
     const std::uint32_t slot = std::uint32_t{t[1] == v} + 2 * std::uint32_t{t[2] == v};
     star[i] = {faces[i], slot, t[turn[slot + 1]], t[turn[slot + 2]]};
   }
+}
+
+/// The faces around a vertex, in ascending order. T(0,2) and T(2,0) must be stored. O(faces around v).
+inline void gather(const Mesh& mesh, Vertex v, Star& star) { gather(mesh, v, mesh.row<2>(v), star); }
+
+/// The faces around a vertex, in ascending order: the row of T(0,2) where it is stored, else derived (T(0,1)
+/// and T(1,2) stored, say) into `derived`.
+[[nodiscard]] inline Row<2> faces_around(const Mesh& mesh, Vertex v, std::vector<std::uint32_t>& derived) {
+  if (mesh.stored(0, 2)) return mesh.row<2>(v);
+  adjacent(mesh, v, 2, derived);
+  return Row<2>(derived);
 }
 
 /// Spreads ids over 64 bits, so that sums and xors of several tell sets of vertices apart.
@@ -85,9 +97,10 @@ void for_neighbours(const Star& star, Visit&& visit) {
   return {};
 }
 
-/// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else the mesh
-/// lists model edges only, each of them a side of a face, and those are found by existence queries between
-/// vertices that may end one.
+/// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else every edge
+/// must be a side of a face, and they are found by existence queries along the faces around `v`. Where the
+/// mesh lists model edges only, just between vertices that may end one; where it holds them all, in the order
+/// in which T(0,1) gives them, the last one first.
 template <typename Visit>
 void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
   if (mesh.stored(0, 1)) {
@@ -95,16 +108,22 @@ void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
     for (std::size_t i = edges.size(); i-- > 0;) visit(edges[i], mesh.other_end(edges[i], v));
     return;
   }
-  if (mesh.count(1) == 0 || !may_end_model_edge(mesh, v)) return;
+  const bool all = mesh.complete(1);
+  if (mesh.count(1) == 0 || (!all && !may_end_model_edge(mesh, v))) return;
+  std::vector<std::pair<Edge, Vertex>> found;
   for (std::size_t i = 0; i < star.size(); ++i) {
     for (const Vertex far : {star[i].next, star[i].previous}) {
-      if (!may_end_model_edge(mesh, far)) continue;
+      if (!all && !may_end_model_edge(mesh, far)) continue;
       bool seen = far == star[i].previous && far == star[i].next;
       for (std::size_t k = 0; k < i && !seen; ++k) seen = star[k].uses(far);
       if (seen) continue;
-      if (const Edge e = mesh.find_edge(v, far); e.valid()) visit(e, far);
+      const Edge e = mesh.find_edge(v, far);
+      if (e.valid() && all) found.emplace_back(e, far);
+      if (e.valid() && !all) visit(e, far);
     }
   }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return b.first < a.first; });
+  for (const auto& [edge, far] : found) visit(edge, far);
 }
 
 }  // namespace aomd

@@ -15,9 +15,10 @@ std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
   return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3;
 }
 
-// Fills the pair; false unless exactly two faces use the edge, in opposite directions.
-bool find_faces(const Mesh& mesh, EdgePair& pair) {
-  for (const Face face : mesh.row<2>(pair.a)) {
+// Fills the pair from faces at its first vertex; false unless exactly two of them use the edge, in opposite
+// directions.
+bool find_faces(const Mesh& mesh, const Row<2>& faces, EdgePair& pair) {
+  for (const Face face : faces) {
     const auto t = mesh.triangle(face);
     const std::uint32_t i = slot_of(t, pair.b);
     if (i == 3) continue;
@@ -50,7 +51,7 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
 
 Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
   pair = {{}, {}, a, b, {}, {}};
-  if (!find_faces(mesh, pair)) {
+  if (!find_faces(mesh, mesh.row<2>(a), pair)) {
     pair = {{}, {}, a, b, {}, {}};
     return {Reason::Topology, a};
   }
@@ -72,7 +73,8 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
   if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
   const auto [a, b] = mesh.edge_vertices(edge);
   pair = {{}, {}, a, b, {}, {}};
-  if (!find_faces(mesh, pair)) return {Reason::Topology, edge};
+  const Row<2> faces = mesh.stored(0, 2) ? mesh.row<2>(a) : mesh.row<2>(edge);
+  if (!find_faces(mesh, faces, pair)) return {Reason::Topology, edge};
   if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, edge};
   if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
   if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, other};

@@ -33,8 +33,8 @@ struct EdgePair {
 /// What swapping an edge would do. Accepted only where the smallest angle of the two triangles grows.
 /// Refusals: Classification (the edge is on a model edge, or its faces differ), Topology (not exactly two
 /// faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new normal further than
-/// `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2), T(2,0), and hold triangles
-/// only. `pair` receives what was found.
+/// `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2) or T(1,2), T(2,0), and hold
+/// triangles only. `pair` receives what was found.
 [[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair);
 
 /// Swaps: both faces keep their ids, and so does the edge where it is an entity. One journal step.

@@ -121,7 +121,7 @@ pFace_ R_face_(pRegion_ region, int i) { return item_of<2>(region, i); }
 int R_dirFace_(pRegion_ region, pFace_ face) {
   Mesh& m = mesh_of(region);
   const Face f = entity_in(region.session(), face);
-  if (!m.stored(3, 2)) region.session()->region_faces = m.request(3, 2);
+  if (!m.stored(3, 2)) region.session()->region_faces = m.request(3, 2, "paper session");
   const auto faces = m.row<2>(region.entity()).indices();
   require(std::find(faces.begin(), faces.end(), f.index) != faces.end(), "the region does not use this face");
   return m.use_direction(region.entity(), f);

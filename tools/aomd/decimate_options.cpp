@@ -94,6 +94,10 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   CLI::Option* improve = command.add_option("--improve", o.decimation.improve_passes,
                                             "For paper: sweeps that are followed by swaps and smoothing");
   improve->type_name("N")->check(between(0, 1000))->capture_default_str();
+  CLI::Option* exchange =
+      command.add_flag("--exchange", o.decimation.exchange,
+                       "For paper: T(0,2) makes way for T(0,1) and T(1,2) during swaps and smoothing;\nthe "
+                       "result is the same");
   CLI::Option* no_swap = command.add_flag("--no-swap", o.no_swap, "No edge swaps");
   CLI::Option* no_smooth = command.add_flag("--no-smooth", o.no_smooth, "No smoothing");
   CLI::Option* snap = command.add_option(
@@ -111,8 +115,8 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" + idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
-  put_into("How", {strategy, regularity, features, improve, no_swap, no_smooth, snap, model, repair, without,
-                   add_threads(command, o.threads)});
+  put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap, model, repair,
+                   without, add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -205,6 +209,7 @@ Json DecimateOptions::json() const {
           {"no_intersections", steps.no_intersections},
           {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
           {"improve", steps.improve_passes},
+          {"exchange", steps.exchange},
           {"without", without},
           {"swap", steps.swap},
           {"smooth", steps.smooth},

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "core/mesh/derive.h"
 #include "viewer/scene/text.h"
@@ -40,17 +42,31 @@ std::uint64_t uses(const Mesh& mesh, int high, int low) {
   return sum;
 }
 
-std::string storage_words(const Mesh& mesh, int i, int j, double built_ms) {
+std::string storage_words(const Mesh& mesh, int i, int j, bool times) {
+  const Representation::Record& record = mesh.representation().record(i, j);
   std::string text = "Stored: " + bytes_text(mesh.representation().bytes(i, j)) + ", " +
                      grouped(mesh.count(i)) + " rows of " + short_number(mean_row_length(mesh, i, j), 1) +
                      " on average";
-  if (built_ms > 0) text += ", built in " + short_number(built_ms, built_ms < 10 ? 1 : 0) + " ms";
+  if (times && record.builds > 0)
+    text += ", built in " + short_number(record.build_ms, record.build_ms < 10 ? 1 : 0) + " ms";
   return text + ".";
 }
 
-std::string demand_words(const AdjacencyCell& cell) {
-  if (cell.requests == 0) return cell.set ? "Set." : "Nobody asked for it.";
-  return (cell.set ? "Set, and " : "Not set, but ") + held_by(cell.requests) + ".";
+std::string demand_words(const Mesh& mesh, int i, int j) {
+  const std::string by = askers(mesh, i, j);
+  return by.empty() ? "Nobody asked for it." : "Held by: " + by + ".";
+}
+
+/// What became of it before. Empty where it was never freed.
+std::string past_words(const Representation::Record& record) {
+  if (record.frees == 0) return {};
+  const std::string times = record.frees == 1 ? "once" : std::to_string(record.frees) + " times";
+  return " Freed " + times + ", last of " + bytes_text(record.freed_bytes) + ".";
+}
+
+std::string cost_words(const AdjacencyPath& path) {
+  return "about " + short_number(path.cost, 0) + " ids read for each answer" +
+         (path.by_hash ? ", a look into the hash set counting as 8" : "");
 }
 
 std::string defining_words(int i, int j) {
@@ -89,19 +105,35 @@ std::string relation_words(int i, int j) {
   return words;
 }
 
-std::string adjacency_words(const Mesh& mesh, int i, int j, double built_ms) {
+std::string adjacency_words(const Mesh& mesh, int i, int j, bool times) {
   const AdjacencyCell cell = adjacency_cell(mesh, i, j);
   std::string text = relation_name(i, j) + ": " + relation_words(i, j) + ".\n";
   if (!cell.stored) {
     const AdjacencyPath path = explain(mesh, i, j);
-    text += path.kind == AdjacencyPath::Kind::None ? "Not stored."
-                                                   : "Not stored, but derived: " + path.text() + ".";
+    text += path.kind == AdjacencyPath::Kind::None
+                ? "Not stored."
+                : "Not stored, but derived: " + path.text() + ", " + cost_words(path) + ".";
+    text += past_words(mesh.representation().record(i, j));
     for (const int level : {std::min(i, j), std::max(i, j)})
       if (lacks_some(mesh, level)) text += " Storing it creates the missing " + many(level) + ".";
     return text;
   }
-  text += storage_words(mesh, i, j, built_ms) + "\n" + demand_words(cell);
+  text += storage_words(mesh, i, j, times) + "\n" + demand_words(mesh, i, j);
   if (cell.defines) text += " " + defining_words(i, j);
+  return text + past_words(mesh.representation().record(i, j));
+}
+
+std::string askers(const Mesh& mesh, int i, int j) {
+  const Representation::Demand& demand = mesh.representation().demand(i, j);
+  std::vector<std::pair<std::string, int>> names;
+  if (demand.user) names.emplace_back("you or its source", 1);
+  for (const char* by : demand.by) {
+    const auto same = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == by; });
+    same == names.end() ? static_cast<void>(names.emplace_back(by, 1)) : static_cast<void>(++same->second);
+  }
+  std::string text;
+  for (const auto& [name, count] : names)
+    text += (text.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + ")" : "");
   return text;
 }
 

@@ -1,16 +1,12 @@
 #pragma once
 // T(I,J) of a mesh in numbers and words, for the panel that shows it and the command that changes it.
 
-#include <array>
 #include <cstddef>
 #include <string>
 
 #include "core/mesh/mesh.h"
 
 namespace aomd::scene {
-
-/// Milliseconds that building each relation took, by [I][J]; 0 where nobody measured it.
-using BuildTimes = std::array<std::array<double, 4>, 4>;
 
 /// One cell of T(I,J): I != J.
 struct AdjacencyCell {
@@ -30,8 +26,11 @@ struct AdjacencyCell {
 [[nodiscard]] std::string relation_name(int i, int j);
 /// "The faces around each vertex, sorted", "The vertices of each face, in template order".
 [[nodiscard]] std::string relation_words(int i, int j);
-/// Whether, how and for whom a relation is stored, in sentences. `built_ms` as in BuildTimes. O(entities).
-[[nodiscard]] std::string adjacency_words(const Mesh& mesh, int i, int j, double built_ms);
+/// Whether, how and for whom a relation is stored, in sentences; with `times`, how long building took.
+/// O(entities).
+[[nodiscard]] std::string adjacency_words(const Mesh& mesh, int i, int j, bool times);
+/// Who holds it: "drawing, the paper's loop (2)". Empty where nobody asked.
+[[nodiscard]] std::string askers(const Mesh& mesh, int i, int j);
 
 /// What a change of T came to.
 struct AdjacencyChange {

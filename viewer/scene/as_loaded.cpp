@@ -8,7 +8,7 @@
 namespace aomd::scene {
 
 AsLoaded::AsLoaded(const Mesh& mesh) : mesh_(to_data(mesh)) {
-  needs_ = {mesh_.request(2, 0), mesh_.request(0, 1), mesh_.request(0, 2)};
+  needs_ = {mesh_.request(2, 0, "drawing"), mesh_.request(0, 1, "drawing"), mesh_.request(0, 2, "drawing")};
   mesh_.keep_class_lists(true);
 }
 

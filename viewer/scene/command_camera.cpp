@@ -30,7 +30,7 @@ void camera(Session& session, Arguments& arguments) {
 }
 
 void fit_selection(Session& session, Arguments& arguments) {
-  constexpr double context = 5, around_vertex = 2.5;  // what is around matters as much
+  constexpr double context = 5, around_vertex = 2.5, around_ring = 1.4;  // what is around matters as much
   if (const std::string word = arguments.word("selection"); word != "selection")
     arguments.fail("'" + word + "' is not selection");
   arguments.end();
@@ -41,10 +41,15 @@ void fit_selection(Session& session, Arguments& arguments) {
   const double far = camera.distance;
   const glm::dvec3 middle = box_of(mesh, session.selection.entities()).center();
   const bool vertex = session.selection.single().valid() && session.selection.single().dimension == 0;
-  const std::vector<EntityRef> around = vertex ? grown(mesh, session.selection) : std::vector<EntityRef>();
-  camera.fit(box_of(mesh, vertex ? around : session.selection.entities()), session.view.aspect);
+  const Neighbours* lit = session.neighbours();
+  const bool ring = lit && !lit->entities.empty();
+  const auto selected = session.selection.entities();
+  std::vector<EntityRef> around(selected.begin(), selected.end());
+  if (vertex) around = grown(mesh, session.selection);
+  if (ring) around = lit->entities;
+  camera.fit(box_of(mesh, around), session.view.aspect);
   camera.target = middle;
-  camera.distance = std::min(far, (vertex ? around_vertex : context) * camera.distance);
+  camera.distance = std::min(far, (ring ? around_ring : vertex ? around_vertex : context) * camera.distance);
 }
 
 void fit(Session& session, Arguments& arguments) {

@@ -81,6 +81,7 @@ void cancel(Session& session, Arguments& arguments) {
   session.document.cancel_run();
   session.cancel_loading();
   session.cancel_series();
+  session.cancel_comparison();
   session.play(false);
 }
 
@@ -116,7 +117,8 @@ std::vector<Command> edit_commands() {
        {{"R", "run"}}},
       {"cancel",
        "",
-       "Stops a run between two operations, drops what is being loaded, stops playing and exporting.",
+       "Stops a run between two operations, drops what is being loaded, stops playing, exporting and "
+       "comparing.",
        CommandGroup::Operations,
        cancel,
        {{"Escape", "cancel"}}},

@@ -17,11 +17,13 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> aim_commands();        // command_aims.cpp
 [[nodiscard]] std::vector<Command> option_commands();     // command_options.cpp
 [[nodiscard]] std::vector<Command> adjacency_commands();  // command_adjacency.cpp
+[[nodiscard]] std::vector<Command> tensor_commands();     // command_tensor.cpp
 [[nodiscard]] std::vector<Command> edit_commands();       // command_edits.cpp
 [[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
 [[nodiscard]] std::vector<Command> playing_commands();    // command_playing.cpp
 [[nodiscard]] std::vector<Command> branch_commands();     // command_branches.cpp
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp
+[[nodiscard]] std::vector<Command> neighbour_commands();  // command_neighbours.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
 [[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
 [[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp

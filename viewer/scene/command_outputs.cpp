@@ -72,7 +72,9 @@ void copy(Session& session, Arguments& arguments) {
   const std::string file = arguments.done() ? "" : arguments.rest("a file");
   need_mesh(session);
   session.refresh();
-  const std::string text = table_text(session, table);
+  const bool json = table == "strategies" && std::filesystem::path(file).extension() == ".json";
+  if (json && !session.strategies()) arguments.fail("nothing has been compared yet: 'strategies run'");
+  const std::string text = json ? strategies_json(*session.strategies()) : table_text(session, table);
   if (file.empty())
     session.clipboard.set(text);
   else
@@ -99,8 +101,10 @@ std::vector<Command> output_commands() {
        export_series,
        {}},
       {"copy",
-       "counts|legend|adjacency|refusals|sweeps [FILE]",
-       "Copies a table as text, columns separated by tabs, to the clipboard or into a file.",
+       "counts|legend|adjacency|hashes|ids|strategies|refusals|sweeps [FILE]",
+       "Copies a table as text, columns separated by tabs, to the clipboard or into a file; strategies into "
+       "a "
+       "file named .json as JSON.",
        CommandGroup::File,
        copy,
        {}},

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/id_facts.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
@@ -20,13 +21,44 @@ std::int64_t refused(const Session& s, Reason reason) {
   return sweep == nullptr ? 0 : sweep->refused[static_cast<std::size_t>(reason)];
 }
 
+std::int64_t neighbours(const Session& s) {
+  return s.neighbours() ? static_cast<std::int64_t>(s.neighbours()->entities.size()) : 0;
+}
+
+std::int64_t signed_count(std::size_t n) { return static_cast<std::int64_t>(n); }
+
+template <typename Of>
+std::int64_t hash_sum(const Session& s, Of&& of) {
+  std::int64_t sum = 0;
+  for (int level = 1; level < 4; ++level) {
+    const HashFacts facts = hash_facts(s.document.mesh(), level);
+    sum += static_cast<std::int64_t>(of(facts));
+  }
+  return sum;
+}
+
+std::int64_t free_ids(const Session& s, int level) {
+  return signed_count(s.document.mesh().ids(level).free_ids().size());
+}
+
 struct Named {
   std::string_view name;
   Quantity value;
 };
 
-constexpr std::array<Named, 23> quantities = {{
+constexpr std::array<Named, 32> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
+    {"neighbours", [](const Session& s) { return neighbours(s); }},
+    {"adjacency-bytes", [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
+    {"hash-entities", [](const Session& s) { return hash_sum(s, [](auto& f) { return f.entities; }); }},
+    {"hash-buckets",
+     [](const Session& s) { return hash_sum(s, [](auto& f) { return f.statistics.buckets; }); }},
+    {"hash-rehashes",
+     [](const Session& s) { return hash_sum(s, [](auto& f) { return f.rehashes.size(); }); }},
+    {"free-vertices", [](const Session& s) { return free_ids(s, 0); }},
+    {"free-edges", [](const Session& s) { return free_ids(s, 1); }},
+    {"free-faces", [](const Session& s) { return free_ids(s, 2); }},
+    {"same-result", [](const Session& s) { return std::int64_t{s.strategies() && s.strategies()->same}; }},
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
@@ -102,7 +134,11 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, "
+       "faces, regions, selected, neighbours (that light up), adjacency-bytes, "
+       "hash-entities, hash-buckets, hash-rehashes (of all levels), free-vertices, free-edges, free-faces "
+       "(on the id stacks), same-result (1 where both strategies led to the same mesh), outer-faces (of a "
+       "volume), euler (over used "
+       "vertices), boundary, "
        "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, branches "
        "(others than the present one), bookmarks, "

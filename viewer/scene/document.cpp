@@ -98,17 +98,19 @@ void Document::renew_skin() {
 
 const AdjacencyChange& Document::set_adjacency(int i, int j, bool on) {
   Mesh& mesh = loaded_->mesh;
-  const bool known = mesh.stored(i, j);
   const auto entities = [&] { return std::array{mesh.count(1), mesh.count(2), mesh.count(3)}; };
   const auto before = entities();
   adjacency_change_ = change_adjacency(mesh, i, j, on);
-  if (!known && mesh.stored(i, j))
-    loaded_->build_ms[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = adjacency_change_->ms;
   if (entities() != before) {
     ++creations_;
     renew_skin();
   }
   return *adjacency_change_;
+}
+
+void Document::build_hash(int level, std::uint32_t buckets) {
+  loaded_->mesh.drop_hash(level);
+  loaded_->mesh.build_hash(level, buckets);
 }
 
 /// Looks at the mesh as it is after a step and returns.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/scene/adjacency.h"
 #include "viewer/scene/as_loaded.h"
 #include "viewer/scene/history_tree.h"
 #include "viewer/scene/loaded_mesh.h"
@@ -101,6 +102,11 @@ class Document {
 
   /// Stores a relation until it is unset, or lets go of it. No part of the history. A mesh must be there.
   const AdjacencyChange& set_adjacency(int i, int j, bool on);
+
+  /// Builds the hash set of level 1, 2 or 3 anew, starting with about so many buckets (0: one for each
+  /// entity), or lets go of it. No part of the history. A mesh must be there. O(entities).
+  void build_hash(int level, std::uint32_t buckets);
+  void drop_hash(int level) { loaded_->mesh.drop_hash(level); }
 
   // Each is one command in the history and returns how many operations it made.
   std::size_t step(std::size_t count);

@@ -1,7 +1,6 @@
 #include "viewer/scene/loaded_mesh.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/decimate/spacing.h"
@@ -33,17 +32,6 @@ void remember_file_classes(LoadedMesh& loaded) {
   }
 }
 
-Request timed_request(LoadedMesh& loaded, int i, int j) {
-  using Clock = std::chrono::steady_clock;
-  const bool known = loaded.mesh.stored(i, j);
-  const auto before = Clock::now();
-  Request request = loaded.mesh.request(i, j);
-  if (!known)
-    loaded.build_ms[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-        std::chrono::duration<double, std::milli>(Clock::now() - before).count();
-  return request;
-}
-
 /// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
 UpAxis usual_up_axis(io::Format format) {
   const bool y = format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
@@ -59,7 +47,8 @@ bool needs_skin(const Mesh& mesh) {
 
 void prepare_surface(LoadedMesh& loaded) {
   loaded.classified = classify(loaded.mesh, loaded.classify_options);
-  loaded.needs = {timed_request(loaded, 2, 0), timed_request(loaded, 0, 1), timed_request(loaded, 0, 2)};
+  loaded.needs = {loaded.mesh.request(2, 0, "drawing"), loaded.mesh.request(0, 1, "drawing"),
+                  loaded.mesh.request(0, 2, "drawing")};
 }
 
 }  // namespace

@@ -16,7 +16,6 @@
 #include "core/mesh/mesh_data.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
-#include "viewer/scene/adjacency.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
 #include "viewer/scene/skin.h"
@@ -73,7 +72,6 @@ struct LoadedMesh {
   /// T(2,0), T(0,1), T(0,2) of a surface: what drawing and counting need; decimation needs the same. A volume
   /// stores what its file lists and nothing else.
   std::array<Request, 3> needs;
-  BuildTimes build_ms{};
   std::optional<GivenModel> model;          ///< none until one is given
   std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
   std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model

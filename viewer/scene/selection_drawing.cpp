@@ -10,6 +10,11 @@ namespace {
 constexpr Color accent = rgb(0xff9f0a);
 constexpr Color rim = rgb(0x1b2430);
 constexpr float rim_px = 2.2f;  // how much wider the dark line below is
+constexpr Color hole = rgb(0xffffff);
+// The same from both ends, so that the sides of two faces fall together; parts of a line.
+constexpr int dashes = 4;
+constexpr float gap = 0.12f;
+constexpr float dash = (1 - (dashes - 1) * gap) / dashes;
 
 Color with_alpha(Color color, float alpha) {
   return (color & 0x00ffffffu) | static_cast<Color>(255.0f * alpha + 0.5f) << 24;
@@ -24,6 +29,7 @@ class EntityPainter {
   void add(EntityRef e) {
     if (e.dimension == 0) {
       discs_.push_back({place(e.index), style_.color, style_.disc_px});
+      if (style_.hollow) discs_.push_back({place(e.index), hole, 0.5f * style_.disc_px});
       return;
     }
     VertexBuffer buffer;
@@ -61,7 +67,15 @@ class EntityPainter {
     return glm::vec3(mesh_.position(Vertex(v)) - origin_);
   }
   void add_line(std::uint32_t a, std::uint32_t b) {
-    lines_.push_back({place(a), place(b), style_.color, style_.line_px});
+    if (!style_.hollow) {
+      lines_.push_back({place(a), place(b), style_.color, style_.line_px});
+      return;
+    }
+    const glm::vec3 from = place(a), along = place(b) - from;
+    for (int k = 0; k < dashes; ++k) {
+      const float start = static_cast<float>(k) * (dash + gap);
+      lines_.push_back({from + start * along, from + (start + dash) * along, style_.color, style_.line_px});
+    }
   }
   void add_polygon(std::span<const std::uint32_t> v) {
     for (std::size_t k = 0; k < v.size(); ++k) add_line(v[k], v[(k + 1) % v.size()]);

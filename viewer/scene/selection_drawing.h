@@ -14,6 +14,7 @@ struct OverlayStyle {
   float line_px = 3;
   float disc_px = 5.5f;
   float face_alpha = 0.42f;
+  bool hollow = false;  ///< dashed lines and rings: what is not there as such
 };
 [[nodiscard]] OverlayStyle selected_style();
 [[nodiscard]] OverlayStyle hovered_style();

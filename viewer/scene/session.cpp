@@ -68,6 +68,8 @@ void Session::take_loaded(Loader::Result result) {
   if (result.error) std::rethrow_exception(result.error);
   playing_ = false;
   error.clear();
+  comparison_.reset();
+  strategies_.reset();
   if (!result.mesh->source.practice) lesson.leave(*this, false);
   document.replace(std::move(result.mesh));
   view.hidden.clear();
@@ -135,6 +137,30 @@ void Session::cancel_series() {
   series_.reset();
 }
 
+void Session::start_comparison() {
+  play(false);
+  document.cancel_run();
+  strategies_.reset();
+  comparison_ = std::make_unique<StrategyComparison>(document.mesh(), document.options());
+  status = "Comparing strategies ...";
+}
+
+void Session::cancel_comparison() {
+  if (!comparison_) return;
+  comparison_.reset();
+  status = "Comparison of strategies cancelled";
+}
+
+void Session::take_comparison(bool wait) {
+  if (!comparison_) return;
+  if (wait) comparison_->wait();
+  if (!comparison_->finished()) return;
+  const std::unique_ptr<StrategyComparison> done = std::move(comparison_);
+  strategies_ = done->result();
+  status =
+      strategies_->same ? "Both strategies lead to the same mesh" : "The strategies lead to different meshes";
+}
+
 void Session::play(bool on) {
   if (on && document.empty()) return;
   if (on && !document.can_redo()) document.seek(0);
@@ -161,6 +187,7 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   judging_budget_ = budget;
   if (auto result = loader_.take(false)) take_loaded(std::move(*result));
   run_on(budget);
+  take_comparison(false);
   if (playing_) advance_playing(frame_s);
   keep();
   lesson.update(*this);
@@ -173,6 +200,7 @@ void Session::finish() {
     keep();
   }
   run_on({});
+  take_comparison(true);
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
   keep();

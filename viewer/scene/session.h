@@ -20,11 +20,13 @@
 #include "viewer/scene/lesson_player.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/neighbours.h"
 #include "viewer/scene/picking.h"
 #include "viewer/scene/picture_series.h"
 #include "viewer/scene/recovery.h"
 #include "viewer/scene/selection.h"
 #include "viewer/scene/skin_surface.h"
+#include "viewer/scene/strategy_comparison.h"
 #include "viewer/scene/surface_drawing.h"
 #include "viewer/scene/verdict_field.h"
 #include "viewer/scene/view.h"
@@ -59,8 +61,17 @@ class Session {
   [[nodiscard]] bool playing() const { return playing_; }
   /// Nothing is loaded, running, played, exported or judged.
   [[nodiscard]] bool idle() const {
-    return !loading() && !busy() && !series_ && !(verdicts_ && verdicts_->pending());
+    return !loading() && !busy() && !series_ && !comparison_ && !(verdicts_ && verdicts_->pending());
   }
+
+  /// Measures the paper's two ways to store adjacencies on a copy of the present mesh, which must be there
+  /// and can be decimated, in the background. Ends a run.
+  void start_comparison();
+  void cancel_comparison();
+  /// While it goes on; else null.
+  [[nodiscard]] const StrategyComparison* comparison() const { return comparison_.get(); }
+  /// The last one on the present mesh; null before.
+  [[nodiscard]] const StrategyResult* strategies() const { return strategies_ ? &*strategies_ : nullptr; }
 
   /// Keeps unsaved work in a folder from now on, and looks for what others have left there.
   void keep_work(const std::filesystem::path& folder);
@@ -116,6 +127,9 @@ class Session {
   [[nodiscard]] const Inspection* inspection() const { return inspection_ ? &*inspection_ : nullptr; }
   /// What decimation says about it; null where nothing, and while it runs.
   [[nodiscard]] const Judgement* judgement() const { return judgement_ ? &*judgement_ : nullptr; }
+  /// Around the only entity that is selected, of the level View::neighbours; null where nothing is to light
+  /// up.
+  [[nodiscard]] const Neighbours* neighbours() const { return neighbours_ ? &*neighbours_ : nullptr; }
   /// What is said about every edge, while the colours show it; else null (session_verdicts.cpp).
   [[nodiscard]] const VerdictField* verdicts() const { return verdicts_ ? &*verdicts_ : nullptr; }
   /// The edges that would be refused now, and why. A mesh that can be decimated must be there. O(edges).
@@ -128,6 +142,7 @@ class Session {
 
  private:
   void take_loaded(Loader::Result result);
+  void take_comparison(bool wait);
   void restore(const SavedWork& work);
   void keep();
   void advance_playing(double frame_s);
@@ -138,6 +153,7 @@ class Session {
   [[nodiscard]] Shown shown() const;
   void refresh_selection(bool mesh_changed, bool cells_changed = false);
   void refresh_inspection(bool mesh_changed);
+  void refresh_neighbours(bool anew);
   void refresh_preview();
   /// The mesh is on its way: looking would be in the way of that.
   [[nodiscard]] bool busy() const { return document.running() || playing_; }
@@ -149,6 +165,8 @@ class Session {
   void refresh_marks(bool changed);
 
   Loader loader_;
+  std::unique_ptr<StrategyComparison> comparison_;
+  std::optional<StrategyResult> strategies_;
   std::optional<PictureSeries> series_;
   bool playing_ = false;
   double steps_due_ = 0;
@@ -183,6 +201,9 @@ class Session {
   EntityRef hovered_words_of_;
   std::optional<Inspection> inspection_;
   std::optional<Judgement> judgement_;
+  std::optional<Neighbours> neighbours_;
+  std::optional<int> neighbours_level_;
+  std::uint32_t seen_relations_ = 0;  ///< stored_bits() when inspection and neighbours were found
   DecimationOptions judged_options_;
   bool judged_busy_ = false;
   std::optional<std::size_t> drawn_way_;

@@ -57,9 +57,13 @@ std::size_t Session::previewed_way() const {
 
 void Session::refresh_inspection(bool mesh_changed) {
   const bool at_work = busy();
+  const std::uint32_t relations = stored_bits(document.mesh());
   const bool same = selection.revision() == inspected_selection_ && !mesh_changed &&
-                    judged_options_ == document.options() && judged_busy_ == at_work;
+                    judged_options_ == document.options() && judged_busy_ == at_work &&
+                    seen_relations_ == relations;
+  refresh_neighbours(!same);
   if (same) return;
+  seen_relations_ = relations;
   inspected_selection_ = selection.revision();
   judged_options_ = document.options();
   judged_busy_ = at_work;
@@ -75,12 +79,24 @@ void Session::refresh_inspection(bool mesh_changed) {
   inspection_ = inspect(document, e);
 }
 
+void Session::refresh_neighbours(bool anew) {
+  if (!anew && neighbours_level_ == view.neighbours) return;
+  neighbours_level_ = view.neighbours;
+  neighbours_.reset();
+  drawn_way_.reset();
+  if (const EntityRef e = selection.single(); view.neighbours && e.valid())
+    neighbours_ = find_neighbours(document.mesh(), e, *view.neighbours);
+}
+
+/// Neighbours take the place of what an operation would lead to: both at once would be too much.
 void Session::refresh_preview() {
-  const std::size_t wanted = view.preview && judgement_ ? previewed_way() + 1 : 0;
+  const bool previews = view.preview && judgement_ && !neighbours_;
+  const std::size_t wanted = previews ? previewed_way() + 1 : 0;
   if (drawn_way_ == wanted) return;
   drawn_way_ = wanted;
   Drawable& drawable = drawing_.drawable();
   drawable.preview.clear();
+  if (neighbours_) draw_neighbours(document.mesh(), *neighbours_, drawable.origin, drawable.preview);
   if (wanted == 0) return;
   if (wanted <= judgement_->ways.size())
     draw_preview(document.mesh(), judgement_->ways[wanted - 1], drawable.origin, drawable.preview);

@@ -89,7 +89,7 @@ class SurfaceBuilder {
   }
 
   static void mark_borders(Mesh& mesh) {
-    const Request faces_around = mesh.request(1, 2);
+    const Request faces_around = mesh.request(1, 2, "drawing");
     for (const Edge e : mesh.edges()) {
       const Row<2> faces = mesh.row<2>(e);
       for (std::size_t i = 1; i < faces.size(); ++i)

@@ -3,9 +3,11 @@
 #include <array>
 #include <initializer_list>
 
+#include "core/mesh/derive.h"
 #include "core/operators/verdict.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/arguments.h"
+#include "viewer/scene/id_facts.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
@@ -20,6 +22,8 @@ void add_row(std::string& text, std::initializer_list<std::string> cells) {
   }
   text += '\n';
 }
+
+constexpr std::array<const char*, 4> level_names = {"vertices", "edges", "faces", "regions"};
 
 std::string plain(std::int64_t n) { return std::to_string(n); }
 
@@ -70,16 +74,54 @@ std::string legend(const Session& session) {
 std::string adjacency(const Session& session) {
   const Mesh& mesh = session.document.mesh();
   std::string text;
-  add_row(text, {"Relation", "Stored", "Set", "Requests", "Bytes", "Mean row"});
+  add_row(text, {"Relation", "Stored", "Set", "Requests", "Bytes", "Mean row", "Rows", "Asked by", "Path"});
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       if (i == j) continue;
       const AdjacencyCell cell = adjacency_cell(mesh, i, j);
-      add_row(text, {relation_name(i, j), cell.stored ? "yes" : "no", cell.set ? "yes" : "no",
-                     plain(cell.requests), std::to_string(cell.stored ? cell.bytes : 0),
-                     cell.stored ? short_number(mean_row_length(mesh, i, j)) : ""});
+      add_row(text,
+              {relation_name(i, j), cell.stored ? "yes" : "no", cell.set ? "yes" : "no", plain(cell.requests),
+               std::to_string(cell.stored ? cell.bytes : 0),
+               cell.stored ? short_number(mean_row_length(mesh, i, j)) : "",
+               cell.stored ? plain(mesh.count(i)) : "", askers(mesh, i, j), explain(mesh, i, j).text()});
     }
   return text;
+}
+
+std::string hashes(const Session& session) {
+  std::string text = "Level\tBuilt\tEntities\tBuckets\tUsed\tCrowded\tWorst\tBytes\tGrowths";
+  for (std::size_t length = 0; length < HashFacts::bars; ++length)
+    text += "\tBuckets of " + std::to_string(length) + (length + 1 == HashFacts::bars ? " and more" : "");
+  text += '\n';
+  for (int level = 1; level < 4; ++level) {
+    const HashFacts facts = hash_facts(session.document.mesh(), level);
+    const EntityHash::Statistics& s = facts.statistics;
+    text += std::string(level_names[static_cast<std::size_t>(level)]) + "\t" + (facts.built ? "yes" : "no");
+    for (const std::uint64_t n :
+         {facts.entities, std::uint64_t{s.buckets}, std::uint64_t{s.used}, std::uint64_t{s.crowded},
+          std::uint64_t{s.worst}, std::uint64_t{facts.bytes}, std::uint64_t{s.rehashes}})
+      text += '\t' + std::to_string(n);
+    for (const std::uint32_t n : facts.buckets) text += '\t' + std::to_string(n);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string ids(const Session& session) {
+  std::string text;
+  add_row(text, {"Level", "Alive", "Free", "Capacity", "Next", "Top of the stack"});
+  for (int level = 0; level < 4; ++level) {
+    const IdFacts facts = id_facts(session.document.mesh(), level);
+    std::string top;
+    for (const std::uint32_t id : facts.top) top += (top.empty() ? "" : " ") + std::to_string(id);
+    add_row(text, {std::string(level_names[static_cast<std::size_t>(level)]), plain(facts.alive),
+                   plain(facts.free), plain(facts.capacity), plain(facts.next), top});
+  }
+  return text;
+}
+
+std::string strategies(const Session& session) {
+  return strategies_table(session.strategies() ? *session.strategies() : StrategyResult());
 }
 
 std::string refusals(const Session& session) {
@@ -114,9 +156,12 @@ struct Table {
   std::string (*text)(const Session&);
 };
 
-constexpr std::array<Table, 5> tables = {{{"counts", counts},
+constexpr std::array<Table, 8> tables = {{{"counts", counts},
                                           {"legend", legend},
                                           {"adjacency", adjacency},
+                                          {"hashes", hashes},
+                                          {"ids", ids},
+                                          {"strategies", strategies},
                                           {"refusals", refusals},
                                           {"sweeps", sweeps}}};
 

@@ -10,7 +10,7 @@
 
 namespace aomd::scene {
 
-/// "counts", "legend", "adjacency", "refusals", "sweeps".
+/// "counts", "legend", "adjacency", "hashes", "ids", "strategies", "refusals", "sweeps".
 [[nodiscard]] std::span<const std::string_view> table_names();
 
 /// One of them for the present mesh, which must be there; the session must be refreshed. Titles alone where

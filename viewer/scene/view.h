@@ -78,6 +78,11 @@ struct MarkedBar {
   friend bool operator==(const MarkedBar&, const MarkedBar&) = default;
 };
 
+/// Which sections of the page on T(I,J) are open.
+struct TensorSections {
+  bool hash_sets = false, ids = false, strategies = false;
+};
+
 struct View {
   Camera camera;
   double aspect = 1.5;     ///< width by height of the picture; whoever draws keeps it true
@@ -104,6 +109,8 @@ struct View {
   PreviewedWay previewed = PreviewedWay::Best;
   bool labels = false;             ///< ids at what is selected and around the cursor
   bool labels_everywhere = false;  ///< also at all else, as far as there is room
+  std::optional<int> neighbours;   ///< the level whose entities around the selected one light up
+  TensorSections sections;
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;

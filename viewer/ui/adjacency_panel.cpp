@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "viewer/scene/adjacency.h"
@@ -80,17 +81,41 @@ Grid make_grid() {
   return grid;
 }
 
-/// Names, or first letters where a name is too wide.
-void column_titles(const Frame& frame, const Grid& grid) {
+/// Lights up the entities of a level around the selected one, or lets go of them.
+std::string neighbours_line(const Frame& frame, int j) {
+  const bool lit = frame.session.view.neighbours == j;
+  return std::string("neighbours ") + (lit ? "off" : entity_name(j));
+}
+
+/// The selected entity where it has neighbours of that level.
+EntityRef centre_for(const Frame& frame, int j) {
+  const EntityRef e = frame.session.selection.single();
+  return e.valid() && e.dimension != j ? e : EntityRef();
+}
+
+/// Names, or first letters where a name is too wide. While one entity is selected they light up what is
+/// around it.
+void column_titles(Frame& frame, const Grid& grid) {
   ImGui::PushFont(frame.fonts.small);
   bool wide = true;
   for (const char* name : levels) wide = wide && ImGui::CalcTextSize(name).x <= grid.cell.x + grid.gap;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t j = 0; j < levels.size(); ++j) {
     const float left = corner.x + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap);
+    const int level = static_cast<int>(j);
+    const EntityRef centre = centre_for(frame, level);
+    const bool lit = centre.valid() && frame.session.view.neighbours == level;
     draw_centered({left, corner.y}, grid.cell.x, wide ? levels[j] : std::string(1, levels[j][0]),
-                  frame.colors.text_muted);
+                  lit              ? frame.colors.text
+                  : centre.valid() ? frame.colors.accent
+                                   : frame.colors.text_muted);
+    if (!centre.valid()) continue;
+    ImGui::SetCursorScreenPos({left, corner.y});
+    if (ImGui::InvisibleButton(levels[j], {grid.cell.x, ImGui::GetFontSize()}))
+      frame.emit(neighbours_line(frame, level));
+    tooltip("Lights up those around " + scene::entity_title(centre) + ".");
   }
+  ImGui::SetCursorScreenPos(corner);
   ImGui::Dummy({1, ImGui::GetFontSize() - 0.3f * em()});
   ImGui::PopFont();
 }
@@ -119,7 +144,16 @@ void draw_cell(const Frame& frame, const Grid& grid, const scene::AdjacencyCell&
   ImGui::PopFont();
 }
 
-void relation_cell(Frame& frame, const Grid& grid, int i, int j) {
+/// What a click does to a cell, and one with the right button.
+void cell_help(const Frame& frame, const scene::AdjacencyCell& cell, int i, int j) {
+  std::string help = cell.set ? "Click to let go of it." : "Click to keep it stored.";
+  if (const EntityRef centre = centre_for(frame, j); centre.valid() && centre.dimension == i)
+    help += " A right click lights up what it gives at " + scene::entity_title(centre) + ".";
+  tooltip(help);
+}
+
+/// True while the mouse is over it.
+bool relation_cell(Frame& frame, const Grid& grid, int i, int j) {
   const scene::Document& document = frame.document();
   const scene::AdjacencyCell cell = scene::adjacency_cell(document.mesh(), i, j);
   const std::string place = std::to_string(i) + " " + std::to_string(j);
@@ -127,14 +161,22 @@ void relation_cell(Frame& frame, const Grid& grid, int i, int j) {
     frame.emit("adjacency " + place + (cell.set ? " off" : " on"));
   const bool hovered = ImGui::IsItemHovered();
   draw_cell(frame, grid, cell, hovered);
-  if (!hovered) return;
-  const double ms = document.content().build_ms[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  tooltip(scene::adjacency_words(document.mesh(), i, j, ms) +
-          (cell.set ? "\nClick to let go of it." : "\nClick to keep it stored."));
+  if (!hovered) return false;
+  const EntityRef centre = centre_for(frame, j);
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && centre.valid() && centre.dimension == i)
+    frame.emit(neighbours_line(frame, j));
+  cell_help(frame, cell, i, j);
+  return true;
 }
 
-void table(Frame& frame) {
+struct Place {
+  int i = 0, j = 0;
+};
+
+/// The cell under the mouse.
+std::optional<Place> table(Frame& frame) {
   const Grid grid = make_grid();
+  std::optional<Place> hovered;
   column_titles(frame, grid);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {grid.gap, grid.gap});
   for (int i = 0; i < 4; ++i) {
@@ -144,10 +186,14 @@ void table(Frame& frame) {
     muted(frame, levels[static_cast<std::size_t>(i)]);
     for (int j = 0; j < 4; ++j) {
       ImGui::SetCursorPos({left + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap), top});
-      i == j ? diagonal_cell(frame, grid) : relation_cell(frame, grid, i, j);
+      if (i == j)
+        diagonal_cell(frame, grid);
+      else if (relation_cell(frame, grid, i, j))
+        hovered = Place{i, j};
     }
   }
   ImGui::PopStyleVar();
+  return hovered;
 }
 
 void key(const Frame& frame) {
@@ -203,6 +249,28 @@ void last_change(const Frame& frame) {
   ImGui::PopTextWrapPos();
 }
 
+/// The cell under the mouse, else what lights up, else the one that was changed last.
+std::optional<Place> explained_cell(const Frame& frame, const std::optional<Place>& hovered) {
+  if (hovered) return hovered;
+  const scene::Neighbours* n = frame.session.neighbours();
+  if (n && n->level != n->of.dimension) return Place{n->of.dimension, n->level};
+  if (const scene::AdjacencyChange* c = frame.document().last_adjacency_change()) return Place{c->i, c->j};
+  return {};
+}
+
+/// What is known of one cell. Takes as much room for every cell, so that nothing jumps below.
+void explanation(const Frame& frame, const std::optional<Place>& place) {
+  const float top = ImGui::GetCursorPosY();
+  ImGui::PushTextWrapPos(0);
+  if (place)
+    text(scene::adjacency_words(frame.document().mesh(), place->i, place->j, frame.interactive));
+  else
+    muted(frame, "Point at a cell to see how it is stored, for whom, and what it costs.");
+  ImGui::PopTextWrapPos();
+  const float least = 6 * ImGui::GetTextLineHeight(), used = ImGui::GetCursorPosY() - top;
+  if (place && used < least) ImGui::Dummy({1, least - used});
+}
+
 }  // namespace
 
 void adjacency_panel(Frame& frame) {
@@ -212,13 +280,16 @@ void adjacency_panel(Frame& frame) {
   ImGui::PopTextWrapPos();
   copy_button(frame, "adjacency");
   gap(0.1f);
-  table(frame);
+  const std::optional<Place> hovered = table(frame);
   gap(0.1f);
   key(frame);
   gap(0.2f);
+  last_change(frame);
+  explanation(frame, explained_cell(frame, hovered));
+  gap(0.1f);
   totals(frame);
   gap(0.2f);
-  last_change(frame);
+  tensor_sections(frame);
 }
 
 }  // namespace aomd::ui

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "viewer/scene/adjacency.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
@@ -83,13 +84,25 @@ void facts_table(const Frame& frame, const scene::Inspection& inspection) {
   ImGui::PopStyleVar();
 }
 
+/// Lights a level up in the picture, or stores the relation that leads to it.
+void neighbour_links(const Frame& frame, LinkFlow& flow, int i, const scene::AdjacentLevel& level) {
+  const bool lit = frame.session.view.neighbours == level.level;
+  const std::string name = entity_name(level.level);
+  if (level.known)
+    flow.add(lit ? "[hide]" : "[show]", "neighbours " + (lit ? "off" : name),
+             "Lights them up in the picture: stored ones solid, derived ones dashed, with the path to them.");
+  else
+    flow.add("[store " + scene::relation_name(i, level.level) + "]",
+             "adjacency " + std::to_string(i) + " " + std::to_string(level.level) + " on",
+             "Nothing that is stored leads there: stores this relation.");
+}
+
 void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
   heading(frame, "Adjacent");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
   for (const scene::AdjacentLevel& level : inspection.adjacent) {
     ImGui::PushID(level.level);
-    const std::string relation =
-        "T(" + std::to_string(inspection.entity.dimension) + "," + std::to_string(level.level) + ")";
+    const std::string relation = scene::relation_name(inspection.entity.dimension, level.level);
     muted(frame, std::string(level_names[static_cast<std::size_t>(level.level)]) +
                      (level.known ? " " + std::to_string(level.ids.size()) : ""));
     ImGui::SameLine();
@@ -101,6 +114,7 @@ void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
     ImGui::PopFont();
     tooltip(level.stored ? "The row of " + relation + " as it is stored." : relation + ": " + level.how);
     LinkFlow flow(frame);
+    neighbour_links(frame, flow, inspection.entity.dimension, level);
     for (const std::uint32_t id : level.ids)
       flow.add(std::to_string(id), select_line({level.level, id}), "Select it");
     ImGui::PopID();

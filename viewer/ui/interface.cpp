@@ -50,6 +50,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   present_ = picture_area(layout_.viewport, session.side_by_side(), true);
   scene_labels(frame, present_);
+  neighbour_legend(frame, present_);
   if (bars) {
     picture_labels(frame, layout_.viewport);
     orientation_axes(frame, layout_.viewport);

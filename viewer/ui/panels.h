@@ -31,6 +31,10 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
 void adjacency_panel(Frame& frame);
+/// Its sections below the table, each open or closed: hash sets, id stacks, and what strategies cost.
+void tensor_sections(Frame& frame);
+/// The two ways to store adjacencies during decimation, measured.
+void strategy_section(Frame& frame);
 /// What is selected: what it is, what is adjacent to it, why it stays.
 void inspector_panel(Frame& frame);
 /// The titles of the pages, and the one that is up.
@@ -50,6 +54,9 @@ void field_legend(const Frame& frame);
 void clip_controls(Frame& frame);
 /// What is seen where, over the scene, while the mesh as loaded is shown.
 void picture_labels(const Frame& frame, const Area& viewport);
+
+/// What lights up around the selected entity: the path in words, and the two looks. Over the scene.
+void neighbour_legend(const Frame& frame, const Area& viewport);
 
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);

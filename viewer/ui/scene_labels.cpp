@@ -53,6 +53,14 @@ ImVec2 place_of(const scene::Projector& project, const Mesh& mesh, EntityRef e, 
           viewport.position.y + viewport.size.y - static_cast<float>(p.y)};
 }
 
+/// The selected entity and what lights up around it.
+std::vector<EntityRef> labelled_neighbours(const scene::Neighbours& neighbours) {
+  std::vector<EntityRef> all{neighbours.of};
+  all.insert(all.end(), neighbours.entities.begin(), neighbours.entities.end());
+  if (all.size() > most_labels) all.resize(most_labels);
+  return all;
+}
+
 /// Vertices first: they are the last to be left out.
 void add_all(const Mesh& mesh, std::vector<EntityRef>& all) {
   for (int level = 0; level < 3; ++level)
@@ -62,6 +70,9 @@ void add_all(const Mesh& mesh, std::vector<EntityRef>& all) {
 
 /// What is selected, and what lies around the mouse.
 std::vector<EntityRef> labelled(const scene::Session& session) {
+  const scene::Neighbours* neighbours = session.neighbours();
+  if (neighbours && neighbours->known && !session.view.labels_everywhere)
+    return labelled_neighbours(*neighbours);
   std::vector<EntityRef> all;
   const auto selected = session.selection.entities();
   const std::size_t count = std::min(selected.size(), most_labels);
@@ -135,7 +146,7 @@ void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, con
 void scene_labels(Frame& frame, const Area& viewport) {
   if (!frame.has_mesh() || viewport.size.x < 2) return;
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
-  if (frame.session.view.labels) id_labels(frame, project, viewport);
+  if (frame.session.view.labels || frame.session.neighbours()) id_labels(frame, project, viewport);
   if (const auto* hovered = frame.session.hovered()) hover_label(frame, *hovered, viewport);
 }
 
