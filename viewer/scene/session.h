@@ -120,6 +120,9 @@ class Session {
   /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may run, and
   /// a mesh must be there. O(entities).
   [[nodiscard]] std::vector<EntityRef> counted_in(const MarkedBar& bar);
+  /// Draws entities as what stands against something, or would come of it, until the mesh or the selection
+  /// changes.
+  void point_out(std::vector<EntityRef> entities);
   /// Which of the judgement's ways is drawn; their number: the swap.
   [[nodiscard]] std::size_t previewed_way() const;
 
@@ -184,6 +187,8 @@ class Session {
   std::optional<std::size_t> drawn_way_;
   std::uint64_t inspected_selection_ = 0;
   std::uint64_t drawn_selection_ = 0;
+  std::vector<EntityRef> pointed_out_;
+  bool points_anew_ = false;
   EntityRef drawn_hover_;
 };
 
