@@ -19,6 +19,7 @@ Settings some() {
   s.panels.side_ems = 24.25f;
   s.window = WindowPlace{{-1200, 40}, {1500, 900}, true};
   s.recent_commands = {"factor 3", "show edges on"};
+  s.play_speed = {2.5, 40};
   return s;
 }
 
@@ -37,7 +38,8 @@ TEST(Settings, AreTheUsualOnesWithoutAFile) {
 TEST(Settings, WhatMakesNoSenseIsPassedOver) {
   const Settings odd = parse_settings(
       "theme=mauve\nmesh-panel=perhaps\nmesh-width=-4\nside-width=1e9\nwindow=1 2\nwindow=0 0 5 5\n"
-      "window=0 0 999999999 1\nsize\n=\nfuture=yes\ntimeline=off\n");
+      "window=0 0 999999999 1\nsize\n=\nfuture=yes\ntimeline=off\nplay-speed=-1\n"
+      "play-whole=0\nplay-speed=nan\n");
   Settings expected;
   expected.panels.timeline = false;
   EXPECT_EQ(odd, expected);

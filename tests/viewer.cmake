@@ -5,6 +5,7 @@ endif()
 
 aomd_test(document_test aomd_scene)
 aomd_test(document_options_test aomd_scene)
+aomd_test(history_places_test aomd_scene)
 aomd_test(model_view_test aomd_scene)
 aomd_test(drawing_test aomd_scene)
 aomd_test(skin_test aomd_scene)

@@ -103,13 +103,14 @@ void Viewer::restore_settings() {
   const ui::Settings settings = ui::read_settings(ui::settings_path());
   session_.view.theme = options_.theme.value_or(settings.theme);
   session_.view.panels = settings.panels;
+  session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
   if (settings.window && !options_.size_given) window_.move_to(*settings.window);
 }
 
 void Viewer::save_settings() {
   ui::write_settings(ui::settings_path(), {session_.view.theme, session_.view.panels, window_.place(),
-                                           interface_.recent_commands()});
+                                           interface_.recent_commands(), session_.view.play_speed});
 }
 
 void Viewer::connect_clipboard() {

@@ -90,10 +90,10 @@ std::vector<Command> edit_commands() {
   return {
       {"step",
        "[N]",
-       "N single operations; -N takes back as many.",
+       "N new single operations; -N goes back as many.",
        CommandGroup::Operations,
        step,
-       {{"Right", "step"}, {"Left", "step -1"}, {"Shift+Right", "step 100"}, {"Shift+Left", "step -100"}}},
+       {{"Left", "step -1"}, {"Shift+Left", "step -100"}}},
       {"sweep",
        "[N]",
        "Collapses edges to the end of the present sweep.",

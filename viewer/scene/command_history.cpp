@@ -1,12 +1,14 @@
 #include <algorithm>
-#include <limits>
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/history_places.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
 namespace {
+
+constexpr const char* seek_usage = "N|end|next|previous|next-phase|previous-phase";
 
 void start(Session& session, Arguments& arguments) {
   arguments.end();
@@ -36,29 +38,43 @@ void redo(Session& session, Arguments& arguments) {
     session.status = "Nothing to redo";
 }
 
+/// Where a word of `seek` leads.
+std::size_t place_of(const Document& document, Arguments& arguments) {
+  constexpr const char* wanted = "a number of operations, end, next, previous, next-phase or previous-phase";
+  const std::string text = arguments.word(wanted);
+  if (text == "end") return document.journal().size();
+  if (text == "next") return next_command(document);
+  if (text == "previous") return previous_command(document);
+  if (text == "next-phase") return next_phase(document);
+  if (text == "previous-phase") return previous_phase(document);
+  return static_cast<std::size_t>(std::max(0LL, Arguments("seek", seek_usage, text).integer(wanted)));
+}
+
 void seek(Session& session, Arguments& arguments) {
-  long long target = 0;
-  if (!arguments.done()) {
-    const std::string text = arguments.word("a number of operations, or end");
-    target = text == "end" ? std::numeric_limits<long long>::max()
-                           : Arguments("seek", "N|end", text).integer("a number of operations");
-  }
+  need_mesh(session);
+  const std::size_t target = arguments.done() ? 0 : place_of(session.document, arguments);
   start(session, arguments);
-  session.document.seek(static_cast<std::size_t>(std::max(0LL, target)));
+  session.document.seek(target);
   say_where(session, "Timeline");
 }
 
-void play(Session& session, Arguments& arguments) {
-  const bool on = arguments.done() || arguments.flag(session.playing());
-  arguments.end();
-  need_mesh(session);
-  session.play(on);
-  if (on && !session.playing()) session.status = "Nothing to play: step, sweep or run first";
-}
-
-void pause(Session& session, Arguments& arguments) {
-  arguments.end();
-  session.play(false);
+/// Through what is known; beyond its end by something new.
+void forward(Session& session, Arguments& arguments) {
+  const auto count =
+      arguments.done() ? 1 : static_cast<std::size_t>(arguments.number("a number of operations", 1, 1e9));
+  start(session, arguments);
+  Document& document = session.document;
+  const std::size_t known = document.journal().size() - document.journal().cursor();
+  if (known == 0) {
+    need_decimable(session);
+    if (document.step(count) == 0) {
+      session.status = "Nothing left to do with these settings";
+      return;
+    }
+  } else {
+    document.seek(document.journal().cursor() + std::min(count, known));
+  }
+  say_where(session, "Step");
 }
 
 void reset(Session& session, Arguments& arguments) {
@@ -84,18 +100,23 @@ std::vector<Command> history_commands() {
        redo,
        {{"Ctrl+Shift+Z", "redo"}, {"Ctrl+Y", "redo"}}},
       {"seek",
-       "N|end",
-       "Moves to where N operations are applied.",
+       seek_usage,
+       "Moves to where N operations are applied; to where the next or the previous command begins, or phase: "
+       "operations of one kind in a row.",
        CommandGroup::History,
        seek,
-       {{"Home", "seek 0"}, {"End", "seek end"}}},
-      {"play",
-       "[on|off|toggle]",
-       "Plays the history from where it stands; from the start when it is at the end.",
+       {{"Home", "seek 0"},
+        {"End", "seek end"},
+        {"PageDown", "seek next"},
+        {"PageUp", "seek previous"},
+        {"Ctrl+Right", "seek next-phase"},
+        {"Ctrl+Left", "seek previous-phase"}}},
+      {"forward",
+       "[N]",
+       "N operations forward through what is known; at its end N new ones, as step.",
        CommandGroup::History,
-       play,
-       {{"Space", "play toggle"}}},
-      {"pause", "", "Stops playing.", CommandGroup::History, pause, {}},
+       forward,
+       {{"Right", "forward"}, {"Shift+Right", "forward 100"}}},
       {"reset",
        "",
        "Back to the mesh as it was loaded; redo leads forward again.",

@@ -94,6 +94,8 @@ class ModelReader {
   void take_sets() {
     for (auto* set : {&low_, &high_, &beside_}) set->erase(result_.ref), set->erase(ModelRef());
     result_.bounded_by.assign(low_.begin(), low_.end());
+    std::stable_sort(result_.bounded_by.begin(), result_.bounded_by.end(),
+                     [](ModelRef a, ModelRef b) { return a.dimension() > b.dimension(); });
     result_.bounds.assign(high_.begin(), high_.end());
     result_.beside.assign(beside_.begin(), beside_.end());
   }

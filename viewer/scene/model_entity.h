@@ -15,7 +15,7 @@ struct ModelEntityFacts {
   std::array<std::size_t, 4> counts{};  ///< mesh entities of each level that lie on it
   /// Length of a model edge, area of a model face, units of the mesh; with its name.
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<ModelRef> bounded_by;  ///< model entities of lower dimension in its closure, sorted
+  std::vector<ModelRef> bounded_by;  ///< model entities of lower dimension in its closure, highest first
   std::vector<ModelRef> bounds;      ///< those of higher dimension that it bounds
   std::vector<ModelRef> beside;      ///< model faces across its model edges, model edges across its vertices
   std::vector<std::uint32_t> ids;    ///< the mesh entities of its own dimension on it, ascending

@@ -10,8 +10,6 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double longest_play_s = 12;      // however long the history
-constexpr double slowest_steps_per_s = 4;  // slow enough to follow each
 constexpr std::chrono::milliseconds slice_of_kept_run{50};
 
 SkinStyle skin_style(const View& view) {
@@ -143,8 +141,7 @@ void Session::play(bool on) {
 }
 
 void Session::advance_playing(double frame_s) {
-  const auto size = static_cast<double>(document.journal().size());
-  steps_due_ += frame_s * std::max(slowest_steps_per_s, size / longest_play_s);
+  steps_due_ += frame_s * view.play_speed.in(document.journal().size());
   const double whole = std::floor(steps_due_);
   steps_due_ -= whole;
   if (whole > 0) document.seek(document.journal().cursor() + static_cast<std::size_t>(whole));

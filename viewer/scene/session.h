@@ -19,6 +19,7 @@
 #include "viewer/scene/inspection.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/model_entity.h"
 #include "viewer/scene/picking.h"
 #include "viewer/scene/picture_series.h"
 #include "viewer/scene/recovery.h"
@@ -120,6 +121,10 @@ class Session {
   /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may run, and
   /// a mesh must be there. O(entities).
   [[nodiscard]] std::vector<EntityRef> counted_in(const MarkedBar& bar);
+  /// Of the highlighted model entity, while the page about it is up; null: none. As it was before a run.
+  [[nodiscard]] const ModelEntityFacts* model_entity() const {
+    return model_entity_ ? &*model_entity_ : nullptr;
+  }
   /// Draws entities as what stands against something, or would come of it, until the mesh or the selection
   /// changes.
   void point_out(std::vector<EntityRef> entities);
@@ -139,6 +144,7 @@ class Session {
   void refresh_selection(bool mesh_changed, bool cells_changed = false);
   void refresh_inspection(bool mesh_changed);
   void refresh_preview();
+  void refresh_model_entity();
   /// The mesh is on its way: looking would be in the way of that.
   [[nodiscard]] bool busy() const { return document.running() || playing_; }
   void refresh_verdicts(const SurfaceChanges& changes);
@@ -188,6 +194,8 @@ class Session {
   std::uint64_t inspected_selection_ = 0;
   std::uint64_t drawn_selection_ = 0;
   std::vector<EntityRef> pointed_out_;
+  std::optional<ModelEntityFacts> model_entity_;
+  HistoryPlace model_entity_place_;
   bool points_anew_ = false;
   EntityRef drawn_hover_;
 };

@@ -107,6 +107,7 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
     drawn_selection_ = selection.revision();
   }
   refresh_inspection(mesh_changed);
+  refresh_model_entity();
   refresh_preview();
   const EntityRef over = hovered_ ? hovered_->entity : EntityRef();
   if (over != drawn_hover_) {
@@ -117,6 +118,15 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
     }
     drawn_hover_ = over;
   }
+}
+
+void Session::refresh_model_entity() {
+  const bool wanted = view.highlighted && view.panels.side && view.panels.page == Page::Selection;
+  if (!wanted) return model_entity_.reset();
+  const bool same = model_entity_ && model_entity_->ref == *view.highlighted;
+  if (same && (busy() || model_entity_place_ == document.place())) return;
+  model_entity_ = model_entity_facts(document.mesh(), *view.highlighted);
+  model_entity_place_ = document.place();
 }
 
 void Session::point_out(std::vector<EntityRef> entities) {

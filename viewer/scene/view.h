@@ -10,6 +10,7 @@
 #include "core/mesh/model_ref.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/play_speed.h"
 
 namespace aomd::scene {
 
@@ -79,8 +80,9 @@ struct View {
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
-  bool interfaces = true;       ///< faces between two model regions, seen where something is hidden
-  bool operation = true;        ///< what the last single step touched
+  bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
+  bool operation = true;   ///< what the last single step touched
+  PlaySpeed play_speed;
   bool original = false;        ///< the mesh as loaded, as glass over the present one
   bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right
   bool interior_edges = false;  ///< of a volume, through a surface of glass

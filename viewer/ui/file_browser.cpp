@@ -35,6 +35,7 @@ void FileBrowser::begin(const BrowserPurpose& purpose) {
   if (folder_.empty() || !fs::is_directory(folder_, error)) folder_ = fs::current_path(error);
   typed_ = purpose.suggested_name;
   chosen_ = false;
+  ++times_shown_;
   read_folder(purpose);
 }
 
@@ -135,7 +136,9 @@ std::optional<fs::path> FileBrowser::draw(Frame& frame, const BrowserPurpose& pu
   draw_entries(frame, purpose);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::PushID(times_shown_);
   chosen_ = text_input("##name", typed_) || chosen_;
+  ImGui::PopID();
   tooltip("A name in this folder, or a whole path");
   const float width = 6 * em();
   const float rest = ImGui::GetContentRegionAvail().x - 2 * width - ImGui::GetStyle().ItemSpacing.x;

@@ -46,6 +46,7 @@ class FileBrowser {
   std::string typed_;    ///< a name in the folder, or a whole path
   std::string problem_;  ///< why the folder or the name will not do
   bool chosen_ = false;
+  int times_shown_ = 0;  ///< the field of each time is one of its own: ImGui would go on with the last one
 };
 
 }  // namespace aomd::ui

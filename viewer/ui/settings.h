@@ -25,6 +25,7 @@ struct Settings {
   scene::Panels panels;
   std::optional<WindowPlace> window;
   std::vector<std::string> recent_commands;  ///< of the palette, newest first
+  scene::PlaySpeed play_speed;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

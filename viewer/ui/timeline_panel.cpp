@@ -42,9 +42,7 @@ void transport(Frame& frame) {
   transport_button(frame, "back", Icon::Back, "step -1", back && still);
   transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle",
                    (back || forward) && still);
-  // Forward through what is known; beyond its end a step makes something new.
-  const std::string next = forward ? "seek " + std::to_string(document.journal().cursor() + 1) : "step";
-  transport_button(frame, "forward", Icon::Forward, next, still && (forward || frame.can_decimate()));
+  transport_button(frame, "forward", Icon::Forward, "forward", still && (forward || frame.can_decimate()));
   transport_button(frame, "last", Icon::Last, "seek end", forward && still);
   ImGui::Dummy({0.4f * em(), 0});
   ImGui::SameLine();

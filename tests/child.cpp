@@ -1,0 +1,59 @@
+#include "tests/child.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace aomd::test {
+namespace {
+
+[[noreturn]] void become(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+                         const std::filesystem::path& output, int inherited) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  ::dup2(file, STDOUT_FILENO);
+  ::dup2(file, STDERR_FILENO);
+  if (inherited >= 0) ::fcntl(inherited, F_SETFD, 0);
+  for (const std::string& setting : environment) ::putenv(const_cast<char*>(setting.c_str()));
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  ::execvp(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
+int code_of(int status) { return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status); }
+
+}  // namespace
+
+Child::Child(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+             const std::filesystem::path& output, int inherited) {
+  id_ = ::fork();
+  if (id_ == 0) become(words, environment, output, inherited);
+}
+
+Child::~Child() {
+  if (!running()) return;
+  send_signal(SIGKILL);
+  ::waitpid(id_, nullptr, 0);
+}
+
+bool Child::running() { return !result(); }
+
+std::optional<int> Child::result() {
+  if (result_) return result_;
+  int status = 0;
+  if (id_ < 0)
+    result_ = 127;
+  else if (::waitpid(id_, &status, WNOHANG) == id_)
+    result_ = code_of(status);
+  return result_;
+}
+
+void Child::send_signal(int number) const { ::kill(id_, number); }
+
+}  // namespace aomd::test
