@@ -105,12 +105,19 @@ void Viewer::restore_settings() {
   session_.view.panels = settings.panels;
   session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
+  session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
+  session_.lesson.suggested = options_.file.empty() && !std::filesystem::exists(ui::settings_path());
   if (settings.window && !options_.size_given) window_.move_to(*settings.window);
 }
 
 void Viewer::save_settings() {
-  ui::write_settings(ui::settings_path(), {session_.view.theme, session_.view.panels, window_.place(),
-                                           interface_.recent_commands(), session_.view.play_speed});
+  ui::write_settings(ui::settings_path(),
+                     {session_.view.theme,
+                      session_.view.panels,
+                      window_.place(),
+                      interface_.recent_commands(),
+                      session_.view.play_speed,
+                      {session_.lesson.completed.begin(), session_.lesson.completed.end()}});
 }
 
 void Viewer::connect_clipboard() {

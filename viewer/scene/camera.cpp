@@ -143,7 +143,8 @@ Camera::DepthRange Camera::depth_range(const Box& scene) const {
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  const double slack = 0.01 * std::max(farthest - nearest, 0.1 * distance);
+  // Lines are drawn a little before their surface, which in a flat scene must not be before the near plane.
+  const double slack = 0.01 * std::max(farthest - nearest, 0.5 * distance);
   farthest += slack;
   nearest -= slack;
   if (!orthographic) nearest = std::max(nearest, smallest_near_to_far * farthest);

@@ -27,6 +27,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp
 [[nodiscard]] std::vector<Command> work_commands();       // command_work.cpp
 [[nodiscard]] std::vector<Command> compare_commands();    // command_compare.cpp
+[[nodiscard]] std::vector<Command> lesson_commands();     // command_lessons.cpp
 [[nodiscard]] std::vector<Command> script_commands();     // command_scripts.cpp
 
 // What handlers of several files need.
@@ -44,5 +45,8 @@ void need_decimable(const Session& session);
                                                      const std::string& kind);
 /// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.
 void expect_adjacency(Session& session, Arguments& arguments);
+/// What `expect` knows besides counts. False: the next word is none of it, and nothing has been read. Throws
+/// ExpectationMissed. In command_expectations.cpp.
+[[nodiscard]] bool expect_other(Session& session, Arguments& arguments);
 
 }  // namespace aomd::scene

@@ -73,6 +73,7 @@ void expect(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   const std::string what = again.rest("a quantity");
   if (what.rfind("adjacency ", 0) == 0) return expect_adjacency(session, arguments);
+  if (expect_other(session, arguments)) return;
   const Quantity of = quantity(arguments);
   const std::string relation = arguments.word("=, <, >, <= or >=");
   const long long bound = arguments.integer("a whole number");

@@ -143,6 +143,12 @@ void hover(Session& session, Arguments& arguments) {
 }
 
 void labels(Session& session, Arguments& arguments) {
+  Arguments again = arguments;
+  session.view.labels_everywhere = !again.done() && again.word("on, off, toggle or all") == "all";
+  if (session.view.labels_everywhere) {
+    session.view.labels = true;
+    return again.end();
+  }
   session.view.labels = arguments.flag(session.view.labels);
   arguments.end();
 }
@@ -222,8 +228,8 @@ std::vector<Command> selection_commands() {
        preview,
        {}},
       {"labels",
-       "[on|off|toggle]",
-       "Ids at what is selected and around what the mouse points at.",
+       "[on|off|toggle|all]",
+       "Ids at what is selected and around what the mouse points at; all: at everything, on small surfaces.",
        CommandGroup::Selection,
        labels,
        {{"L", "labels toggle"}}},

@@ -107,18 +107,20 @@ void panel(Session& session, Arguments& arguments) {
 }
 
 void dialog(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Dialog>, 8> choices = {{{"open", Dialog::Open},
+  constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {{{"open", Dialog::Open},
                                                                            {"save", Dialog::Save},
                                                                            {"screenshot", Dialog::Screenshot},
                                                                            {"shortcuts", Dialog::Shortcuts},
                                                                            {"about", Dialog::About},
                                                                            {"unsaved", Dialog::Unsaved},
                                                                            {"recovery", Dialog::Recovery},
+                                                                           {"lessons", Dialog::Lessons},
                                                                            {"none", Dialog::None}}};
   const Dialog wanted = choose(arguments, choices);
   arguments.end();
   if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
   session.view.dialog = wanted;
+  if (wanted == Dialog::Lessons) session.lesson.suggested = false;
   if (wanted != Dialog::Save) session.asked.clear();
 }
 
@@ -181,12 +183,12 @@ std::vector<Command> view_commands() {
         {"G", "panel histograms on"},
         {"P", "panel selection on"}}},
       {"dialog",
-       "open|save|screenshot|shortcuts|about|unsaved|recovery|none",
+       "open|save|screenshot|shortcuts|about|unsaved|recovery|lessons|none",
        "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists what "
-       "programs that died have left.",
+       "programs that died have left; lessons lists the lessons.",
        CommandGroup::View,
        dialog,
-       {{"F1", "dialog shortcuts"}}},
+       {{"F1", "dialog shortcuts"}, {"F2", "dialog lessons"}}},
       {"dismiss", "", "Closes the message about an error.", CommandGroup::View, dismiss, {}},
   };
 }

@@ -49,13 +49,26 @@ bool may_interrupt_series(std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
+}
+
+/// Null where there is none of that name.
+const Command* find_command(std::string_view name) {
+  for (const Command& command : commands())
+    if (command.name == name) return &command;
+  return nullptr;
+}
+
 bool replaces_mesh(std::string_view line) {
-  constexpr std::array<std::string_view, 4> names = {"open", "quit", "recover", "sample"};
+  constexpr std::array<std::string_view, 5> names = {"lesson", "open", "quit", "recover", "sample"};
   const std::string_view name = line.substr(0, line.find(' '));
   return std::find(names.begin(), names.end(), name) != names.end() && line.rfind("recover discard", 0) != 0;
 }
 
 }  // namespace
+
+bool is_command(std::string_view line) { return find_command(first_word(trimmed(line))) != nullptr; }
 
 bool asks_first(Session& session, std::string_view line) {
   line = trimmed(line);
@@ -74,16 +87,14 @@ std::string_view group_name(CommandGroup group) {
 void execute(Session& session, std::string_view line) {
   line = trimmed(line);
   if (line.empty() || line.front() == '#') return;
-  const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-  const std::string_view name = line.substr(0, end);
-  const auto table = commands();
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const Command& c) { return c.name == name; });
-  if (found == table.end())
+  const std::string_view name = first_word(line);
+  const Command* found = find_command(name);
+  if (found == nullptr)
     throw CommandError("there is no command '" + std::string(name) + "': aomd-view --help lists them");
   if (session.series() != nullptr && !may_interrupt_series(found->name))
     throw CommandError("pictures are being exported: cancel that first");
-  Arguments arguments(found->name, found->arguments, line.substr(end));
+  Arguments arguments(found->name, found->arguments, line.substr(name.size()));
+  ++session.executed;
   found->run(session, arguments);
 }
 

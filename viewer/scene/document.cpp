@@ -18,7 +18,7 @@ HistoryPlace Document::place() const {
 }
 
 bool Document::unsaved() const {
-  if (!loaded_ || journal().cursor() == 0) return false;
+  if (!loaded_ || loaded_->source.practice || journal().cursor() == 0) return false;
   return journal().cursor() != saved_step_ || journal().epoch() != saved_epoch_;
 }
 

@@ -55,7 +55,7 @@ class Document {
   /// Whether the present classification is known to be on it.
   [[nodiscard]] bool lies_on_model() const;
   /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed and changed
-  /// back by new operations differs.
+  /// back by new operations differs. One of a lesson never does.
   [[nodiscard]] bool unsaved() const;
   /// Where the present mesh was saved last; empty where it was not.
   [[nodiscard]] const std::filesystem::path& saved_file() const { return saved_file_; }

@@ -86,6 +86,7 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
 namespace {
 
 std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
+  if (request.data) return make_loaded(*request.data, request.sample, request.classify);
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample, request.classify);
   io::ReadResult result = io::read(request.file);

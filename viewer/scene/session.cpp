@@ -53,6 +53,7 @@ void Session::keep() {
 
 void Session::start_loading(LoadRequest request) {
   request.recoverable = recovery != nullptr;
+  request.practice = lesson.entering();
   loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
@@ -67,6 +68,7 @@ void Session::take_loaded(Loader::Result result) {
   if (result.error) std::rethrow_exception(result.error);
   playing_ = false;
   error.clear();
+  if (!result.mesh->source.practice) lesson.leave(*this, false);
   document.replace(std::move(result.mesh));
   view.hidden.clear();
   view.highlighted.reset();
@@ -161,6 +163,7 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   run_on(budget);
   if (playing_) advance_playing(frame_s);
   keep();
+  lesson.update(*this);
 }
 
 void Session::finish() {
@@ -173,6 +176,7 @@ void Session::finish() {
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
   keep();
+  lesson.update(*this);
 }
 
 void Session::refresh() {

@@ -17,6 +17,7 @@
 #include "viewer/scene/field_keeper.h"
 #include "viewer/scene/histogram_keeper.h"
 #include "viewer/scene/inspection.h"
+#include "viewer/scene/lesson_player.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
 #include "viewer/scene/model_entity.h"
@@ -43,9 +44,11 @@ class Session {
   std::optional<std::string> log;             ///< for standard output, once
   bool quit = false;
   Clipboard clipboard;
-  std::string asked;                         ///< the line that waits for an answer about unsaved work
-  std::optional<std::string> next_line;      ///< to be carried out after the present one
-  std::unique_ptr<RecoveryKeeper> recovery;  ///< null: unsaved work is not kept
+  std::string asked;                     ///< the line that waits for an answer about unsaved work
+  std::optional<std::string> next_line;  ///< to be carried out after the present one
+  LessonPlayer lesson;
+  std::uint64_t executed = 0;                                ///< how many commands were carried out
+  std::unique_ptr<RecoveryKeeper> recovery;                  ///< null: unsaved work is not kept
   std::vector<std::shared_ptr<const SavedWork>> found_work;  ///< of programs that died, newest first
 
   void start_loading(LoadRequest request);

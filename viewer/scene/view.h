@@ -24,7 +24,7 @@ enum class PreviewedWay { Best, First, Second, Swap };
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery };
+enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery, Lessons };
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
@@ -93,7 +93,8 @@ struct View {
   PickLevel pick_level = PickLevel::Automatic;
   bool preview = true;  ///< what an operation on the selected edge or vertex would lead to
   PreviewedWay previewed = PreviewedWay::Best;
-  bool labels = false;  ///< ids at what is selected and around the cursor
+  bool labels = false;             ///< ids at what is selected and around the cursor
+  bool labels_everywhere = false;  ///< also at all else, as far as there is room
   std::optional<MarkedBar> marked;
   Theme theme = Theme::Light;
   Panels panels;

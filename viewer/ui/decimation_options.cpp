@@ -177,8 +177,8 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
                        !frame.document().content().classified_by_file();
   if (changed && can_try) frame.emit("feature-preview " + short_number(drafts.feature_angle_deg));
   if (trial != nullptr)
-    muted(frame, "makes " + scene::grouped(trial->preview.model_edges) + " model edges, " +
-                     scene::grouped(trial->preview.model_vertices) + " model vertices");
+    muted(frame, "gives " + scene::grouped(trial->preview.model_edges) + " model edges, " +
+                     scene::grouped(trial->preview.model_vertices) + " vertices");
   if (drafts.editing_feature_angle && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     drafts.editing_feature_angle = false;
     frame.emit("feature-angle " + short_number(drafts.feature_angle_deg));

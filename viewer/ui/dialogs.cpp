@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/scene/commands.h"
+#include "viewer/ui/lessons_dialog.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/ui/work_dialogs.h"
 
@@ -51,6 +52,8 @@ const char* title_of(Dialog dialog) {
       return "Unsaved changes";
     case Dialog::Recovery:
       return "Recover unsaved work";
+    case Dialog::Lessons:
+      return "Lessons";
     default:
       return "About AOMD Studio";
   }
@@ -138,6 +141,9 @@ void draw_content(Frame& frame, DialogState& state, bool appearing) {
     case Dialog::Recovery:
       recovery_dialog(frame);
       break;
+    case Dialog::Lessons:
+      lessons_dialog(frame);
+      break;
     case Dialog::Unsaved:
       return unsaved_dialog(frame);
     case Dialog::Palette:
@@ -157,6 +163,7 @@ ImVec2 size_of(Dialog dialog) {
   const ImVec2 ems = dialog == Dialog::About      ? ImVec2(30, 15)
                      : dialog == Dialog::Unsaved  ? ImVec2(27, 10)
                      : dialog == Dialog::Recovery ? ImVec2(36, 18)
+                     : dialog == Dialog::Lessons  ? ImVec2(42, 36)
                      : dialog == Dialog::Palette  ? ImVec2(42, 27)
                                                   : ImVec2(44, 34);
   return {std::min(ems.x * em(), display.x - 2 * em()), std::min(ems.y * em(), display.y - 2 * em())};

@@ -72,6 +72,7 @@ void Interface::draw_panels(Frame& frame) {
   docked("##status", layout_.status, ImGuiWindowFlags_NoScrollbar, [&] { status_bar(frame); });
   ImGui::PopStyleVar();
   docked("##mesh", layout_.mesh, ImGuiWindowFlags_None, [&] {
+    if (lesson_titles(frame)) return lesson_panel(frame);
     mesh_panel(frame);
     gap();
     clip_controls(frame);

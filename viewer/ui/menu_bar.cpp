@@ -181,6 +181,8 @@ void view_menu(Frame& frame) {
 
 void help_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Help")) return;
+  command_item(frame, "Lessons\u2026", "dialog lessons");
+  ImGui::Separator();
   command_item(frame, "All commands\u2026", "palette");
   command_item(frame, "Keyboard and mouse", "dialog shortcuts");
   command_item(frame, "About", "dialog about");

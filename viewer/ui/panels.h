@@ -10,6 +10,10 @@ namespace aomd::ui {
 
 /// File, counts and their change since loading, memory.
 void mesh_panel(Frame& frame);
+/// The titles of the mesh's panel and the lesson's while a lesson is open. True where the lesson's is up.
+[[nodiscard]] bool lesson_titles(Frame& frame);
+/// The page of the lesson that is open: text, task, and the way on.
+void lesson_panel(Frame& frame);
 /// Model entities by dimension: rows toggle and highlight. Scrolls in what is left of the window.
 void legend_panel(Frame& frame);
 

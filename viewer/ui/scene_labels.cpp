@@ -53,6 +53,13 @@ ImVec2 place_of(const scene::Projector& project, const Mesh& mesh, EntityRef e, 
           viewport.position.y + viewport.size.y - static_cast<float>(p.y)};
 }
 
+/// Vertices first: they are the last to be left out.
+void add_all(const Mesh& mesh, std::vector<EntityRef>& all) {
+  for (int level = 0; level < 3; ++level)
+    for (std::uint32_t id = 0; id < mesh.capacity(level) && all.size() < most_labels; ++id)
+      if (mesh.alive({level, id})) all.emplace_back(level, id);
+}
+
 /// What is selected, and what lies around the mouse.
 std::vector<EntityRef> labelled(const scene::Session& session) {
   std::vector<EntityRef> all;
@@ -71,6 +78,7 @@ std::vector<EntityRef> labelled(const scene::Session& session) {
       for (const std::uint32_t id : ids) all.emplace_back(level, id);
     }
   }
+  if (session.view.labels_everywhere && !session.document.content().skin) add_all(mesh, all);
   if (all.size() > most_labels) all.resize(most_labels);
   return all;
 }

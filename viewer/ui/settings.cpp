@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/io/io.h"
+#include "viewer/scene/lesson.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/command_palette.h"
 #include "viewer/ui/recent_files.h"
@@ -70,6 +71,7 @@ void take(const std::string& name, const std::string& value, Settings& settings)
   if (name == "window") take_window(value, settings);
   if (name == "command" && settings.recent_commands.size() < CommandPalette::most_recent)
     settings.recent_commands.push_back(value);
+  if (name == "lesson" && scene::find_lesson(value) != nullptr) settings.lessons_done.push_back(value);
 }
 
 }  // namespace
@@ -102,6 +104,7 @@ std::string settings_text(const Settings& settings) {
     add("window", place + (w->maximized ? " maximized" : ""));
   }
   for (const std::string& line : settings.recent_commands) add("command", line);
+  for (const std::string& lesson : settings.lessons_done) add("lesson", lesson);
   return text;
 }
 

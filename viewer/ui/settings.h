@@ -26,6 +26,7 @@ struct Settings {
   std::optional<WindowPlace> window;
   std::vector<std::string> recent_commands;  ///< of the palette, newest first
   scene::PlaySpeed play_speed;
+  std::vector<std::string> lessons_done;  ///< by name
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -180,6 +180,24 @@ void primary_button(Frame& frame, const char* label, std::string_view line, floa
   ImGui::PopStyleColor(4);
 }
 
+bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up) {
+  ImGui::PushFont(frame.fonts.heading);
+  const float height = ImGui::GetFontSize(), line = 0.3f * em();
+  ImGui::PopFont();
+  ImGui::PushFont(font);
+  const ImVec2 size{ImGui::CalcTextSize(title).x, height};
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(title, {size.x, height + line});
+  const ImVec4 color = up || ImGui::IsItemHovered() ? frame.colors.text : frame.colors.text_muted;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(at, ImGui::GetColorU32(color), title);
+  if (up)
+    list.AddRectFilled({at.x, at.y + size.y + 0.16f * em()}, {at.x + size.x, at.y + size.y + 0.3f * em()},
+                       ImGui::GetColorU32(frame.colors.accent));
+  ImGui::PopFont();
+  return pressed;
+}
+
 void command_item(Frame& frame, const char* label, const std::string& line, bool selected, bool enabled) {
   const std::string chord(scene::chord_of_line(line));
   if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled)) frame.emit(line);

@@ -46,6 +46,8 @@ void command_button(Frame& frame, const char* label, std::string_view line, floa
 void copy_button(Frame& frame, const char* table);
 /// In the accent colour: the one thing to do.
 void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+/// A title that turns to its page; the one that is up is underlined. True when it is pressed.
+[[nodiscard]] bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up);
 /// A menu entry that emits `line` and shows its key.
 void command_item(Frame& frame, const char* label, const std::string& line, bool selected = false,
                   bool enabled = true);
