@@ -144,7 +144,7 @@ Camera::DepthRange Camera::depth_range(const Box& scene) const {
     farthest = std::max(farthest, depth);
   }
   // Lines are drawn a little before their surface, which in a flat scene must not be before the near plane.
-  const double slack = 0.01 * std::max(farthest - nearest, 0.5 * distance);
+  const double slack = 0.01 * std::max(farthest - nearest, 1.5 * distance);
   farthest += slack;
   nearest -= slack;
   if (!orthographic) nearest = std::max(nearest, smallest_near_to_far * farthest);

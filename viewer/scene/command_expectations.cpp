@@ -207,12 +207,13 @@ struct Measure {
   std::string_view name;
   double (*value)(Session&);
 };
-constexpr std::array<Measure, 9> measures = {
+constexpr std::array<Measure, 10> measures = {
     {{"angle", [](Session& s) { return s.document.options().angle_deg; }},
      {"factor", [](Session& s) { return s.document.options().factor; }},
      {"feature-angle",
       [](Session& s) { return s.document.classify_options().feature_angle_deg.value_or(0); }},
      {"decided", decided},
+     {"scale-end", [](Session& s) { return s.field() != nullptr ? s.field()->scale.high : 0.0; }},
      {"stored", stored_relations},
      {"lesson-page",
       [](Session& s) {

@@ -102,7 +102,11 @@ std::vector<Command> script_commands() {
        "nonmanifold, "
        "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
-       "on|off.",
+       "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
+       "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "
+       "word: kind, selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class "
+       "KIND "
+       "ID, alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
        CommandGroup::Scripts,
        expect,
        {}},
