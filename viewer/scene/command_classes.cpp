@@ -139,14 +139,14 @@ std::vector<Command> class_commands() {
        "of the new model edges become model vertices.",
        CommandGroup::Selection,
        promote,
-       {{"Ctrl+M", "promote"}}},
+       {}},
       {"demote",
        "[selection] | KIND ID [ID...]",
        "The opposite: edges go onto the model face beside them, vertices onto the model edge or face around "
        "them.",
        CommandGroup::Selection,
        demote,
-       {{"Ctrl+Shift+M", "demote"}}},
+       {}},
       {"assign",
        "KIND:TAG|KIND:new [border] [selection | KIND ID [ID...]]",
        "Puts entities onto a model entity; new takes the next free tag, border makes model edges of the "
