@@ -14,7 +14,10 @@ aomd_test(selection_test aomd_scene)
 aomd_test(compare_view_test aomd_scene)
 aomd_test(class_commands_test aomd_scene)
 aomd_test(commands_test aomd_scene)
-target_compile_definitions(commands_test PRIVATE AOMD_SOURCE="${PROJECT_SOURCE_DIR}")
+aomd_test(script_coverage_test aomd_scene)
+foreach(test commands_test script_coverage_test)
+  target_compile_definitions(${test} PRIVATE AOMD_SOURCE="${PROJECT_SOURCE_DIR}")
+endforeach()
 aomd_test(lesson_test aomd_scene)
 aomd_test(lesson_player_test aomd_scene)
 aomd_test(palette_test aomd_scene)
@@ -43,4 +46,33 @@ foreach(script IN LISTS scripts)
     COMMAND aomd-view --headless --size 960x600 --script ${script} --compare ${CMAKE_CURRENT_SOURCE_DIR}/baselines/${name}.png
       --screenshot ${pictures}/${name}.png ${options}
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+endforeach()
+
+# Every panel and dialog in both themes, on a usual screen and on a dense one. The dialogs show a folder of their own.
+set(panels ${CMAKE_CURRENT_SOURCE_DIR}/baselines/panels)
+file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/panels/*.aomd)
+foreach(script IN LISTS scripts)
+  get_filename_component(name ${script} NAME_WE)
+  foreach(theme light dark)
+    foreach(screen "1280x800 1" "1920x1080 1.5")
+      separate_arguments(screen UNIX_COMMAND "${screen}")
+      list(GET screen 0 size)
+      list(GET screen 1 scale)
+      set(picture ${name}_${theme}_${size}.png)
+      add_test(NAME panel.${name}_${theme}_${size}
+        COMMAND ${CMAKE_COMMAND} -E env HOME=${CMAKE_CURRENT_SOURCE_DIR}/scripts/home
+          $<TARGET_FILE:aomd-view> --headless --transparent --theme ${theme} --size ${size} --scale ${scale} --script ${script}
+            --compare ${panels}/${picture} --screenshot ${pictures}/${picture}
+        WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/scripts/home/meshes)
+    endforeach()
+  endforeach()
+endforeach()
+
+# Scripts whose point is no picture: they end well, where every `expect` holds.
+file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/run/*.aomd)
+foreach(script IN LISTS scripts)
+  get_filename_component(name ${script} NAME_WE)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/runs/${name})  # what it writes stays there
+  file(MAKE_DIRECTORY ${folder})
+  add_test(NAME script.${name} COMMAND aomd-view --headless --size 480x320 --script ${script} WORKING_DIRECTORY ${folder})
 endforeach()

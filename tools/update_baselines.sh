@@ -1,19 +1,37 @@
 #!/usr/bin/env bash
-# tools/update_baselines.sh [BUILD] [NAME...]: makes the pictures in tests/baselines anew, all or the named ones.
+# tools/update_baselines.sh [BUILD] [NAME...]: makes the pictures in tests/baselines anew, all or the named ones:
+# those of tests/scripts/NAME.aomd, and the four of each tests/scripts/panels/NAME.aomd, named panels/NAME.
 # Look at every one that changed before it is committed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=${1:-$root/build}
+build=$(cd "${1:-$root/build}" && pwd)
 shift || true
 names=("$@")
+cd "$root/tests/scripts"
 if [ ${#names[@]} -eq 0 ]; then
-  for script in "$root"/tests/scripts/*.aomd; do names+=("$(basename "$script" .aomd)"); done
+  for script in *.aomd panels/*.aomd; do names+=("${script%.aomd}"); done
 fi
-cd "$root/tests"
+baselines=$root/tests/baselines
+mkdir -p "$baselines/panels"
+
+# picture OUT.png OPTIONS...
+picture() {
+  "$build/bin/aomd-view" --headless "${@:2}" --screenshot "$baselines/$1"
+  echo "tests/baselines/$1"
+}
+
 for name in "${names[@]}"; do
-  script=scripts/$name.aomd
-  options=$(sed -n '1s/^# options: //p' "$script")
-  # shellcheck disable=SC2086  # the options are several words
-  "$build/bin/aomd-view" --headless --size 960x600 --script "$script" --screenshot "baselines/$name.png" $options
-  echo "baselines/$name.png"
+  script=$root/tests/scripts/$name.aomd
+  if [ "${name#panels/}" = "$name" ]; then
+    read -r -a options <<<"$(sed -n '1s/^# options: //p' "$script")"
+    (cd "$root/tests" && picture "$name.png" --size 960x600 --script "$script" "${options[@]}")
+    continue
+  fi
+  for theme in light dark; do
+    for screen in "1280x800 1" "1920x1080 1.5"; do
+      read -r size scale <<<"$screen"
+      (export HOME=$PWD/home && cd home/meshes &&
+        picture "${name}_${theme}_$size.png" --transparent --theme "$theme" --size "$size" --scale "$scale" --script "$script")
+    done
+  done
 done

@@ -64,7 +64,7 @@ int run_headless(scene::Session& session, const Options& options, HeadlessKind k
   Viewer viewer(*window, session, options, true);
   viewer.run_headless();
   if (options.screenshot.empty() && options.compare.empty()) return exit_done;
-  const io::Image picture = viewer.picture(options.size);
+  const io::Image picture = viewer.picture(options.size, options.transparent);
   if (!options.screenshot.empty()) io::write_png(options.screenshot, picture);
   return options.compare.empty() ? exit_done : compare(options, picture);
 }

@@ -71,6 +71,13 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_option("--threshold", raw.options.threshold,
                  "Structural similarity that counts as equal; 1 is identical (default 0.99)")
       ->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--transparent", raw.options.transparent,
+               "Leave out what is behind the mesh in these pictures");
+  app.add_option("--scale", raw.options.scale,
+                 "How large text, controls, lines and points are: 0.5 to 4; without it as the screen is set, "
+                 "1 without a window")
+      ->type_name("F")
+      ->check(CLI::Range(0.5, 4.0));
   app.add_option("--record", raw.options.record,
                  "Write every command that is carried out: a script for later")
       ->type_name("FILE");

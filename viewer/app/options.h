@@ -30,11 +30,13 @@ struct Options {
   std::filesystem::path script;
   std::filesystem::path screenshot;
   std::filesystem::path compare;
-  double threshold = 0.99;  ///< structural similarity that counts as equal
+  double threshold = 0.99;   ///< structural similarity that counts as equal
+  bool transparent = false;  ///< leaves out what is behind the mesh in these pictures
   std::filesystem::path record;
   std::filesystem::path shaders;
   std::string camera;
   std::optional<scene::Theme> theme;  ///< none: as the user left it, or light
+  std::optional<double> scale;        ///< of text, controls, lines and points; none: the screen's
   bool size_given = false;            ///< else a window is as large as the user left it
   bool interface = true;
   /// Where unsaved work is kept; none: in the user's own folder for a window, nowhere without one or for a

@@ -169,7 +169,7 @@ render::RenderSettings Viewer::settings(bool transparent) const {
 }
 
 void Viewer::lay_out_frame() {
-  update_look(window_.content_scale());
+  update_look(options_.scale ? static_cast<float>(*options_.scale) : window_.content_scale());
   session_.refresh();
   ImGui::NewFrame();
   em_ = ui::em();

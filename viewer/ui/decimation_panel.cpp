@@ -84,9 +84,10 @@ void last_sweep_section(Frame& frame) {
   if (sweep->swaps > 0) made += ", " + grouped(sweep->swaps) + " swaps";
   if (sweep->smooths > 0) made += ", " + grouped(sweep->smooths) + " smoothed";
   ImGui::PushTextWrapPos(0);
-  muted(frame, made + ". Edges it left, by reason:");
+  const bool refused = std::ranges::any_of(sweep->refused, [](std::uint32_t n) { return n > 0; });
+  muted(frame, made + (refused ? ". Edges it left, by reason:" : "; it refused no edge."));
   ImGui::PopTextWrapPos();
-  refusal_table(frame, *sweep);
+  if (refused) refusal_table(frame, *sweep);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <utility>
 
 #include "viewer/scene/text.h"
@@ -21,6 +22,21 @@ bool wanted(const fs::path& path, const BrowserPurpose& purpose) {
   const std::string extension = lower(path.extension().string());
   return std::find(purpose.extensions.begin(), purpose.extensions.end(), extension) !=
          purpose.extensions.end();
+}
+
+/// As shells write it: below the user's own folder it begins with ~.
+std::string shown_folder(const fs::path& folder) {
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home == 0) return folder.string();
+  const fs::path below = folder.lexically_relative(home);
+  if (below.empty() || *below.begin() == "..") return folder.string();
+  return below == "." ? "~" : "~/" + below.string();
+}
+
+fs::path below_home(const std::string& typed) {
+  const char* home = std::getenv("HOME");
+  const bool meant = home != nullptr && (typed == "~" || typed.rfind("~/", 0) == 0);
+  return meant ? fs::path(home) / typed.substr(std::min<std::size_t>(2, typed.size())) : fs::path(typed);
 }
 
 }  // namespace
@@ -62,7 +78,8 @@ void FileBrowser::read_folder(const BrowserPurpose& purpose) {
 std::optional<fs::path> FileBrowser::accept(const BrowserPurpose& purpose) {
   problem_.clear();
   if (typed_.empty()) return {};
-  const fs::path path = (folder_ / typed_).lexically_normal();  // an absolute name replaces the folder
+  const fs::path path =
+      (folder_ / below_home(typed_)).lexically_normal();  // an absolute name replaces the folder
   std::error_code error;
   if (fs::is_directory(path, error)) {
     folder_ = path;
@@ -88,7 +105,7 @@ void FileBrowser::draw_path(const Frame& frame, const BrowserPurpose& purpose) {
   tooltip("To the folder above");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  muted(frame, fitted(folder_.string(), ImGui::GetContentRegionAvail().x));
+  muted(frame, fitted(shown_folder(folder_), ImGui::GetContentRegionAvail().x));
 }
 
 bool FileBrowser::draw_entry(const Frame& frame, const Entry& entry) {
@@ -137,7 +154,7 @@ std::optional<fs::path> FileBrowser::draw(Frame& frame, const BrowserPurpose& pu
   ImGui::SetNextItemWidth(-1);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::PushID(times_shown_);
-  chosen_ = text_input("##name", typed_) || chosen_;
+  chosen_ = text_input("##name", typed_, "A name in this folder, or a whole path") || chosen_;
   ImGui::PopID();
   tooltip("A name in this folder, or a whole path");
   const float width = 6 * em();

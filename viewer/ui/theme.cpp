@@ -102,10 +102,10 @@ struct Surfaces {
 
 Surfaces surfaces(ThemeKind kind) {
   if (kind == ThemeKind::Light)
-    return {color(0xfbfcfd, 0.97f), color(0xffffff, 0.99f), color(0xeef1f5),
-            color(0xffffff),        color(0xf1f4f7),        color(0xffffff)};
-  return {color(0x1c2026, 0.96f), color(0x22272e, 0.99f), color(0x14171b),
-          color(0x2b313a),        color(0x181b20),        color(0xffffff)};
+    return {color(0xfbfcfd, 0.97f), color(0xffffff), color(0xeef1f5),
+            color(0xffffff),        color(0xf1f4f7), color(0xffffff)};
+  return {color(0x1c2026, 0.96f), color(0x22272e), color(0x14171b),
+          color(0x2b313a),        color(0x181b20), color(0xffffff)};
 }
 
 void set_text_colors(ImVec4* c, const ThemeColors& t) {

@@ -278,11 +278,11 @@ bool number_control(const char* id, double& value, const NumberStyle& style) {
   return changed;
 }
 
-bool text_input(const char* id, std::string& value) {
+bool text_input(const char* id, std::string& value, const char* hint) {
   std::array<char, 4096> buffer{};
   std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
   const bool entered =
-      ImGui::InputText(id, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint(id, hint, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   value = buffer.data();
   return entered;
 }

@@ -68,8 +68,8 @@ struct NumberStyle {
 };
 [[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
 
-/// For a string of any length up to a path's. True when it is entered.
-[[nodiscard]] bool text_input(const char* id, std::string& value);
+/// For a string of any length up to a path's; `hint` stands in it while it is empty. True when it is entered.
+[[nodiscard]] bool text_input(const char* id, std::string& value, const char* hint = "");
 
 /// One of the rows of a list that drops down, with what its tooltip says.
 struct Choice {
