@@ -9,6 +9,7 @@
 #include "core/mesh/journal.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/model/feature_preview.h"
 #include "zoo.h"
 
 namespace aomd {
@@ -170,6 +171,27 @@ TEST_F(SquareTest, TagsGoOnAboveThoseOfTheMeshAndItsTable) {
   mesh.keep_class_lists(true);
   EXPECT_EQ(free_tag(mesh, 1), 5);
   EXPECT_EQ(free_tag(mesh, 3), 1);
+}
+
+TEST(FeaturePreviewTest, CountsWhatClassifyingMakes) {
+  for (const MeshData& data : {zoo::tetrahedron(), zoo::octahedron(), zoo::book(), zoo::bow_tie(),
+                               zoo::grid(3), zoo::torus(9, 7), zoo::torus(24, 18)})
+    for (const double angle : {2.0, 12.0, 30.0, 60.0, 120.0}) {
+      Mesh mesh(data);
+      for (const auto& [i, j] : {std::pair{2, 1}, {1, 2}, {0, 1}}) mesh.set(i, j);
+      classify(mesh, {.feature_angle_deg = 5.0,
+                      .corner_angle_deg = 60,
+                      .nonmanifold_edges = true,
+                      .keep_present = true});
+      ClassifyOptions options;
+      options.feature_angle_deg = angle;
+      options.keep_present = false;
+      const FeaturePreview preview = preview_features(mesh, options);
+      const ClassifyResult made = classify(mesh, options);
+      EXPECT_EQ(preview.model_edges, made.model_edges) << angle;
+      EXPECT_EQ(preview.model_vertices, made.model_vertices) << angle;
+      EXPECT_EQ(preview.edges.size(), made.features.borders + made.features.sharp) << angle;
+    }
 }
 
 /// The rules as they are written down, asked of everything.

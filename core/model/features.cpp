@@ -24,11 +24,12 @@ class FeatureFinder {
   FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark)
       : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)) {}
 
-  void mark_borders(bool nonmanifold_edges) {
+  void mark_borders(const FeatureOptions& options) {
     for (const Edge e : mesh_.edges()) {
       const Row<2> faces = mesh_.row<2>(e);
-      const bool border = mesh_.classification(e).dimension() == 1 || faces.size() < 2 ||
-                          (faces.size() > 2 && nonmanifold_edges) || !same_model_face(faces);
+      const bool given =
+          !options.ignore_classes && (mesh_.classification(e).dimension() == 1 || !same_model_face(faces));
+      const bool border = faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
       mark_[e] = border ? Border : None;
     }
   }
@@ -54,6 +55,7 @@ class FeatureFinder {
 
  private:
   bool same_model_face(Row<2> faces) const {
+    if (faces.size() < 2) return true;
     const ModelRef first = mesh_.classification(faces[0]);
     return std::all_of(faces.begin(), faces.end(), [&](Face f) { return mesh_.classification(f) == first; });
   }
@@ -150,7 +152,7 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature) {
   feature.assign(mesh.capacity(1), None);
   FeatureFinder finder(mesh, feature);
-  finder.mark_borders(options.nonmanifold_edges);
+  finder.mark_borders(options);
   if (options.angle_deg) {
     finder.mark_sharp(*options.angle_deg);
     finder.drop_roughness();

@@ -20,6 +20,7 @@ struct FeatureCount {
 struct FeatureOptions {
   std::optional<double> angle_deg = 20.0;  ///< none: borders only
   bool nonmanifold_edges = true;           ///< edges with more than two faces are borders
+  bool ignore_classes = false;             ///< as if nothing were classified
 };
 
 /// Marks the edges that lie on model edges. Besides borders these are the edges whose faces meet at more than

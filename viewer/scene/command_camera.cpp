@@ -29,33 +29,61 @@ void camera(Session& session, Arguments& arguments) {
   if (pasted) session.status = "Pasted the camera";
 }
 
-void fit_selection(Session& session, Arguments& arguments) {
-  constexpr double context = 5, around_vertex = 2.5, around_ring = 1.4;  // what is around matters as much
-  if (const std::string word = arguments.word("selection"); word != "selection")
-    arguments.fail("'" + word + "' is not selection");
-  arguments.end();
+/// The middle of entities, so near that what is around them shows with `context` times as much.
+void look_at(Session& session, std::span<const EntityRef> entities, std::span<const EntityRef> around,
+             double context) {
   const Mesh& mesh = session.document.mesh();
   Camera& camera = session.view.camera;
-  const Box whole = session.document.content().bounds;
-  if (session.selection.empty()) return camera.fit(whole, session.view.aspect);
   const double far = camera.distance;
-  const glm::dvec3 middle = box_of(mesh, session.selection.entities()).center();
-  const bool vertex = session.selection.single().valid() && session.selection.single().dimension == 0;
-  const Neighbours* lit = session.neighbours();
-  const bool ring = lit && !lit->entities.empty();
-  const auto selected = session.selection.entities();
-  std::vector<EntityRef> around(selected.begin(), selected.end());
-  if (vertex) around = grown(mesh, session.selection);
-  if (ring) around = lit->entities;
   camera.fit(box_of(mesh, around), session.view.aspect);
-  camera.target = middle;
-  camera.distance = std::min(far, (ring ? around_ring : vertex ? around_vertex : context) * camera.distance);
+  camera.target = box_of(mesh, entities).center();
+  camera.distance = std::min(far, context * camera.distance);
+}
+
+/// Entities with what is around them, which matters as much.
+void fit_entities(Session& session, std::span<const EntityRef> entities) {
+  constexpr double context = 5, around_vertex = 2.5;
+  if (entities.empty())
+    return session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+  if (entities.size() > 1 || entities[0].dimension != 0) return look_at(session, entities, entities, context);
+  Selection one;
+  one.replace({entities[0]});
+  look_at(session, entities, grown(session.document.mesh(), one), around_vertex);
+}
+
+void fit_selection(Session& session) {
+  constexpr double around_ring = 1.4;
+  const auto selected = session.selection.entities();
+  if (const Neighbours* lit = session.neighbours(); lit && !lit->entities.empty())
+    return look_at(session, selected, lit->entities, around_ring);
+  fit_entities(session, selected);
+}
+
+/// All that lies on a model entity, large in the picture.
+void fit_model_entity(Session& session, Arguments& arguments) {
+  constexpr double margin = 1.25;
+  const ModelRef ref = arguments.model_entity();
+  arguments.end();
+  const Mesh& mesh = session.document.mesh();
+  std::vector<EntityRef> entities;
+  for (const std::uint32_t id : mesh.class_lists()->entities(ref.dimension(), ref))
+    entities.emplace_back(ref.dimension(), id);
+  if (entities.empty()) arguments.fail("nothing lies on " + model_entity_text(ref));
+  if (ref.dimension() == 0) return fit_entities(session, entities);
+  session.view.camera.fit(box_of(mesh, entities), session.view.aspect);
+  session.view.camera.distance *= margin;
 }
 
 void fit(Session& session, Arguments& arguments) {
   need_mesh(session);
-  if (!arguments.done()) return fit_selection(session, arguments);
-  session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+  if (arguments.done())
+    return session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+  Arguments ahead = arguments;
+  const std::string word = ahead.word("selection or an entity");
+  if (word.find(':') != std::string::npos) return fit_model_entity(session, arguments);
+  if (word != "selection") return fit_entities(session, listed_entities(session, ahead, word));
+  ahead.end();
+  fit_selection(session);
 }
 
 void orbit(Session& session, Arguments& arguments) {
@@ -104,8 +132,10 @@ std::vector<Command> camera_commands() {
         {"Ctrl+Shift+C", "camera copy"},
         {"Ctrl+Shift+V", "camera paste"}}},
       {"fit",
-       "[selection]",
-       "Shows the whole mesh from the present direction, or what is selected with its surroundings.",
+       "[selection | KIND:TAG | KIND ID [ID...]]",
+       "Shows the whole mesh from the present direction, all that lies on a model entity, or what is "
+       "selected or "
+       "named with its surroundings.",
        CommandGroup::View,
        fit,
        {{"F", "fit"}, {"Shift+F", "fit selection"}}},

@@ -24,6 +24,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> branch_commands();     // command_branches.cpp
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp
 [[nodiscard]] std::vector<Command> neighbour_commands();  // command_neighbours.cpp
+[[nodiscard]] std::vector<Command> class_commands();      // command_classes.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
 [[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
 [[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp
@@ -42,6 +43,9 @@ void need_mesh(const Session& session);
 void need_decimable(const Session& session);
 /// "angle", "length" or "valence" and a value in the bar. In command_compare.cpp.
 [[nodiscard]] MarkedBar bar_of_histogram(const std::string& kind, Arguments& arguments);
+/// The ids that follow "vertex", "edge", "face" or "region". In command_selection.cpp.
+[[nodiscard]] std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments,
+                                                     const std::string& kind);
 /// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.
 void expect_adjacency(Session& session, Arguments& arguments);
 /// What `expect` knows besides counts. False: the next word is none of it, and nothing has been read. Throws

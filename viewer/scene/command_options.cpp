@@ -31,6 +31,8 @@ void feature_angle(Session& session, Arguments& arguments) {
         Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
   arguments.end();
   session.play(false);
+  session.point_out({});
+  session.document.end_trial();
   session.document.reclassify(options);
 }
 
@@ -85,7 +87,7 @@ std::vector<Command> option_commands() {
       {"feature-angle",
        "DEG|off",
        "Derives the classification anew: edges past this angle become model edges. What the file says still "
-       "wins.",
+       "wins; what was edited by hand is lost until undo.",
        CommandGroup::Options,
        feature_angle,
        {}},

@@ -29,14 +29,6 @@ int kind(const std::string& word, const Arguments& arguments) {
   arguments.fail("'" + word + "' is none of vertex, edge, face, region");
 }
 
-std::vector<EntityRef> listed(Session& session, Arguments& arguments, const std::string& word) {
-  const int dim = kind(word, arguments);
-  std::vector<EntityRef> entities;
-  do entities.push_back(entity(session, arguments, dim));
-  while (!arguments.done());
-  return entities;
-}
-
 glm::dvec2 place(Arguments& arguments) {
   const double x = arguments.number("a place from left (-1) to right (1)", -1, 1);
   return {x, arguments.number("a place from bottom (-1) to top (1)", -1, 1)};
@@ -88,7 +80,7 @@ void select(Session& session, Arguments& arguments) {
     arguments.end();
     selection.clear();
   } else if (word == "add" || word == "remove") {
-    const auto entities = listed(session, arguments, arguments.word("vertex, edge, face or region"));
+    const auto entities = listed_entities(session, arguments, arguments.word("vertex, edge, face or region"));
     word == "add" ? selection.add(entities) : selection.remove(entities);
   } else if (word == "box") {
     select_box(session, arguments);
@@ -103,7 +95,7 @@ void select(Session& session, Arguments& arguments) {
     session.refresh();
     selection.replace(grown(session.document.mesh(), selection));
   } else {
-    selection.replace(listed(session, arguments, word));
+    selection.replace(listed_entities(session, arguments, word));
   }
   say(session);
 }
@@ -180,6 +172,14 @@ void why(Session& session, Arguments& arguments) {
 }
 
 }  // namespace
+
+std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments, const std::string& word) {
+  const int dim = kind(word, arguments);
+  std::vector<EntityRef> entities;
+  do entities.push_back(entity(session, arguments, dim));
+  while (!arguments.done());
+  return entities;
+}
 
 std::vector<Command> selection_commands() {
   return {

@@ -65,6 +65,7 @@ const SweepStatistics* Document::last_sweep() const {
 }
 
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
+  trial_.reset();
   loaded_ = std::move(loaded);
   loaded_->journal.keep_cut(true);
   tree_.clear();
@@ -137,10 +138,12 @@ AsLoaded& Document::as_loaded() {
   return *as_loaded_;
 }
 
-/// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left.
+/// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left;
+/// but with the model edges that it was given before anything else was done.
 void Document::begin_strategy() {
   stale_ = false;
-  visit(0, [&] {
+  strategy_from_ = classified_start();
+  visit(strategy_from_, [&] {
     loaded_->decimation.reset();
     loaded_->decimation.emplace(loaded_->mesh, options_);
   });
@@ -149,7 +152,8 @@ void Document::begin_strategy() {
 /// The decimation, made at the first need and told what it has missed.
 Decimation& Document::prepared() {
   const bool other = !decimation() || decimation()->options().strategy != options_.strategy;
-  if (other || (stale_ && journal().cursor() == 0)) begin_strategy();
+  const std::size_t start = classified_start();
+  if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start))) begin_strategy();
   DecimationOptions options = options_;
   options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
@@ -201,6 +205,7 @@ std::size_t Document::close_mark() {
 
 std::size_t Document::record(std::string label, const std::function<void()>& edit) {
   cancel_run();
+  end_trial();
   focused_ = false;
   open_mark(std::move(label));
   try {
@@ -280,6 +285,7 @@ void Document::start_run() {
   if (snaps_ && loaded_->model) fit_to(*loaded_->model);
   Decimation& decimation = prepared();
   if (decimation.done()) return;
+  end_trial();
   open_mark("run");
   first_sweep_of_run_ = decimation.sweeps().size();
   running_ = true;
@@ -314,7 +320,7 @@ void Document::move_to(std::size_t step, bool single) {
   loaded_->journal.seek(loaded_->mesh, step);
   stale_ = stale_ || (journal().cursor() != before && loaded_->decimation);
   focused_ = single;
-  if (journal().cursor() != before) renew_skin();
+  if (journal().cursor() != before) end_trial(), renew_skin();
 }
 
 bool Document::undo() {

@@ -8,13 +8,21 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/class_rules.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/as_loaded.h"
+#include "viewer/scene/feature_trial.h"
 #include "viewer/scene/history_tree.h"
 #include "viewer/scene/loaded_mesh.h"
 #include "viewer/scene/surface_changes.h"
 
 namespace aomd::scene {
+
+/// Whether a command with that label changes the classification and nothing else.
+[[nodiscard]] bool changes_classes(std::string_view label);
+
+/// What an edit of the classification would change; see core/model/class_edits.h.
+using ClassEdit = std::function<ClassOverlay(const Mesh&, double corner_angle_deg)>;
 
 /// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the
 /// history or replaces the mesh ends it first.
@@ -91,6 +99,14 @@ class Document {
   /// Derives the classification anew; what the file says still wins. One command in the history. A volume
   /// gets all its faces and edges.
   void reclassify(const ClassifyOptions& options);
+  /// Edits it by hand where no rule is broken: one command in the history. A surface of triangles must be
+  /// there. Ends a run. (document_classes.cpp)
+  ClassVerdict edit_classes(std::string label, const ClassEdit& edit);
+  /// What a feature angle would lead to; a surface of triangles must be there. Ends a run. O(entities).
+  const FeatureTrial& try_feature_angle(double angle_deg);
+  void end_trial() { trial_.reset(); }
+  /// The angle that is being tried out, until the mesh changes; null: none.
+  [[nodiscard]] const FeatureTrial* trial() const { return trial_ ? &*trial_ : nullptr; }
 
   /// For the next smoothing, and for meshes to come. Ends a run.
   void set_snapping(bool on);
@@ -154,6 +170,7 @@ class Document {
   void visit(std::size_t step, const std::function<void()>& look);
   std::size_t operate(std::string label, const std::function<void()>& edit);
   [[nodiscard]] std::size_t classified_at() const;
+  [[nodiscard]] std::size_t classified_start() const;
   void fit_to(GivenModel& model);
   const Model* model_to_snap_to();
   void make_original();
@@ -170,6 +187,8 @@ class Document {
 
   std::unique_ptr<LoadedMesh> loaded_;
   std::unique_ptr<AsLoaded> as_loaded_;
+  std::optional<FeatureTrial> trial_;  ///< holds on to the mesh
+  std::size_t strategy_from_ = 0;      ///< the step whose mesh the decimation keeps to
   DecimationOptions options_;
   std::string spacing_source_;  ///< of options_.spacing
   ClassifyOptions classify_;

@@ -33,7 +33,7 @@ bool fits(const Mesh& mesh, const Model& model) {
 std::size_t Document::classified_at() const {
   const std::size_t cursor = journal().cursor();
   for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark) {
-    if (mark->begin >= cursor || mark->label != "classify") continue;
+    if (mark->begin >= cursor || !changes_classes(mark->label)) continue;
     const std::size_t end = mark == marks_.rbegin() ? journal().size() : (mark - 1)->begin;
     return std::min(end, cursor);
   }

@@ -20,6 +20,7 @@
 #include "viewer/scene/lesson_player.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
+#include "viewer/scene/model_entity.h"
 #include "viewer/scene/neighbours.h"
 #include "viewer/scene/picking.h"
 #include "viewer/scene/picture_series.h"
@@ -137,6 +138,13 @@ class Session {
   /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may run, and
   /// a mesh must be there. O(entities).
   [[nodiscard]] std::vector<EntityRef> counted_in(const MarkedBar& bar);
+  /// Of the highlighted model entity, while the page about it is up; null: none. As it was before a run.
+  [[nodiscard]] const ModelEntityFacts* model_entity() const {
+    return model_entity_ ? &*model_entity_ : nullptr;
+  }
+  /// Draws entities as what stands against something, or would come of it, until the mesh or the selection
+  /// changes.
+  void point_out(std::vector<EntityRef> entities);
   /// Which of the judgement's ways is drawn; their number: the swap.
   [[nodiscard]] std::size_t previewed_way() const;
 
@@ -155,6 +163,7 @@ class Session {
   void refresh_inspection(bool mesh_changed);
   void refresh_neighbours(bool anew);
   void refresh_preview();
+  void refresh_model_entity();
   /// The mesh is on its way: looking would be in the way of that.
   [[nodiscard]] bool busy() const { return document.running() || playing_; }
   void refresh_verdicts(const SurfaceChanges& changes);
@@ -209,6 +218,10 @@ class Session {
   std::optional<std::size_t> drawn_way_;
   std::uint64_t inspected_selection_ = 0;
   std::uint64_t drawn_selection_ = 0;
+  std::vector<EntityRef> pointed_out_;
+  std::optional<ModelEntityFacts> model_entity_;
+  HistoryPlace model_entity_place_;
+  bool points_anew_ = false;
   EntityRef drawn_hover_;
 };
 

@@ -113,13 +113,17 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
     hovered_.reset();
   }
   Drawable& drawable = drawing_.drawable();
-  if (mesh_changed || cells_changed || selection.revision() != drawn_selection_) {
+  if (!points_anew_ && (mesh_changed || selection.revision() != drawn_selection_)) pointed_out_.clear();
+  if (mesh_changed || cells_changed || points_anew_ || selection.revision() != drawn_selection_) {
+    points_anew_ = false;
     drawable.selected.clear();
     draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
     draw_cells(drawable, cell_regions_, selection.entities(), selected_style(), drawable.selected);
+    draw_entities(mesh, pointed_out_, deciding_style(), drawable.origin, drawable.selected);
     drawn_selection_ = selection.revision();
   }
   refresh_inspection(mesh_changed);
+  refresh_model_entity();
   refresh_preview();
   const EntityRef over = hovered_ ? hovered_->entity : EntityRef();
   if (over != drawn_hover_) {
@@ -132,7 +136,22 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
   }
 }
 
+void Session::refresh_model_entity() {
+  const bool wanted = view.highlighted && view.panels.side && view.panels.page == Page::Selection;
+  if (!wanted) return model_entity_.reset();
+  const bool same = model_entity_ && model_entity_->ref == *view.highlighted;
+  if (same && (busy() || model_entity_place_ == document.place())) return;
+  model_entity_ = model_entity_facts(document.mesh(), *view.highlighted);
+  model_entity_place_ = document.place();
+}
+
+void Session::point_out(std::vector<EntityRef> entities) {
+  pointed_out_ = std::move(entities);
+  points_anew_ = true;
+}
+
 void Session::forget_selection() {
+  point_out({});
   selection.clear();
   hovered_.reset();
   picker_.forget();

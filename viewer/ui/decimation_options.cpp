@@ -157,7 +157,9 @@ void angle_control(Frame& frame, const DecimationOptions& options) {
 /// Deriving the classification takes longer than a frame on large meshes: only when the value is let go.
 void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   const auto present = frame.document().classify_options().feature_angle_deg;
-  if (!drafts.editing_feature_angle) drafts.feature_angle_deg = present.value_or(20);
+  const scene::FeatureTrial* trial = frame.document().trial();
+  if (!drafts.editing_feature_angle)
+    drafts.feature_angle_deg = trial != nullptr ? trial->angle_deg : present.value_or(20);
   label(frame, "Feature angle", feature_help);
   same_line_right(6.1f * em());
   bool on = present.has_value();
@@ -171,6 +173,12 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   ImGui::EndGroup();
   ImGui::EndDisabled();
   drafts.editing_feature_angle = (drafts.editing_feature_angle || changed) && on;
+  const bool can_try = frame.has_mesh() && !frame.document().content().skin &&
+                       !frame.document().content().classified_by_file();
+  if (changed && can_try) frame.emit("feature-preview " + short_number(drafts.feature_angle_deg));
+  if (trial != nullptr)
+    muted(frame, "gives " + scene::grouped(trial->preview.model_edges) + " model edges, " +
+                     scene::grouped(trial->preview.model_vertices) + " vertices");
   if (drafts.editing_feature_angle && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     drafts.editing_feature_angle = false;
     frame.emit("feature-angle " + short_number(drafts.feature_angle_deg));

@@ -5,7 +5,10 @@
 #include <string>
 
 #include "viewer/scene/adjacency.h"
+#include "viewer/scene/arguments.h"
 #include "viewer/scene/text.h"
+#include "viewer/ui/class_controls.h"
+#include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -37,37 +40,12 @@ void wrapped(const Frame& frame, std::string_view words, const ImVec4* color = n
   ImGui::PopStyleColor();
 }
 
-/// Links one after the other, in as many lines as they need.
-class LinkFlow {
- public:
-  explicit LinkFlow(Frame& frame)
-      : frame_(frame), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x) {}
-
-  void add(const std::string& label, const std::string& line, const char* help) {
-    const float width = ImGui::CalcTextSize(label.c_str()).x;
-    if (!first_ && ImGui::GetItemRectMax().x + 0.6f * em() + width < right_) ImGui::SameLine(0, 0.6f * em());
-    first_ = false;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::InvisibleButton((label + line).c_str(), {width, em()});
-    const ImU32 color = ImGui::GetColorU32(frame_.colors.accent);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(at, color, label.c_str());
-    if (ImGui::IsItemHovered()) list.AddLine({at.x, at.y + em()}, {at.x + width, at.y + em()}, color);
-    tooltip(help);
-    if (pressed) frame_.emit(line);
-  }
-
- private:
-  Frame& frame_;
-  float right_;
-  bool first_ = true;
-};
-
 std::string select_line(EntityRef e) {
   return std::string("select ") + entity_name(e.dimension) + " " + std::to_string(e.index);
 }
 
-void facts_table(const Frame& frame, const scene::Inspection& inspection) {
+void facts_table(Frame& frame, const scene::Inspection& inspection) {
+  const ModelRef model = frame.document().mesh().classification(inspection.entity);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.1f * em()));
   if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 6.6f * em());
@@ -77,7 +55,10 @@ void facts_table(const Frame& frame, const scene::Inspection& inspection) {
       ImGui::TableNextColumn();
       muted(frame, fitted(name, 6.6f * em()));
       ImGui::TableNextColumn();
-      wrapped(frame, value);
+      if (name == "Lies on" && model.valid())
+        LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model), "Show this model entity");
+      else
+        wrapped(frame, value);
     }
     ImGui::EndTable();
   }
@@ -242,6 +223,7 @@ void one_entity(Frame& frame, const scene::Inspection& inspection) {
   heading(frame, scene::entity_title(inspection.entity).c_str());
   facts_table(frame, inspection);
   buttons(frame, scene::inspection_text(inspection, judgement));
+  class_edits(frame);
   if (judgement) judgement_section(frame, *judgement);
   if (!judgement && frame.document().running()) muted(frame, "Judged once the run has ended.");
   gap(0.2f);
@@ -254,6 +236,7 @@ void many_entities(Frame& frame, const scene::Selection& selection) {
   for (const EntityRef e : selection.entities())
     copied += std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) + "\n";
   buttons(frame, copied);
+  class_edits(frame);
   LinkFlow flow(frame);
   std::size_t left = most_links;
   for (const EntityRef e : selection.entities()) {
@@ -271,6 +254,7 @@ void inspector_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
   level_choice(frame);
   gap(0.2f);
+  model_entity_section(frame);
   if (frame.session.selection.empty())
     wrapped(
         frame,

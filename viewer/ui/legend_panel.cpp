@@ -7,6 +7,7 @@
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/palette.h"
 #include "viewer/scene/text.h"
+#include "viewer/ui/class_controls.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -93,7 +94,9 @@ void entity_row(Frame& frame, const Item& item) {
   if (ImGui::Selectable(label.c_str(), on, ImGuiSelectableFlags_None) && !name.empty())
     frame.emit(on ? "highlight" : "highlight " + name);
   if (hidden) ImGui::PopStyleColor();
-  tooltip(on ? "Highlighted. Click to end that." : "Click to highlight what lies on it.");
+  if (!name.empty()) model_entity_menu(frame, item.ref);
+  tooltip(on ? "Highlighted. Click to end that."
+             : "Click to highlight what lies on it; right click for more.");
   ImGui::TableNextColumn();
   text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
   tooltip("Mesh entities of the same dimension on it");
