@@ -25,7 +25,7 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 21> quantities = {{
+constexpr std::array<Named, 23> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
@@ -43,6 +43,10 @@ constexpr std::array<Named, 21> quantities = {{
     {"steps", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
     {"cursor", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
     {"commands", [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
+    {"branches",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().branches().size()); }},
+    {"bookmarks",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().bookmarks().size()); }},
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
     {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
@@ -100,7 +104,8 @@ std::vector<Command> script_commands() {
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
        "faces, regions, selected, outer-faces (of a volume), euler (over used vertices), boundary, "
        "nonmanifold, "
-       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
+       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, branches "
+       "(others than the present one), bookmarks, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
        "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
        "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "
