@@ -120,6 +120,15 @@ TEST_F(ClassCommandsTest, AModelEdgePromotedFirstIsPartOfTheOriginal) {
   EXPECT_LT(left, 9u) << "vertices of the line have gone";
 }
 
+TEST_F(ClassCommandsTest, BranchesKeepTheirClassification) {
+  drive(s, {"promote edge " + edge(3, 4), "undo", "promote edge " + edge(4, 5), "expect model-edges = 6"});
+  ASSERT_EQ(mesh().classification(mesh().find_edge(Vertex(3), Vertex(4))).dimension(), 2);
+  drive(s, {"branch switch 1"});
+  EXPECT_EQ(mesh().classification(mesh().find_edge(Vertex(3), Vertex(4))).dimension(), 1);
+  EXPECT_EQ(mesh().classification(mesh().find_edge(Vertex(4), Vertex(5))).dimension(), 2);
+  EXPECT_TRUE(verify(mesh()).empty());
+}
+
 TEST_F(ClassCommandsTest, AFeatureAngleIsTriedOutWithoutChangingAnything) {
   take(zoo::torus(9, 7));
   const auto count = [&] { return s.document.journal().size(); };

@@ -143,7 +143,7 @@ AsLoaded& Document::as_loaded() {
 void Document::begin_strategy() {
   stale_ = false;
   strategy_from_ = classified_start();
-  visit(strategy_from_, [&] {
+  visit(*strategy_from_, [&] {
     loaded_->decimation.reset();
     loaded_->decimation.emplace(loaded_->mesh, options_);
   });
@@ -318,6 +318,7 @@ void Document::move_to(std::size_t step, bool single) {
   cancel_run();
   const std::size_t before = journal().cursor();
   loaded_->journal.seek(loaded_->mesh, step);
+  if (strategy_from_ && step < *strategy_from_) strategy_from_.reset();
   stale_ = stale_ || (journal().cursor() != before && loaded_->decimation);
   focused_ = single;
   if (journal().cursor() != before) end_trial(), renew_skin();

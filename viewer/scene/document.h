@@ -188,7 +188,8 @@ class Document {
   std::unique_ptr<LoadedMesh> loaded_;
   std::unique_ptr<AsLoaded> as_loaded_;
   std::optional<FeatureTrial> trial_;  ///< holds on to the mesh
-  std::size_t strategy_from_ = 0;      ///< the step whose mesh the decimation keeps to
+  /// The step whose mesh the decimation keeps to; none once the history has been before it.
+  std::optional<std::size_t> strategy_from_;
   DecimationOptions options_;
   std::string spacing_source_;  ///< of options_.spacing
   ClassifyOptions classify_;

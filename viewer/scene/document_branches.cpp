@@ -16,7 +16,7 @@ void Document::keep_cut() {
 }
 
 void Document::exchange(unsigned id) {
-  const auto classifies = [](const HistoryMark& m) { return m.label == "classify"; };
+  const auto classifies = [](const HistoryMark& m) { return changes_classes(m.label); };
   const HistoryBranch& branch = *tree_.find(id);
   const std::size_t fork = branch.fork;
   // Two classifications may end at the same step of two branches.
