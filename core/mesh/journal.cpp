@@ -27,9 +27,39 @@ void Journal::end_step() {
 
 void Journal::cut_future() {
   if (cursor_ == steps_.size()) return;
+  if (keeps_cut_) cut_ = future();
+  drop_future();
+}
+
+JournalPart Journal::future() const {
+  JournalPart part;
+  if (cursor_ == steps_.size()) return part;
+  const std::uint64_t begin = steps_[cursor_].begin;
+  part.words.assign(words_.begin() + static_cast<std::ptrdiff_t>(begin), words_.end());
+  part.steps.assign(steps_.begin() + static_cast<std::ptrdiff_t>(cursor_), steps_.end());
+  for (JournalStep& step : part.steps) step.begin -= begin;
+  return part;
+}
+
+void Journal::drop_future() {
+  if (cursor_ == steps_.size()) return;
   words_.resize(steps_[cursor_].begin);
   steps_.resize(cursor_);
   ++epoch_;
+}
+
+JournalPart Journal::exchange_future(const JournalPart& part) {
+  AOMD_CHECK(!in_step_);
+  JournalPart old = future();
+  drop_future();
+  const std::uint64_t begin = words_.size();
+  words_.insert(words_.end(), part.words.begin(), part.words.end());
+  for (JournalStep step : part.steps) {
+    step.begin += begin;
+    steps_.push_back(step);
+  }
+  if (old.steps.empty()) ++epoch_;
+  return old;
 }
 
 void Journal::open_record() {
@@ -55,12 +85,7 @@ void Journal::push_position(const glm::dvec3& p) {
   }
 }
 
-glm::dvec3 Journal::read_position(std::uint64_t at) const {
-  glm::dvec3 p;
-  for (int k = 0; k < 3; ++k, at += 2)
-    p[k] = std::bit_cast<double>(std::uint64_t{words_[at]} | std::uint64_t{words_[at + 1]} << 32);
-  return p;
-}
+glm::dvec3 Journal::read_position(std::uint64_t at) const { return unpack_position(words_.data() + at); }
 
 void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh) {
   open_record();
@@ -200,6 +225,7 @@ void Journal::seek(Mesh& mesh, std::size_t step) {
 void Journal::clear() {
   words_.clear();
   steps_.clear();
+  cut_.reset();
   cursor_ = 0;
   ++epoch_;
 }

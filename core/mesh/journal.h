@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -27,7 +28,14 @@ struct JournalStep {
   std::uint64_t begin = 0;  ///< in words
 };
 
-/// A linear history of one mesh. Edits made after an undo discard what had been undone. Undo and redo restore
+/// Steps that follow some place of a history, outside of it. They fit behind that place alone.
+struct JournalPart {
+  std::vector<std::uint32_t> words;
+  std::vector<JournalStep> steps;  ///< the first one begins at word 0
+  [[nodiscard]] std::size_t bytes() const { return words.size() * 4 + steps.size() * sizeof(JournalStep); }
+};
+
+/// A linear history of one mesh. Edits made after an undo cut off what had been undone. Undo and redo restore
 /// ids, id stack, connectivity, positions and classification exactly; cost O(records of the step).
 /// Attach it when the levels that T asks for exist: edges that a later change of T creates are not recorded.
 /// Records name entities by vertices only, so a history replays under any representation that has the same
@@ -38,6 +46,10 @@ class Journal {
   /// Steps [0, cursor) are applied.
   [[nodiscard]] std::size_t cursor() const { return cursor_; }
   [[nodiscard]] const JournalStep& step(std::size_t i) const { return steps_[i]; }
+  /// What step i did, record by record (journal_record.h).
+  [[nodiscard]] std::span<const std::uint32_t> records(std::size_t i) const {
+    return std::span(words_).subspan(steps_[i].begin, step_end(i) - steps_[i].begin);
+  }
   [[nodiscard]] std::size_t bytes() const {
     return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep);
   }
@@ -55,6 +67,13 @@ class Journal {
   /// Undoes or redoes until `step` steps are applied (clamped to the history).
   void seek(Mesh& mesh, std::size_t step);
   void clear();
+
+  /// Whether the last part that new edits cut off is kept, for take_cut(); else it is gone.
+  void keep_cut(bool on) { keeps_cut_ = on; }
+  [[nodiscard]] std::optional<JournalPart> take_cut() { return std::exchange(cut_, std::nullopt); }
+  /// Puts other steps behind the cursor and returns those that were there. The part must have been recorded
+  /// from the present state of the mesh. O(both).
+  JournalPart exchange_future(const JournalPart& part);
 
   /// Calls visit(EntityRef) for every entity that steps [first, last) created, deleted, rebound, moved or
   /// classified; some more than once. O(records).
@@ -78,6 +97,8 @@ class Journal {
 
   void open_record();
   void cut_future();
+  [[nodiscard]] JournalPart future() const;
+  void drop_future();
   void close_record();
   void push_position(const glm::dvec3& p);
   [[nodiscard]] std::uint64_t step_end(std::size_t i) const {
@@ -92,6 +113,8 @@ class Journal {
   std::size_t cursor_ = 0;
   std::uint64_t epoch_ = 0;
   std::optional<JournalStep> pending_;  ///< begun, nothing recorded yet
+  std::optional<JournalPart> cut_;
+  bool keeps_cut_ = false;
   bool in_step_ = false;
   bool implicit_step_ = false;
 };

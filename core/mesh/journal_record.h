@@ -6,13 +6,24 @@
 //   Move              head, vertex, position before, position after
 //   Classify          head, id, class before, class after
 
+#include <bit>
 #include <cstdint>
+
+#include <glm/vec3.hpp>
 
 #include "core/mesh/shape.h"
 
 namespace aomd {
 
 enum class RecordKind : std::uint32_t { Create, Destroy, Rebind, Move, Classify };
+
+/// A position in six words.
+[[nodiscard]] inline glm::dvec3 unpack_position(const std::uint32_t* w) {
+  glm::dvec3 p;
+  for (int k = 0; k < 3; ++k, w += 2)
+    p[k] = std::bit_cast<double>(std::uint64_t{w[0]} | std::uint64_t{w[1]} << 32);
+  return p;
+}
 
 /// The first word of a record.
 struct RecordHead {

@@ -91,6 +91,7 @@ DrawableBuffers::DrawableBuffers(const Gl& gl)
       model_vertices(gl),
       highlight_lines(gl),
       highlight_discs(gl),
+      before(gl),
       selected(gl),
       hovered(gl),
       preview(gl) {}
@@ -102,8 +103,9 @@ void DrawableBuffers::upload(scene::Drawable& drawable) {
       corners.upload(drawable.corners) + cells.upload(drawable.cells) +
       interior_edges.upload(drawable.interior_edges) + model_edges.upload(drawable.model_edges) +
       model_vertices.upload(drawable.model_vertices) + highlight_lines.upload(drawable.highlight_lines) +
-      highlight_discs.upload(drawable.highlight_discs) + selected.upload(drawable.selected) +
-      hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
+      highlight_discs.upload(drawable.highlight_discs) + before.upload(drawable.before) +
+      selected.upload(drawable.selected) + hovered.upload(drawable.hovered) +
+      preview.upload(drawable.preview);
 }
 
 }  // namespace aomd::render

@@ -94,7 +94,7 @@ class DrawableBuffers {
   DiscBuffer model_vertices;
   SegmentBuffer highlight_lines;
   DiscBuffer highlight_discs;
-  OverlayBuffers selected, hovered, preview;
+  OverlayBuffers before, selected, hovered, preview;
   glm::dvec3 origin{0};
   scene::Box bounds;
 

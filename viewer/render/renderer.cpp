@@ -175,6 +175,7 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   if (settings.show_model_vertices) draw_strokes(buffers.model_vertices);
   draw_strokes(buffers.highlight_discs);
   gl_.Disable(GL_DEPTH_TEST);
+  draw_overlay(buffers.before, frame);
   draw_overlay(buffers.preview, frame);
   gl_.Enable(GL_DEPTH_TEST);
   draw_overlay(buffers.selected, frame);

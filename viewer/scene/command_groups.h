@@ -21,6 +21,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> edit_commands();       // command_edits.cpp
 [[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
 [[nodiscard]] std::vector<Command> playing_commands();    // command_playing.cpp
+[[nodiscard]] std::vector<Command> branch_commands();     // command_branches.cpp
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp
 [[nodiscard]] std::vector<Command> neighbour_commands();  // command_neighbours.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp

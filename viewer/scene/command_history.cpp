@@ -8,7 +8,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr const char* seek_usage = "N|end|next|previous|next-phase|previous-phase";
+constexpr const char* seek_usage = "N|end|next|previous|next-phase|previous-phase|bookmark NAME";
 
 void start(Session& session, Arguments& arguments) {
   arguments.end();
@@ -40,7 +40,8 @@ void redo(Session& session, Arguments& arguments) {
 
 /// Where a word of `seek` leads.
 std::size_t place_of(const Document& document, Arguments& arguments) {
-  constexpr const char* wanted = "a number of operations, end, next, previous, next-phase or previous-phase";
+  constexpr const char* wanted =
+      "a number of operations, end, next, previous, next-phase, previous-phase or bookmark";
   const std::string text = arguments.word(wanted);
   if (text == "end") return document.journal().size();
   if (text == "next") return next_command(document);
@@ -50,8 +51,17 @@ std::size_t place_of(const Document& document, Arguments& arguments) {
   return static_cast<std::size_t>(std::max(0LL, Arguments("seek", seek_usage, text).integer(wanted)));
 }
 
+void seek_bookmark(Session& session, Arguments& arguments) {
+  const std::string name = arguments.rest("a bookmark's name");
+  session.play(false);
+  if (!session.document.go_to_bookmark(name)) arguments.fail("there is no bookmark '" + name + "'");
+  say_where(session, name.c_str());
+}
+
 void seek(Session& session, Arguments& arguments) {
   need_mesh(session);
+  Arguments again = arguments;
+  if (!again.done() && again.word("a place") == "bookmark") return seek_bookmark(session, again);
   const std::size_t target = arguments.done() ? 0 : place_of(session.document, arguments);
   start(session, arguments);
   session.document.seek(target);
@@ -102,7 +112,7 @@ std::vector<Command> history_commands() {
       {"seek",
        seek_usage,
        "Moves to where N operations are applied; to where the next or the previous command begins, or phase: "
-       "operations of one kind in a row.",
+       "operations of one kind in a row; or to a bookmark, on whichever branch it is.",
        CommandGroup::History,
        seek,
        {{"Home", "seek 0"},

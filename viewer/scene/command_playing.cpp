@@ -40,6 +40,15 @@ void play_speed(Session& session, Arguments& arguments) {
   session.status = "Playing: " + speed.words();
 }
 
+void operation(Session& session, Arguments& arguments) {
+  const std::string sides = arguments.word("before, after or both");
+  if (sides != "before" && sides != "after" && sides != "both")
+    arguments.fail("'" + sides + "' is none of before, after, both");
+  arguments.end();
+  session.view.step_sides = {sides != "after", sides != "before"};
+  session.view.operation = true;
+}
+
 }  // namespace
 
 std::vector<Command> playing_commands() {
@@ -59,6 +68,14 @@ std::vector<Command> playing_commands() {
        CommandGroup::History,
        play_speed,
        {{".", "play-speed faster"}, {",", "play-speed slower"}}},
+      {"operation",
+       "before|after|both",
+       "What is pointed at of the last single operation: what stood there before it (blue), what stands "
+       "there "
+       "after it (pink), or both.",
+       CommandGroup::History,
+       operation,
+       {}},
   };
 }
 

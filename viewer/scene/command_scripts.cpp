@@ -46,7 +46,7 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 30> quantities = {{
+constexpr std::array<Named, 32> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"neighbours", [](const Session& s) { return neighbours(s); }},
     {"adjacency-bytes", [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
@@ -75,6 +75,10 @@ constexpr std::array<Named, 30> quantities = {{
     {"steps", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
     {"cursor", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
     {"commands", [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
+    {"branches",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().branches().size()); }},
+    {"bookmarks",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().bookmarks().size()); }},
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
     {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
@@ -136,7 +140,8 @@ std::vector<Command> script_commands() {
        "volume), euler (over used "
        "vertices), boundary, "
        "nonmanifold, "
-       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, "
+       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, branches "
+       "(others than the present one), bookmarks, "
        "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
        "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
        "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "

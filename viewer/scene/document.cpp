@@ -19,13 +19,12 @@ HistoryPlace Document::place() const {
 
 bool Document::unsaved() const {
   if (!loaded_ || loaded_->source.practice || journal().cursor() == 0) return false;
-  return journal().cursor() != saved_step_ || journal().epoch() != saved_epoch_;
+  return !tree_.saved_at(journal().cursor());
 }
 
 void Document::mark_saved(std::filesystem::path file) {
   saved_file_ = std::move(file);
-  saved_step_ = journal().cursor();
-  saved_epoch_ = journal().epoch();
+  tree_.set_saved(journal().cursor());
 }
 
 std::string_view Document::hindrance() const {
@@ -67,6 +66,8 @@ const SweepStatistics* Document::last_sweep() const {
 
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   loaded_ = std::move(loaded);
+  loaded_->journal.keep_cut(true);
+  tree_.clear();
   as_loaded_.reset();
   options_.spacing.reset();
   marks_.clear();
@@ -84,6 +85,7 @@ void Document::restore(const SavedWork& work) {
   classify_ = work.classify;
   snaps_ = work.snaps;
   epoch_at_mark_ = journal().epoch();
+  for (const auto& [name, step] : work.bookmarks) tree_.set_bookmark(name, step);
   move_to(work.cursor, false);
   if (!work.spacing.empty()) set_spacing(work.spacing);
   if (!work.model.empty()) set_model(work.model);
@@ -190,8 +192,7 @@ void Document::open_mark(std::string label) {
 std::size_t Document::close_mark() {
   const std::size_t made = journal().cursor() - marks_.back().begin;
   if (made == 0) marks_.pop_back();
-  // What a new command cuts off beyond the saved place does not concern that place.
-  if (saved_epoch_ == epoch_at_mark_ && mark_begin_ >= saved_step_) saved_epoch_ = journal().epoch();
+  keep_cut();
   if (journal().epoch() == epoch_at_mark_ && made == 0)
     marks_.insert(marks_.end(), undone_marks_.begin(), undone_marks_.end());
   undone_marks_.clear();
@@ -302,7 +303,9 @@ double Document::run_progress() const {
 
 void Document::tick(std::optional<std::chrono::microseconds> budget) {
   if (!running_) return;
-  if (prepared().run(budget) == Decimation::Stop::Done) cancel_run();
+  const Decimation::Stop stop = prepared().run(budget);
+  keep_cut();
+  if (stop == Decimation::Stop::Done) cancel_run();
 }
 
 void Document::move_to(std::size_t step, bool single) {

@@ -10,16 +10,11 @@
 
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/as_loaded.h"
+#include "viewer/scene/history_tree.h"
 #include "viewer/scene/loaded_mesh.h"
 #include "viewer/scene/surface_changes.h"
 
 namespace aomd::scene {
-
-/// The steps that one user-visible command made: from `begin` to the next mark, or to the end.
-struct HistoryMark {
-  std::size_t begin = 0;
-  std::string label;  ///< "sweep"
-};
 
 /// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the
 /// history or replaces the mesh ends it first.
@@ -62,6 +57,8 @@ class Document {
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
   [[nodiscard]] bool can_undo() const { return loaded_ && journal().cursor() > 0; }
   [[nodiscard]] bool can_redo() const { return loaded_ && journal().cursor() < journal().size(); }
+  /// Other ways on from places of the history, and named places.
+  [[nodiscard]] const HistoryTree& tree() const { return tree_; }
   /// The command that the step belongs to. step < journal().size().
   [[nodiscard]] const HistoryMark& mark_of(std::size_t step) const;
   /// The step to point at: the last one applied, when the history was last moved step by step.
@@ -139,6 +136,18 @@ class Document {
   /// Until `step` steps are applied (clamped).
   void seek(std::size_t step);
 
+  // Branches and bookmarks (document_branches.cpp). A mesh must be there.
+  /// Back to where the branch leaves the present one, and forward to its end: what was ahead becomes a branch
+  /// in its stead. False where there is no such branch. O(steps in between).
+  bool switch_branch(unsigned id);
+  /// Forgets a branch and those that leave it. Returns how many there were.
+  std::size_t remove_branch(unsigned id) { return tree_.remove(id); }
+  /// The present place gets a name; another place with this name loses it.
+  void set_bookmark(const std::string& name) { tree_.set_bookmark(name, journal().cursor()); }
+  bool remove_bookmark(const std::string& name) { return tree_.remove_bookmark(name); }
+  /// There, on whichever branch it is. False where there is none.
+  bool go_to_bookmark(const std::string& name);
+
  private:
   Decimation& prepared();
   void begin_strategy();
@@ -156,6 +165,8 @@ class Document {
   void restore_file_classes();
   void renew_skin();
   void move_to(std::size_t step, bool single);
+  void keep_cut();
+  void exchange(unsigned id);
 
   std::unique_ptr<LoadedMesh> loaded_;
   std::unique_ptr<AsLoaded> as_loaded_;
@@ -177,8 +188,7 @@ class Document {
   std::size_t first_sweep_of_run_ = 0;
   std::optional<AdjacencyChange> adjacency_change_;
   std::filesystem::path saved_file_;
-  std::size_t saved_step_ = 0;
-  std::uint64_t saved_epoch_ = 0;
+  HistoryTree tree_;
 };
 
 }  // namespace aomd::scene

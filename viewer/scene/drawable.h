@@ -75,6 +75,7 @@ struct Drawable {
   Patched<Disc> model_vertices;      ///< drawn when RenderSettings::show_model_vertices
   Patched<Segment> highlight_lines;  ///< always drawn, over the model's
   Patched<Disc> highlight_discs;     ///< always drawn, over the model's
+  Overlay before;                    ///< of a step, what stood there: also where the surface hides it
   Overlay selected, hovered;         ///< on the surface
   Overlay preview;                   ///< of an operation: also drawn where the surface hides it
 };

@@ -41,7 +41,8 @@ bool RecoveryKeeper::lock() {
 }
 
 bool RecoveryKeeper::due(const Document& document, const HistoryPlace& now) const {
-  if (now == place_ || Clock::now() < not_before_) return false;
+  const bool same = now == place_ && document.tree().version() == bookmarks_;
+  if (same || Clock::now() < not_before_) return false;
   const LoadedMesh& content = document.content();
   return !content.skin && content.start && (!content.source.file.empty() || !content.source.sample.empty());
 }
@@ -55,6 +56,7 @@ void RecoveryKeeper::update(const Document& document) {
     place_ = now;
   } else if (due(document, now) && lock()) {
     place_ = now;
+    bookmarks_ = document.tree().version();
     start_writing(document);
     if (document.running()) not_before_ = Clock::now() + between_writings_of_a_run;
   }

@@ -49,7 +49,8 @@ class RecoveryKeeper {
   std::shared_ptr<const SavedWork> taken_over_;
   std::filesystem::path journal_;  ///< of the last complete writing; empty: nothing is on disk
   unsigned number_ = 0;
-  HistoryPlace place_;  ///< of the last writing begun
+  HistoryPlace place_;           ///< of the last writing begun
+  std::uint64_t bookmarks_ = 0;  ///< HistoryTree::version() then
   Clock::time_point not_before_{};
   struct Written {
     std::filesystem::path journal;  ///< empty: it failed

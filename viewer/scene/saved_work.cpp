@@ -102,6 +102,10 @@ SavedWork parse(const Json& json, const fs::path& file) {
   work.steps = json.at("steps");
   if (work.cursor > work.steps) throw std::range_error("a place beyond the history");
   work.marks = marks_from(json.at("marks"), work.steps);
+  for (const Json& mark : json.value("bookmarks", Json::array())) {
+    work.bookmarks.emplace_back(mark.at(0), mark.at(1));
+    if (work.bookmarks.back().second > work.steps) throw std::range_error("a bookmark beyond the history");
+  }
   work.options = options_from(json.at("options"));
   work.spacing = json.at("spacing");
   work.classify = classify_from(json.at("classify"));
@@ -176,6 +180,8 @@ SavedWork work_of(const Document& document) {
   work.cursor = document.journal().cursor();
   work.steps = document.journal().size();
   work.marks = document.marks();
+  for (const Bookmark& mark : document.tree().bookmarks())
+    if (mark.branch == 0) work.bookmarks.emplace_back(mark.name, mark.step);
   // A run that has not made its first operation yet.
   if (!work.marks.empty() && work.marks.back().begin >= work.steps) work.marks.pop_back();
   work.options = document.options();
@@ -189,6 +195,8 @@ SavedWork work_of(const Document& document) {
 std::string saved_work_text(const SavedWork& work) {
   Json marks = Json::array();
   for (const HistoryMark& mark : work.marks) marks.push_back({mark.begin, mark.label});
+  Json bookmarks = Json::array();
+  for (const auto& [name, step] : work.bookmarks) bookmarks.push_back({name, step});
   const Json json = {{"schema", schema},
                      {"source",
                       {{"file", work.source.file.string()},
@@ -199,6 +207,7 @@ std::string saved_work_text(const SavedWork& work) {
                      {"cursor", work.cursor},
                      {"steps", work.steps},
                      {"marks", marks},
+                     {"bookmarks", bookmarks},
                      {"options", options_json(work.options)},
                      {"spacing", work.spacing},
                      {"classify", classify_json(work.classify)},

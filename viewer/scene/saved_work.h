@@ -34,9 +34,10 @@ struct SavedWork {
   std::size_t cursor = 0;
   std::size_t steps = 0;  ///< in the journal
   std::vector<HistoryMark> marks;
-  DecimationOptions options;  ///< without spacing, keep and model
-  std::string spacing;        ///< source of the spacing; empty: none
-  ClassifyOptions classify;   ///< of the next classification
+  std::vector<std::pair<std::string, std::size_t>> bookmarks;  ///< names and places; without branches
+  DecimationOptions options;                                   ///< without spacing, keep and model
+  std::string spacing;                                         ///< source of the spacing; empty: none
+  ClassifyOptions classify;                                    ///< of the next classification
   bool snaps = false;
   std::filesystem::path model;  ///< the CAD file that the mesh lies on; empty: none
   std::int64_t seconds = 0;     ///< when it was written, since 1970

@@ -281,9 +281,10 @@ void Session::refresh_surface() {
   judge_edges();
   refresh_marks(changed);
   const auto focus = view.operation ? document.focus() : std::nullopt;
-  if (focus != drawn_focus_ || changed || view.marked != drawn_mark_) {
-    drawing_.highlight_step(document.mesh(), document.journal(), focus);
+  if (focus != drawn_focus_ || view.step_sides != drawn_sides_ || changed || view.marked != drawn_mark_) {
+    drawing_.highlight_step(document.mesh(), document.journal(), focus, view.step_sides);
     drawn_focus_ = focus;
+    drawn_sides_ = view.step_sides;
     drawn_mark_ = view.marked;
   }
   refresh_selection(changed);

@@ -189,6 +189,7 @@ class Session {
   SkinStyle skin_style_;
   HistoryPlace skin_place_;
   std::optional<std::size_t> drawn_focus_;
+  StepSides drawn_sides_;
   Picker picker_;
   std::optional<Hovered> hovered_;
   std::optional<VerdictField> verdicts_;

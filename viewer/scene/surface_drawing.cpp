@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "viewer/scene/step_before.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr float step_disc_px = 5.0f;
 constexpr float marked_line_px = 2.0f;
 constexpr float marked_disc_px = 3.0f;
 constexpr Color highlight_color = rgb(0xff2f92);
+constexpr Color before_color = rgb(0x1f4fd8);
 
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
 float vertex_radius_px(const Mesh& mesh) {
@@ -232,11 +235,14 @@ void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {
   }
 }
 
-void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
-                                    std::optional<std::size_t> step) {
+void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step,
+                                    StepSides sides) {
   std::vector<Segment> lines;
   std::vector<Disc> discs;
-  if (step && journal.step(*step).kind != StepKind::Classify) {
+  drawable_.before.clear();
+  const bool shown = step && journal.step(*step).kind != StepKind::Classify;
+  if (shown && sides.before) draw_before(mesh, journal, *step, !sides.after);
+  if (shown && sides.after) {
     const Touched touched = touched_by(mesh, journal, *step);
     for (const auto& [side, uses] : touched.sides)
       lines.push_back({place(mesh, side.first), place(mesh, side.second), highlight_color,
@@ -252,6 +258,28 @@ void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
     drawable_.highlight_lines.assign(std::move(lines));
   if (!discs.empty() || !drawable_.highlight_discs.empty())
     drawable_.highlight_discs.assign(std::move(discs));
+}
+
+/// Beside what stands there now only what has gone; alone everything.
+void SurfaceDrawing::draw_before(const Mesh& mesh, const Journal& journal, std::size_t step, bool alone) {
+  const StepBefore before = step_before(mesh, journal, step);
+  std::vector<Segment> lines;
+  std::vector<Disc> discs;
+  const auto at = [&](Vertex v) { return glm::vec3(before.position(mesh, v) - drawable_.origin); };
+  std::map<Side, int> sides;
+  for (const auto& t : before.faces)
+    for (std::size_t i = 0; i < 3; ++i) ++sides[std::minmax(t[i], t[(i + 1) % 3])];
+  const std::map<Side, int> now = alone ? std::map<Side, int>() : touched_by(mesh, journal, step).sides;
+  for (const auto& [side, uses] : sides) {
+    const bool moved = before.moved.contains(side.first) || before.moved.contains(side.second);
+    if (moved || !now.contains(side))
+      lines.push_back({at(side.first), at(side.second), before_color,
+                       alone && uses == 1 ? step_line_px : 0.7f * step_line_px});
+  }
+  for (const auto& [vertex, position] : before.moved)
+    discs.push_back({glm::vec3(position - drawable_.origin), before_color, 0.8f * step_disc_px});
+  drawable_.before.lines.assign(std::move(lines));
+  drawable_.before.discs.assign(std::move(discs));
 }
 
 void SurfaceDrawing::set_marked(const Mesh& mesh, std::vector<EntityRef> marked) {

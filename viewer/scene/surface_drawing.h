@@ -77,9 +77,10 @@ class SurfaceDrawing {
   void set_interior_edges(std::vector<Segment> edges) { drawable_.interior_edges.assign(std::move(edges)); }
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
-  /// Highlights what a step has left of what it touched: lines around its faces, a dot on its vertex. O(its
-  /// records).
-  void highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step);
+  /// Highlights what the last applied step has left of what it touched, with lines around its faces and a dot
+  /// on its vertex, and what stood there before it, in another colour. O(its records).
+  void highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step,
+                      StepSides sides = {});
 
   [[nodiscard]] const Drawable& drawable() const { return drawable_; }
   /// For the one who uploads, to make it clean.
@@ -107,6 +108,7 @@ class SurfaceDrawing {
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] std::uint32_t code_flags(const Mesh& mesh, Face face) const;
+  void draw_before(const Mesh& mesh, const Journal& journal, std::size_t step, bool alone);
   void draw_marked(const Mesh& mesh, std::vector<Segment>& lines, std::vector<Disc>& discs) const;
   void draw_normals(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }

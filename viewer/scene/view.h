@@ -29,6 +29,13 @@ enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Uns
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
 
+/// Which sides of the last single step are pointed at.
+struct StepSides {
+  bool before = true;
+  bool after = true;
+  friend bool operator==(const StepSides&, const StepSides&) = default;
+};
+
 struct Panels {
   bool mesh = true;
   bool side = true;  ///< the one on the right
@@ -87,6 +94,7 @@ struct View {
   bool model_vertices = true;
   bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
   bool operation = true;   ///< what the last single step touched
+  StepSides step_sides;
   PlaySpeed play_speed;
   bool original = false;        ///< the mesh as loaded, as glass over the present one
   bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right

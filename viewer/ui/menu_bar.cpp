@@ -158,6 +158,10 @@ void view_menu(Frame& frame) {
   command_item(frame, "Ids at the selection", "labels toggle", view.labels);
   command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on", view.preview);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
+  const scene::StepSides sides = view.step_sides;
+  command_item(frame, "    What was there before", "operation before", !sides.after, view.operation);
+  command_item(frame, "    What is there after", "operation after", !sides.before, view.operation);
+  command_item(frame, "    Both", "operation both", sides.before && sides.after, view.operation);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
   const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };

@@ -4,6 +4,7 @@
 
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
+#include "viewer/ui/timeline_controls.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -138,12 +139,15 @@ void strip(Frame& frame) {
   if (journal.size() == 0) return;
   draw_operations(frame, from, to);
   draw_marks(frame, from, to);
+  draw_places(frame, from, to);
   draw_handle(frame, from, to);
   const float share = std::clamp((ImGui::GetIO().MousePos.x - from.x) / (to.x - from.x), 0.0f, 1.0f);
   const auto step = static_cast<std::size_t>(std::lround(share * static_cast<float>(journal.size())));
   if (ImGui::IsItemActive() && !frame.document().running() && step != journal.cursor())
     frame.emit("seek " + std::to_string(step));
-  if (!ImGui::IsItemActive()) tooltip(strip_tooltip(frame.document(), step));
+  if (ImGui::IsItemActive()) return;
+  const std::string place = place_tooltip(frame, from, to);
+  tooltip(place.empty() ? strip_tooltip(frame.document(), step) : place);
 }
 
 void key_entry(const Frame& frame, StepKind kind, const char* name) {
@@ -158,7 +162,7 @@ void key_entry(const Frame& frame, StepKind kind, const char* name) {
   ImGui::SameLine(0, em());
 }
 
-void key_line(const Frame& frame) {
+void key_line(Frame& frame) {
   if (frame.document().journal().size() == 0) {
     muted(frame, frame.can_decimate()
                      ? "Every operation appears here: step, sweep or run, then drag along the strip."
@@ -169,7 +173,7 @@ void key_line(const Frame& frame) {
   key_entry(frame, StepKind::Swap, "Swap");
   key_entry(frame, StepKind::Smooth, "Smooth");
   key_entry(frame, StepKind::Classify, "Classify");
-  ImGui::NewLine();
+  timeline_controls(frame);
 }
 
 }  // namespace
