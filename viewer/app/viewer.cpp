@@ -351,14 +351,15 @@ void Viewer::run_window() {
   while (!session_.quit) {
     const bool waits = session_.idle() && script_.done() && awake <= 0;
     const auto before = Clock::now();
-    take_events(window_.poll(ImGui::GetIO(), waits ? idle_wait_s : 0));
+    const Events events = window_.poll(ImGui::GetIO(), waits ? idle_wait_s : 0);
+    take_events(events);
     if (window_.should_close()) ask_to_close();
     const auto now = Clock::now();
     const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
-    if (waits && !timed_out) awake = frames_after_event;
+    if (events.input || (waits && !timed_out)) awake = frames_after_event;
     if (session_.recovery) session_.recovery->update(session_.document);
     if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
-    awake = lines_.empty() && session_.idle() ? awake - 1 : frames_after_event;
+    awake = session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
     last = now;
     advance_script();
@@ -367,6 +368,7 @@ void Viewer::run_window() {
     window_.present();
     drawing_time_ = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - drawing);
     ImGui::GetIO().MouseDoubleClickTime = double_click_time(drawing_time_);
+    if (!lines_.empty()) awake = frames_after_event;
     for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);
     print_log();
     take_screenshots_or_tell();

@@ -31,6 +31,7 @@ struct Events {
   /// Letters are those of the user's keyboard layout, upper case. Before ImGui had its say: look at
   /// ImGuiIO::WantCaptureKeyboard. The names are in imgui_keys.h.
   std::vector<std::string> chords;
+  bool input = false;  ///< of whatever kind: the picture may change
 };
 
 /// A current OpenGL 3.3 core context with a framebuffer 0, and where its input comes from. One thread only.

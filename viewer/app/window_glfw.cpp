@@ -68,15 +68,17 @@ class GlfwWindow : public Window {
   void move_to(const ui::WindowPlace& place) override;
 
  private:
-  /// A change of a key or a mouse button, kept until poll() may tell ImGui.
+  /// A change of a key or a mouse button, and where the mouse was, kept until poll() may tell ImGui.
   struct Switch {
     int code = 0;
     bool down = false;
+    ImVec2 place{0, 0};
   };
 
   void connect_callbacks();
   void connect_imgui(ImGuiIO& io);
   void send_frame(ImGuiIO& io);
+  [[nodiscard]] ImVec2 mouse() const;
   void send_mouse(ImGuiIO& io);
   void send_keyboard(ImGuiIO& io);
   void update_cursor(const ImGuiIO& io);
@@ -200,24 +202,33 @@ void GlfwWindow::connect_callbacks() {
   glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
     for (int i = 0; i < count; ++i) self(w).events_.dropped_files.emplace_back(paths[i]);
   });
-  glfwSetScrollCallback(window_,
-                        [](GLFWwindow* w, double x, double y) { self(w).wheel_ += glm::vec2(x, y); });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned c) { self(w).text_.push_back(c); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+    self(w).events_.input = true;
+    self(w).wheel_ += glm::vec2(x, y);
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned c) {
+    self(w).events_.input = true;
+    self(w).text_.push_back(c);
+  });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w).events_.input = true; });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).events_.input = true; });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
     self(w).on_key(key, scancode, action);
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
-    if (button < 5) self(w).buttons_.push_back({button, action == GLFW_PRESS});
+    self(w).events_.input = true;
+    if (button < 5) self(w).buttons_.push_back({button, action == GLFW_PRESS, self(w).mouse()});
   });
 }
 
 void GlfwWindow::on_key(int key, int scancode, int action) {
+  events_.input = true;
   if (action != GLFW_RELEASE) {
     std::string chord = chord_name(key, glfwGetKeyName(key, scancode), held_modifiers(window_));
     if (!chord.empty()) events_.chords.push_back(std::move(chord));
   }
   // Each waits for a frame of its own: where frames are slow, Enter must not queue behind typed letters.
-  if (action != GLFW_REPEAT && is_imgui_key(key)) keys_.push_back({key, action == GLFW_PRESS});
+  if (action != GLFW_REPEAT && is_imgui_key(key)) keys_.push_back({key, action == GLFW_PRESS, {}});
 }
 
 void GlfwWindow::connect_imgui(ImGuiIO& io) {
@@ -254,31 +265,36 @@ void GlfwWindow::send_frame(ImGuiIO& io) {
   last_time_ = now;
 }
 
-void GlfwWindow::send_mouse(ImGuiIO& io) {
+ImVec2 GlfwWindow::mouse() const {
   double x = 0;
   double y = 0;
   glfwGetCursorPos(window_, &x, &y);
+  return {static_cast<float>(x), static_cast<float>(y)};
+}
+
+void GlfwWindow::send_mouse(ImGuiIO& io) {
   const bool here = glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE ||
                     glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE;
-  const ImVec2 place =
-      here ? ImVec2(static_cast<float>(x), static_cast<float>(y)) : ImVec2(-FLT_MAX, -FLT_MAX);
+  const ImVec2 place = here ? mouse() : ImVec2(-FLT_MAX, -FLT_MAX);
   const glm::vec2 wheel = std::exchange(wheel_, glm::vec2(0));
 #if IMGUI_VERSION_NUM >= 18700
-  io.AddMousePosEvent(place.x, place.y);
-  for (const Switch& button : buttons_) io.AddMouseButtonEvent(button.code, button.down);
+  for (const Switch& button : buttons_) {
+    io.AddMousePosEvent(button.place.x, button.place.y);
+    io.AddMouseButtonEvent(button.code, button.down);
+  }
   buttons_.clear();
+  io.AddMousePosEvent(place.x, place.y);
   io.AddMouseWheelEvent(wheel.x, wheel.y);
 #else
   io.MousePos = place;
   io.MouseWheelH += wheel.x;
   io.MouseWheel += wheel.y;
-  // One change of a button a frame: a click shorter than a frame would be lost.
-  std::array<bool, 5> changed{};
-  while (!buttons_.empty() &&
-         !std::exchange(changed[static_cast<std::size_t>(buttons_.front().code)], true)) {
-    io.MouseDown[buttons_.front().code] = buttons_.front().down;
-    buttons_.pop_front();
-  }
+  // One change of a button a frame, and where it happened: where frames are slow a short click would be lost,
+  // or hit what the mouse has come to since.
+  if (buttons_.empty()) return;
+  io.MousePos = buttons_.front().place;
+  io.MouseDown[buttons_.front().code] = buttons_.front().down;
+  buttons_.pop_front();
 #endif
 }
 

@@ -85,7 +85,7 @@ void last_sweep_section(Frame& frame) {
   if (sweep->smooths > 0) made += ", " + grouped(sweep->smooths) + " smoothed";
   ImGui::PushTextWrapPos(0);
   const bool refused = std::ranges::any_of(sweep->refused, [](std::uint32_t n) { return n > 0; });
-  muted(frame, made + (refused ? ". Edges it left, by reason:" : "; it refused no edge."));
+  muted(frame, made + (refused ? ". What it refused, by reason:" : "; it refused no edge."));
   ImGui::PopTextWrapPos();
   if (refused) refusal_table(frame, *sweep);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <imgui_internal.h>  // ClosePopupToLevel
+
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/menu_bar.h"
@@ -41,12 +43,18 @@ bool holds(const Area& area, ImVec2 p) {
 
 std::string number(double value) { return scene::short_number(value, 5); }
 
+constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+
 constexpr double degrees_per_window = 180;  // what a drag across the shorter side turns
 
 }  // namespace
 
 std::vector<std::string> Interface::draw(const scene::Session& session, const Fonts& fonts) {
   Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), interactive, {}};
+  // Menus and lists that drop down; dialogs have a command for it.
+  if (session.view.dialog == scene::Dialog::None && ImGui::IsPopupOpen("", any_popup) &&
+      key_pressed(ImGuiKey_Escape))
+    ImGui::ClosePopupToLevel(0, true);
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   present_ = picture_area(layout_.viewport, session.side_by_side(), true);
   scene_labels(frame, present_);
@@ -91,6 +99,7 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
   if (session.series() != nullptr && session.view.dialog == scene::Dialog::None)
     return chord == "Escape" ? "cancel" : "";
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
+  if (chord == "Escape" && ImGui::IsPopupOpen("", any_popup)) return {};  // draw() closes it
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
   if (chord == "Escape" && session.idle() && !session.selection.empty()) return "select none";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};

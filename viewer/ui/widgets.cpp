@@ -176,8 +176,11 @@ void primary_button(Frame& frame, const char* label, std::string_view line, floa
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lighter(0.15f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, lighter(0.3f));
   ImGui::PushStyleColor(ImGuiCol_Text, on_accent(frame));
-  command_button(frame, label, line, width, enabled);
-  ImGui::PopStyleColor(4);
+  ImGui::BeginDisabled(!enabled);
+  if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
+  ImGui::EndDisabled();
+  ImGui::PopStyleColor(4);  // before the tooltip, whose text is on another colour
+  command_tooltip(line);
 }
 
 bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up) {
