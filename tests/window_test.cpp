@@ -33,6 +33,27 @@ TEST_F(ViewerWindow, OpensATypedPathSweepsByAClickAndUndoes) {
   command("expect cursor = 0");
 }
 
+TEST_F(ViewerWindow, AClickHitsWhereItWasMadeHoweverFastTheMouseGoesOn) {
+  start({mesh_file("cylinder", 8, "first.ply")});
+  screen_->move_mouse(place_of("sweep"));
+  settle();
+  for (const bool down : {true, false}) screen_->button(1, down);
+  screen_->move_mouse(middle(layout().viewport));
+  ASSERT_TRUE(carries_out("sweep")) << said();
+  command("expect selected = 0");
+}
+
+TEST_F(ViewerWindow, EscapeClosesAMenu) {
+  start({mesh_file("cylinder", 8, "first.ply")});
+  const ui::Area menu = layout().menu;
+  click({static_cast<int>(menu.position.x) + 25, middle(menu).y});
+  settle();
+  press("Escape");
+  settle();
+  click(place_of("sweep"));  // with the menu open it would only close that
+  ASSERT_TRUE(carries_out("sweep")) << said();
+}
+
 TEST_F(ViewerWindow, RunsAndIsCancelled) {
   start({mesh_file("scan", 20000, "scan.ply")});
   press("R");

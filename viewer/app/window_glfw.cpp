@@ -78,7 +78,6 @@ class GlfwWindow : public Window {
   void connect_callbacks();
   void connect_imgui(ImGuiIO& io);
   void send_frame(ImGuiIO& io);
-  [[nodiscard]] ImVec2 mouse() const;
   void send_mouse(ImGuiIO& io);
   void send_keyboard(ImGuiIO& io);
   void update_cursor(const ImGuiIO& io);
@@ -93,6 +92,7 @@ class GlfwWindow : public Window {
   std::deque<Switch> buttons_;
   std::vector<unsigned> text_;
   glm::vec2 wheel_{0};
+  ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  ///< where it was last seen
   double last_time_ = 0;
   bool connected_ = false;
   ui::WindowPlace place_;  ///< the last one while it was not maximised
@@ -210,14 +210,18 @@ void GlfwWindow::connect_callbacks() {
     self(w).events_.input = true;
     self(w).text_.push_back(c);
   });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { self(w).events_.input = true; });
+  // glfwGetCursorPos() asks where the mouse is now, which may be far from where a button went down.
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    self(w).events_.input = true;
+    self(w).mouse_ = ImVec2(static_cast<float>(x), static_cast<float>(y));
+  });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).events_.input = true; });
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int) {
     self(w).on_key(key, scancode, action);
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
     self(w).events_.input = true;
-    if (button < 5) self(w).buttons_.push_back({button, action == GLFW_PRESS, self(w).mouse()});
+    if (button < 5) self(w).buttons_.push_back({button, action == GLFW_PRESS, self(w).mouse_});
   });
 }
 
@@ -265,17 +269,10 @@ void GlfwWindow::send_frame(ImGuiIO& io) {
   last_time_ = now;
 }
 
-ImVec2 GlfwWindow::mouse() const {
-  double x = 0;
-  double y = 0;
-  glfwGetCursorPos(window_, &x, &y);
-  return {static_cast<float>(x), static_cast<float>(y)};
-}
-
 void GlfwWindow::send_mouse(ImGuiIO& io) {
   const bool here = glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE ||
                     glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE;
-  const ImVec2 place = here ? mouse() : ImVec2(-FLT_MAX, -FLT_MAX);
+  const ImVec2 place = here ? mouse_ : ImVec2(-FLT_MAX, -FLT_MAX);
   const glm::vec2 wheel = std::exchange(wheel_, glm::vec2(0));
 #if IMGUI_VERSION_NUM >= 18700
   for (const Switch& button : buttons_) {
