@@ -73,6 +73,18 @@ TEST(HashFacts, BuiltSmallItGrowsAndTheBarsSumToTheEntities) {
   EXPECT_THROW(execute(s, "hash-sets maybe"), CommandError);
 }
 
+TEST(HashFacts, TheLastBarIsThatOfTheCrowdedBuckets) {
+  Mesh mesh(make_sample("sphere", 3));
+  mesh.set(1, 0);
+  mesh.build_hash(1, 61);
+  const HashFacts facts = hash_facts(mesh, 1);
+  EXPECT_EQ(facts.entities, 270u);
+  EXPECT_TRUE(facts.rehashes.empty());
+  ASSERT_GT(facts.statistics.crowded, 0u);
+  EXPECT_EQ(facts.buckets[10], facts.statistics.crowded);
+  EXPECT_DOUBLE_EQ(facts.crowded_share(), static_cast<double>(facts.buckets[10]) / facts.statistics.used);
+}
+
 TEST(IdFacts, ACollapsePushesIdsAndUndoTakesThemBack) {
   Session s;
   drive(s, {"sample sphere 8"});
@@ -101,6 +113,16 @@ TEST(Askers, AreNamedWhileTheyHoldARelation) {
   EXPECT_EQ(askers(mesh, 0, 2), "drawing, the paper's loop");
   drive(s, {"adjacency 0 2 on", "strategy quality", "step"});
   EXPECT_EQ(askers(mesh, 0, 2), "you or its source, drawing, the quality loop");
+}
+
+TEST(Askers, TheOneThatLetsGoIsGone) {
+  Mesh mesh(zoo::square());
+  Request first = mesh.request(0, 2, "first");
+  const Request second = mesh.request(0, 2, "second");
+  EXPECT_EQ(askers(mesh, 0, 2), "first, second");
+  first.release();
+  EXPECT_EQ(askers(mesh, 0, 2), "second");
+  EXPECT_TRUE(mesh.stored(0, 2));
 }
 
 TEST(Strategies, BothLeadToTheSameMeshAndFreeWhatTheyDoNotHold) {

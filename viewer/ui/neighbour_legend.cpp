@@ -12,6 +12,7 @@ namespace aomd::ui {
 namespace {
 
 constexpr float pad_ems = 0.5f, swatch_ems = 2.0f;
+constexpr float axes_ems = 6.5f;  // the left corner belongs to the axes
 
 /// A line as it looks in the picture, or none, and what it means.
 struct Row {
@@ -60,15 +61,15 @@ std::vector<Row> broken(std::vector<Row> rows, float width) {
 
 void neighbour_legend(const Frame& frame, const Area& viewport) {
   const scene::Neighbours* neighbours = frame.session.neighbours();
-  if (neighbours == nullptr || viewport.size.x < 8 * em()) return;
-  const float pad = pad_ems * em(), most = std::min(26 * em(), viewport.size.x - 2 * em());
+  if (neighbours == nullptr || viewport.size.x < 2 * axes_ems * em()) return;
+  const float pad = pad_ems * em(), most = std::min(26 * em(), viewport.size.x - (axes_ems + 1) * em());
   const std::vector<Row> rows = broken(rows_of(*neighbours), most - 2 * pad);
   ImVec2 size{0, 0};
   for (const Row& row : rows) {
     const ImVec2 words = ImGui::CalcTextSize(row.words.c_str());
     size = {std::max(size.x, words.x + (row.style ? swatch_ems * em() : 0)), size.y + words.y};
   }
-  const ImVec2 from{viewport.position.x + 0.6f * em(),
+  const ImVec2 from{viewport.position.x + viewport.size.x - size.x - 2 * pad - 0.6f * em(),
                     viewport.position.y + viewport.size.y - size.y - 2 * pad - 0.6f * em()};
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImVec4 plate = frame.colors.panel;

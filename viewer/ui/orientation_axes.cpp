@@ -80,7 +80,7 @@ void orientation_axes(Frame& frame, const Area& viewport) {
   if (!frame.session.view.axes || !frame.has_mesh()) return;
   const float reach = 1.9f * em(), half = reach + 0.7f * em(), margin = 0.5f * em();
   if (viewport.size.x < 8 * half || viewport.size.y < 5 * half) return;
-  const ImVec2 corner{viewport.position.x + viewport.size.x - margin - 2 * half,
+  const ImVec2 corner{viewport.position.x + margin,
                       viewport.position.y + viewport.size.y - margin - 2 * half};
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize({2 * half, 2 * half});
