@@ -129,6 +129,19 @@ Mesh with_representation(const MeshData& data, const Cells& cells) {
   return mesh;
 }
 
+/// Which relations are stored, and how often each was built or freed for somebody.
+std::string stored_relations(const Mesh& mesh) {
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      if (i == j) continue;
+      const Representation::Record& record = mesh.representation().record(i, j);
+      text += mesh.stored(i, j) ? "stored " : "- ";
+      text += std::to_string(record.builds) + " " + std::to_string(record.frees) + " ";
+    }
+  return text;
+}
+
 std::vector<Cells> representations() {
   std::vector<Cells> all;
   for (int bits = 0; bits < 32; ++bits) {
@@ -179,6 +192,33 @@ TEST(RandomEditsTest, AllBackIsTheStartAndAllForwardTheEnd) {
       journal.seek(mesh, journal.size());
       ASSERT_EQ(zoo::fingerprint(mesh), end) << animal.name;
       ASSERT_TRUE(verify(mesh).empty()) << animal.name;
+    }
+}
+
+// A far move builds relations anew where single steps keep them up to date.
+TEST(RandomEditsTest, AFarMoveLeadsWhereSingleStepsLead) {
+  for (const zoo::Animal& animal : zoo::all())
+    for (const Cells& cells : representations()) {
+      Mesh mesh = with_representation(animal.data, cells);
+      mesh.keep_class_lists(true);
+      Journal journal;
+      mesh.attach(&journal);
+      Program program(mesh, 31);
+      for (int i = 0; i < 120; ++i) program.edit();
+      const std::string stored = stored_relations(mesh);
+      Random random(7);
+      for (int i = 0; i < 6; ++i) {
+        const std::size_t to = random(static_cast<std::uint32_t>(journal.size() + 1)), from = journal.cursor();
+        journal.seek(mesh, to);
+        const std::string far = zoo::fingerprint(mesh);
+        ASSERT_TRUE(verify(mesh).empty()) << animal.name << " to " << to;
+        ASSERT_EQ(stored_relations(mesh), stored) << animal.name;
+        journal.seek(mesh, from);
+        while (journal.cursor() > to) journal.undo(mesh);
+        while (journal.cursor() < to) journal.redo(mesh);
+        ASSERT_EQ(zoo::fingerprint(mesh), far) << animal.name << " to " << to;
+        ASSERT_TRUE(verify(mesh).empty()) << animal.name << " to " << to;
+      }
     }
 }
 

@@ -18,7 +18,8 @@ declare -A may_include=(
   [viewer/render]="core viewer/scene viewer/render"
   [viewer/ui]="core viewer/scene viewer/render viewer/ui"
   [viewer/app]="core viewer/scene viewer/render viewer/ui viewer/app"
-  [tools]="core tools"
+  [tools/aomd]="core tools/aomd"
+  [tools/bench]="core viewer tools/bench"
 )
 
 # Whether $1, a list of folders, holds a folder that is $2 or contains it.
@@ -36,7 +37,6 @@ while IFS=: read -r file line text; do
   included=${included%%\"*}
   folder=${file#*/}
   layer=${file%%/*}/${folder%%/*}
-  [[ "$file" == tools/* ]] && layer=tools
   case "$included" in
     core/* | viewer/* | tools/*) ;;
     *) continue ;;

@@ -1,11 +1,20 @@
 #include "core/mesh/journal.h"
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 
 #include "core/mesh/check.h"
 
 namespace aomd {
+namespace {
+
+/// From so many words of records for each entity on, a move through the history lets go of what can be
+/// derived and builds it anew afterwards: building costs about as much as keeping relations up to date for a
+/// twelfth of the entities.
+constexpr std::size_t far_words_per_entity = 1;
+
+}  // namespace
 
 const char* step_name(StepKind kind) {
   constexpr const char* names[] = {"edit", "collapse", "swap", "smooth", "classify"};
@@ -166,7 +175,7 @@ void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
   if (recorded_create) mesh.attached_.cover_again(head.dim, id, creations++);
 }
 
-void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {
+void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) {
   const RecordHead head = RecordHead::unpack(words_[at]);
   const std::uint32_t id = words_[at + 1];
   switch (head.kind) {
@@ -183,25 +192,25 @@ void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) const {
     case RecordKind::Rebind:
       break;
   }
-  std::vector<Rebinding> items(head.count);
+  rebindings_.resize(head.count);
   for (std::uint32_t i = 0; i < head.count; ++i) {
     const std::uint32_t* w = words_.data() + at + 1 + 4 * std::size_t{i};
     const Vertex from(w[2]), to(w[3]);
-    items[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to,
-                forward ? to : from};
+    rebindings_[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to,
+                      forward ? to : from};
   }
-  mesh.apply_rebindings(items);
+  mesh.apply_rebindings(rebindings_);
 }
 
 bool Journal::undo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == 0) return false;
   --cursor_;
-  std::vector<std::uint64_t> records;
+  places_.clear();
   for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_);
        at += RecordHead::unpack(words_[at]).length())
-    records.push_back(at);
-  for (auto it = records.rbegin(); it != records.rend(); ++it) apply(mesh, *it, false);
+    places_.push_back(at);
+  for (auto it = places_.rbegin(); it != places_.rend(); ++it) apply(mesh, *it, false);
   return true;
 }
 
@@ -215,11 +224,19 @@ bool Journal::redo(Mesh& mesh) {
   return true;
 }
 
+bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
+  const auto [first, last] = std::minmax(cursor_, step);
+  const std::size_t entities = std::size_t{mesh.count(0)} + mesh.count(1) + mesh.count(2) + mesh.count(3);
+  return words_of(first, last) > far_words_per_entity * entities;
+}
+
 void Journal::seek(Mesh& mesh, std::size_t step) {
-  while (cursor_ > step && undo(mesh)) {
-  }
-  while (cursor_ < step && redo(mesh)) {
-  }
+  step = std::min(step, steps_.size());
+  Mesh::Relations derived;
+  if (is_far(mesh, step)) derived = mesh.release_derived();
+  while (cursor_ > step) undo(mesh);
+  while (cursor_ < step) redo(mesh);
+  mesh.build_again(derived);
 }
 
 void Journal::clear() {

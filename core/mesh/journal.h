@@ -50,6 +50,10 @@ class Journal {
   [[nodiscard]] std::span<const std::uint32_t> records(std::size_t i) const {
     return std::span(words_).subspan(steps_[i].begin, step_end(i) - steps_[i].begin);
   }
+  /// How much steps [first, last) recorded, in words of 4 bytes. O(1).
+  [[nodiscard]] std::size_t words_of(std::size_t first, std::size_t last) const {
+    return first < last ? step_end(last - 1) - steps_[first].begin : 0;
+  }
   [[nodiscard]] std::size_t bytes() const {
     return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep);
   }
@@ -64,7 +68,9 @@ class Journal {
   /// Each returns false at its end of the history.
   bool undo(Mesh& mesh);
   bool redo(Mesh& mesh);
-  /// Undoes or redoes until `step` steps are applied (clamped to the history).
+  /// Undoes or redoes until `step` steps are applied (clamped to the history). O(records in between); far
+  /// away, only what defines the entities follows each record, and what T stores besides is built anew at the
+  /// end, O(size).
   void seek(Mesh& mesh, std::size_t step);
   void clear();
 
@@ -104,7 +110,8 @@ class Journal {
   [[nodiscard]] std::uint64_t step_end(std::size_t i) const {
     return i + 1 < steps_.size() ? steps_[i + 1].begin : words_.size();
   }
-  void apply(Mesh& mesh, std::uint64_t at, bool forward) const;
+  [[nodiscard]] bool is_far(const Mesh& mesh, std::size_t step) const;
+  void apply(Mesh& mesh, std::uint64_t at, bool forward);
   void apply_entity(Mesh& mesh, std::uint64_t at, bool create) const;
   [[nodiscard]] glm::dvec3 read_position(std::uint64_t at) const;
 
@@ -117,6 +124,9 @@ class Journal {
   bool keeps_cut_ = false;
   bool in_step_ = false;
   bool implicit_step_ = false;
+  // Scratch of undo and redo
+  std::vector<std::uint64_t> places_;
+  std::vector<Rebinding> rebindings_;
 };
 
 template <typename Visit>

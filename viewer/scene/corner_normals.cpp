@@ -9,6 +9,7 @@ namespace aomd::scene {
 namespace {
 
 constexpr double split_cosine = 0.76604444;  // of 40 degrees
+constexpr double half_cosine = 0.93969262;   // of 20 degrees: any two of these are within 40
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
@@ -19,7 +20,9 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
 
 std::span<const CornerNormals::Corner> CornerNormals::at(const Mesh& mesh, Vertex v) {
   gather(mesh, v);
-  join_smooth_ones(mesh, v);
+  find_sharp_ones(mesh, v);
+  if (sharp_.empty() && share_one()) return corners_;
+  join_smooth_ones();
   sums_.assign(corners_.size(), glm::dvec3(0));
   for (std::uint32_t i = 0; i < corners_.size(); ++i) sums_[root(i)] += weights_[i] * normals_[i];
   for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -33,35 +36,46 @@ void CornerNormals::gather(const Mesh& mesh, Vertex v) {
   corners_.clear();
   normals_.clear();
   weights_.clear();
-  sides_.clear();
   const glm::dvec3 p = mesh.position(v);
   for (const Face f : mesh.row<2>(v)) {
     const auto t = mesh.triangle(f);
     const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    const Vertex next = t[slot == 2 ? 0 : slot + 1];
-    const Vertex previous = t[slot == 0 ? 2 : slot - 1];
-    const auto corner = static_cast<std::uint32_t>(corners_.size());
-    sides_.push_back({next, corner});
-    sides_.push_back({previous, corner});
-    corners_.push_back({f, slot});
-    const glm::dvec3 a = mesh.position(next) - p;
-    const glm::dvec3 b = mesh.position(previous) - p;
+    corners_.push_back({f, slot, t[slot == 2 ? 0 : slot + 1], t[slot == 0 ? 2 : slot - 1]});
+    const glm::dvec3 a = mesh.position(corners_.back().next) - p;
+    const glm::dvec3 b = mesh.position(corners_.back().previous) - p;
     const glm::dvec3 n = glm::cross(a, b);
-    weights_.push_back(std::atan2(glm::length(n), glm::dot(a, b)));
-    normals_.push_back(unit_or_zero(n));
+    const double length = glm::length(n);
+    weights_.push_back(std::atan2(length, glm::dot(a, b)));
+    normals_.push_back(length > 0 ? n / length : glm::dvec3(0));
   }
 }
 
-void CornerNormals::join_smooth_ones(const Mesh& mesh, Vertex v) {
-  parent_.resize(corners_.size());
-  for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
+void CornerNormals::find_sharp_ones(const Mesh& mesh, Vertex v) {
   sharp_.clear();
-  for (const Edge e : mesh.row<1>(v)) {
-    if (mesh.classification(e).dimension() > 1) continue;
-    const auto [a, b] = mesh.edge_vertices(e);
-    sharp_.push_back(a == v ? b : a);
-  }
+  for (const Edge e : mesh.row<1>(v))
+    if (mesh.classification(e).dimension() <= 1) sharp_.push_back(mesh.other_end(e, v));
   std::sort(sharp_.begin(), sharp_.end());
+}
+
+/// What most vertices come to.
+bool CornerNormals::share_one() {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 0; i < corners_.size(); ++i) sum += weights_[i] * normals_[i];
+  const glm::dvec3 mean = unit_or_zero(sum);
+  for (const glm::dvec3& n : normals_)
+    if (glm::dot(n, mean) < half_cosine) return false;
+  for (Corner& c : corners_) c.normal = glm::vec3(mean);
+  return true;
+}
+
+void CornerNormals::join_smooth_ones() {
+  parent_.resize(corners_.size());
+  sides_.clear();
+  for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+    parent_[i] = i;
+    sides_.push_back({corners_[i].next, i});
+    sides_.push_back({corners_[i].previous, i});
+  }
   std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
     return x.far != y.far ? x.far < y.far : x.corner < y.corner;
   });

@@ -17,12 +17,14 @@ class CornerNormals {
   struct Corner {
     Face face;
     std::uint32_t slot = 0;  ///< 0..2, where the vertex stands in the face
+    Vertex next, previous;   ///< the face's other vertices, in its order
     glm::vec3 normal{0, 0, 1};
   };
 
   /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by their angles
   /// at v) where they can be reached from each other through edges that are not on model edges and turn by
-  /// less than 40 degrees. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
+  /// less than 40 degrees; all share one where no model edge is at v and each turns by at most 20 degrees
+  /// from it. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
   [[nodiscard]] std::span<const Corner> at(const Mesh& mesh, Vertex v);
 
  private:
@@ -31,7 +33,9 @@ class CornerNormals {
     std::uint32_t corner = 0;
   };
   void gather(const Mesh& mesh, Vertex v);
-  void join_smooth_ones(const Mesh& mesh, Vertex v);
+  void find_sharp_ones(const Mesh& mesh, Vertex v);
+  [[nodiscard]] bool share_one();
+  void join_smooth_ones();
   [[nodiscard]] std::uint32_t root(std::uint32_t i) const;
 
   std::vector<Corner> corners_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/parallel.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -53,12 +55,7 @@ MeshFacts volume_facts(const Mesh& mesh, const Skin& skin) {
 
 void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
   if (changes.everything) {
-    facts_ = {};
-    edges_.assign(mesh.capacity(1), EdgeKind::Dead);
-    unused_.assign(mesh.capacity(0), 0);
-    for (const Edge e : mesh.edges()) look_at(mesh, e);
-    for (const Vertex v : mesh.vertices()) look_at(mesh, v);
-    count_shapes(mesh, 2, facts_);
+    look_at_all(mesh);
   } else {
     if (edges_.size() < mesh.capacity(1)) edges_.resize(mesh.capacity(1), EdgeKind::Dead);
     if (unused_.size() < mesh.capacity(0)) unused_.resize(mesh.capacity(0), 0);
@@ -72,16 +69,34 @@ void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
   if (!changes.everything) facts_.shapes[static_cast<std::size_t>(Shape::Triangle)] = facts_.faces;
 }
 
+void FactsKeeper::look_at_all(const Mesh& mesh) {
+  constexpr std::size_t edges_a_piece = 8192;
+  facts_ = {};
+  edges_.assign(mesh.capacity(1), EdgeKind::Dead);
+  parallel_for(mesh.capacity(1), thread_count(0), edges_a_piece, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(1), begin, end,
+               [&](std::uint32_t id) { edges_[Edge(id)] = kind_of(mesh, Edge(id)); });
+  });
+  for (const Edge e : mesh.edges()) count(edges_[e], +1);
+  unused_.assign(mesh.capacity(0), 0);
+  for (const Vertex v : mesh.vertices()) look_at(mesh, v);
+  count_shapes(mesh, 2, facts_);
+}
+
 void FactsKeeper::count(EdgeKind kind, std::int64_t by) {
   if (kind == EdgeKind::Boundary) facts_.boundary += by;
   if (kind == EdgeKind::NonManifold) facts_.nonmanifold += by;
 }
 
-void FactsKeeper::look_at(const Mesh& mesh, Edge edge) {
+FactsKeeper::EdgeKind FactsKeeper::kind_of(const Mesh& mesh, Edge edge) {
   constexpr EdgeKind by_faces[] = {EdgeKind::Bare, EdgeKind::Boundary, EdgeKind::Inner,
                                    EdgeKind::NonManifold};
+  return mesh.alive(edge) ? by_faces[faces_at(mesh, edge)] : EdgeKind::Dead;
+}
+
+void FactsKeeper::look_at(const Mesh& mesh, Edge edge) {
   if (edge.index >= edges_.size()) return;
-  const EdgeKind now = mesh.alive(edge) ? by_faces[faces_at(mesh, edge)] : EdgeKind::Dead;
+  const EdgeKind now = kind_of(mesh, edge);
   count(edges_[edge], -1);
   count(now, +1);
   edges_[edge] = now;

@@ -43,6 +43,8 @@ class FactsKeeper {
 
  private:
   enum class EdgeKind : std::uint8_t { Dead, Boundary, Inner, NonManifold, Bare };
+  [[nodiscard]] static EdgeKind kind_of(const Mesh& mesh, Edge edge);
+  void look_at_all(const Mesh& mesh);
   void look_at(const Mesh& mesh, Edge edge);
   void look_at(const Mesh& mesh, Vertex vertex);
   void count(EdgeKind kind, std::int64_t by);

@@ -5,11 +5,8 @@
 namespace aomd::scene {
 namespace {
 
-template <typename T>
-void make_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
+/// Records of an operation on triangles hold about so many words for each face that they touch.
+constexpr std::size_t words_per_face = 12;
 
 }  // namespace
 
@@ -19,66 +16,62 @@ bool ChangeReader::can_follow(const HistoryPlace& now) const {
   return now.epoch == place_.epoch || (now.epoch == place_.epoch + 1 && place_.cursor <= now.last_cut);
 }
 
+/// Beyond a part of the mesh a fresh start costs less than following.
+bool ChangeReader::is_far(const Mesh& mesh, const Journal& journal, std::size_t cursor) const {
+  const auto [first, last] = std::minmax(place_.cursor, cursor);
+  return 3 * journal.words_of(first, last) > words_per_face * mesh.count(2);
+}
+
 SurfaceChanges ChangeReader::read(const Mesh& mesh, const Journal& journal, const HistoryPlace& now) {
   SurfaceChanges changes;
   if (now == place_) return changes;
-  if (can_follow(now)) {
-    collect(journal, now.cursor, changes);
-    // Beyond a part of the mesh a fresh start costs less than following.
-    changes.everything = 3 * changes.faces.size() > mesh.count(2);
+  changes.everything = !can_follow(now) || is_far(mesh, journal, now.cursor);
+  if (changes.everything) {
+    remember(mesh);
   } else {
-    changes.everything = true;
-  }
-  place_ = now;
-  if (!changes.everything) {
-    add_faces_of_moved(mesh, changes);
+    collect(mesh, journal, now.cursor, changes);
     add_stars(mesh, changes);
     for (const Face f : changes.faces) remember(mesh, f);
-    return changes;
   }
-  changes = {};
-  changes.everything = true;
-  remember(mesh);
+  place_ = now;
   return changes;
 }
 
-void ChangeReader::collect(const Journal& journal, std::size_t cursor, SurfaceChanges& changes) const {
+void ChangeReader::collect(const Mesh& mesh, const Journal& journal, std::size_t cursor,
+                           SurfaceChanges& changes) {
+  IdSet* const sets[] = {&vertices_, &edges_, &faces_};
   const auto [first, last] = std::minmax(place_.cursor, cursor);
   journal.touched(first, last, [&](EntityRef e) {
-    if (e.dimension == 0) changes.vertices.emplace_back(e.index);
-    if (e.dimension == 1) changes.edges.emplace_back(e.index);
-    if (e.dimension == 2) changes.faces.emplace_back(e.index);
+    if (e.dimension < 3) sets[e.dimension]->add(e.index);
   });
-  make_unique(changes.vertices);
-  make_unique(changes.edges);
-  make_unique(changes.faces);
+  changes.vertices = vertices_.take<Vertex>();
+  // A moved vertex takes its faces with it.
+  for (const Vertex v : changes.vertices)
+    if (mesh.alive(v))
+      for (const Face f : mesh.row<2>(v)) faces_.add(f.index);
+  changes.faces = faces_.take<Face>();
 }
 
-void ChangeReader::add_faces_of_moved(const Mesh& mesh, SurfaceChanges& changes) const {
-  for (const Vertex v : changes.vertices) {
-    if (!mesh.alive(v)) continue;
-    for (const Face f : mesh.row<2>(v)) changes.faces.push_back(f);
-  }
-  make_unique(changes.faces);
-}
-
-void ChangeReader::add_stars(const Mesh& mesh, SurfaceChanges& changes) const {
+void ChangeReader::add_stars(const Mesh& mesh, SurfaceChanges& changes) {
   const auto add = [&](const auto& vertices) {
     for (const Vertex v : vertices)
-      if (v.valid()) changes.vertices.push_back(v);
+      if (v.valid()) vertices_.add(v.index);
   };
+  add(changes.vertices);
   for (const Face f : changes.faces) {
     if (f.index < triangles_.size()) add(triangles_[f.index]);
     if (mesh.alive(f)) add(mesh.triangle(f));
   }
-  for (const Edge e : changes.edges)
+  changes.edges = edges_.take<Edge>();
+  for (const Edge e : changes.edges) {
+    edges_.add(e.index);
     if (mesh.alive(e)) add(mesh.edge_vertices(e));
-  make_unique(changes.vertices);
-  for (const Vertex v : changes.vertices) {
-    if (!mesh.alive(v)) continue;
-    for (const Edge e : mesh.row<1>(v)) changes.edges.push_back(e);
   }
-  make_unique(changes.edges);
+  changes.vertices = vertices_.take<Vertex>();
+  for (const Vertex v : changes.vertices)
+    if (mesh.alive(v))
+      for (const Edge e : mesh.row<1>(v)) edges_.add(e.index);
+  changes.edges = edges_.take<Edge>();
 }
 
 void ChangeReader::remember(const Mesh& mesh) {

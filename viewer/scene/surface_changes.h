@@ -7,6 +7,7 @@
 
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
+#include "viewer/scene/id_set.h"
 
 namespace aomd::scene {
 
@@ -41,14 +42,15 @@ class ChangeReader {
 
  private:
   [[nodiscard]] bool can_follow(const HistoryPlace& now) const;
-  void collect(const Journal& journal, std::size_t cursor, SurfaceChanges& changes) const;
-  void add_faces_of_moved(const Mesh& mesh, SurfaceChanges& changes) const;
-  void add_stars(const Mesh& mesh, SurfaceChanges& changes) const;
+  [[nodiscard]] bool is_far(const Mesh& mesh, const Journal& journal, std::size_t cursor) const;
+  void collect(const Mesh& mesh, const Journal& journal, std::size_t cursor, SurfaceChanges& changes);
+  void add_stars(const Mesh& mesh, SurfaceChanges& changes);
   void remember(const Mesh& mesh);
   void remember(const Mesh& mesh, Face face);
 
   HistoryPlace place_;
   std::vector<std::array<Vertex, 3>> triangles_;  ///< by face id, as of `place_`
+  IdSet vertices_, edges_, faces_;                ///< scratch
 };
 
 }  // namespace aomd::scene

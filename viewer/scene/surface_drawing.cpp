@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/mesh/parallel.h"
 #include "viewer/scene/step_before.h"
 
 namespace aomd::scene {
@@ -18,6 +19,7 @@ constexpr float step_line_px = 2.6f;
 constexpr float step_disc_px = 5.0f;
 constexpr float marked_line_px = 2.0f;
 constexpr float marked_disc_px = 3.0f;
+constexpr std::size_t items_a_piece = 2048;
 constexpr Color highlight_color = rgb(0xff2f92);
 constexpr Color before_color = rgb(0x1f4fd8);
 
@@ -119,14 +121,35 @@ Color SurfaceDrawing::color(ModelRef ref) const {
   return ref.dimension() < 2 ? plain_line_color() : plain_face_color();
 }
 
+/// All corners, in pieces that write to places of their own.
+void SurfaceDrawing::draw_faces(const Mesh& mesh, std::span<Corner> corners) const {
+  parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
+    std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
+              corners.begin() + static_cast<std::ptrdiff_t>(3 * end), Corner());
+    each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
+      const auto drawn = corners_of(mesh, Face(id));
+      std::copy(drawn.begin(), drawn.end(), corners.begin() + 3 * static_cast<std::ptrdiff_t>(id));
+    });
+  });
+  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
+    CornerNormals normals;
+    each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
+      for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
+        corners[3 * std::size_t{c.face.index} + c.slot].normal = pack_normal(c.normal);
+    });
+  });
+}
+
 void SurfaceDrawing::rebuild(const Mesh& mesh) {
-  drawable_.corners.assign(std::vector<Corner>(3 * std::size_t{mesh.capacity(2)}));
+  const std::size_t size = 3 * std::size_t{mesh.capacity(2)};
+  drawable_.corners.resize(size);
+  draw_faces(mesh, drawable_.corners.edit(0, size));
   drawable_.model_edges.assign({});
   drawable_.model_vertices.assign({});
   edge_slots_.clear(mesh.capacity(1));
   vertex_slots_.clear(mesh.capacity(0));
-  recolor(mesh);
-  for (const Vertex v : mesh.vertices()) draw_normals(mesh, v);
+  for (const Edge e : mesh.edges()) draw_edge(mesh, e);
+  for (const Vertex v : mesh.vertices()) draw_vertex(mesh, v);
 }
 
 void SurfaceDrawing::recolor(const Mesh& mesh) {
@@ -146,27 +169,33 @@ void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
   }
 }
 
+/// Of a face that is alive, but for the normals, which depend on its neighbours.
+std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face) const {
+  std::array<Corner, 3> corners;
+  const ModelRef model = mesh.classification(face);
+  const glm::dvec3 center = center_of(mesh, face);
+  if (hidden(model) || (whole_faces_ && clipped(center))) return corners;
+  const auto pull = static_cast<float>(style_.shrink);
+  std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
+  if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
+  if (style_.edge_codes) flags |= code_flags(mesh, face);
+  const auto vertices = mesh.triangle(face);
+  for (std::size_t i = 0; i < 3; ++i) {
+    glm::vec3 position = place(mesh, vertices[i]);
+    if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
+    corners[i] = {position, 0, color(face, model, vertices[i]), flags};
+  }
+  return corners;
+}
+
 void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
   const std::size_t first = 3 * std::size_t{face.index};
   if (first >= drawable_.corners.size()) return;  // came and went between two looks
   const bool alive = mesh.alive(face);
-  const ModelRef model = alive ? mesh.classification(face) : ModelRef();
-  const glm::dvec3 center = alive ? center_of(mesh, face) : glm::dvec3(0);
-  const bool drawn = alive && !hidden(model) && !(whole_faces_ && clipped(center));
-  const auto pull = static_cast<float>(style_.shrink);
-  std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
-  if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
-  if (drawn && style_.edge_codes) flags |= code_flags(mesh, face);
+  const auto corners = alive ? corners_of(mesh, face) : std::array<Corner, 3>();
   for (std::size_t i = 0; i < 3; ++i) {
-    Corner corner;
+    Corner corner = corners[i];
     if (alive) corner.normal = drawable_.corners[first + i].normal;
-    if (drawn) {
-      const Vertex v = mesh.triangle(face)[i];
-      corner.position = place(mesh, v);
-      if (pull > 0) corner.position = glm::mix(corner.position, glm::vec3(center - drawable_.origin), pull);
-      corner.color = color(face, model, v);
-      corner.flags = flags;
-    }
     if (!same(corner, drawable_.corners[first + i])) drawable_.corners.set(first + i, corner);
   }
 }

@@ -1,9 +1,11 @@
 #pragma once
 // Fills a Drawable from a mesh and keeps it in step, touching no more than what changed.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,8 @@ class SurfaceDrawing {
   void recolor(const Mesh& mesh);
   [[nodiscard]] Style style_of(const Mesh& mesh, const View& view, bool changed) const;
   void patch(const Mesh& mesh, const SurfaceChanges& changes);
+  [[nodiscard]] std::array<Corner, 3> corners_of(const Mesh& mesh, Face face) const;
+  void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
