@@ -1,3 +1,11 @@
+# What most sources include, compiled once for each library: half of the time to build goes into reading it. A source still
+# includes what it uses: -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON (the dev preset) builds without.
+set(AOMD_COMMON_HEADERS
+  <algorithm> <array> <bit> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional> <set> <span>
+  <stdexcept> <string> <string_view> <unordered_map> <utility> <variant> <vector>
+  <glm/common.hpp> <glm/geometric.hpp> <glm/vec3.hpp>
+  ${PROJECT_SOURCE_DIR}/core/mesh/mesh.h)
+
 # aomd_target(NAME): the settings that every target of this project shares.
 function(aomd_target name)
   target_include_directories(${name} PUBLIC
