@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -17,6 +18,19 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
 }
 
 }  // namespace
+
+FaceNormal face_normal(const Mesh& mesh, Face face) {
+  const auto t = mesh.triangle(face);
+  const glm::dvec3 p = mesh.position(t[0]), q = mesh.position(t[1]), r = mesh.position(t[2]);
+  const glm::dvec3 normal = glm::cross(q - p, r - p);
+  const double length = glm::length(normal);
+  FaceNormal result;
+  if (length > 0) result.unit = normal / length;
+  result.angles[0] = std::atan2(length, glm::dot(q - p, r - p));
+  result.angles[1] = std::atan2(length, glm::dot(r - q, p - q));
+  result.angles[2] = std::max(0.0, std::numbers::pi - result.angles[0] - result.angles[1]);
+  return result;
+}
 
 std::span<const CornerNormals::Corner> CornerNormals::at(const Mesh& mesh, Vertex v) {
   gather(mesh, v);
@@ -36,17 +50,13 @@ void CornerNormals::gather(const Mesh& mesh, Vertex v) {
   corners_.clear();
   normals_.clear();
   weights_.clear();
-  const glm::dvec3 p = mesh.position(v);
   for (const Face f : mesh.row<2>(v)) {
     const auto t = mesh.triangle(f);
     const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
     corners_.push_back({f, slot, t[slot == 2 ? 0 : slot + 1], t[slot == 0 ? 2 : slot - 1]});
-    const glm::dvec3 a = mesh.position(corners_.back().next) - p;
-    const glm::dvec3 b = mesh.position(corners_.back().previous) - p;
-    const glm::dvec3 n = glm::cross(a, b);
-    const double length = glm::length(n);
-    weights_.push_back(std::atan2(length, glm::dot(a, b)));
-    normals_.push_back(length > 0 ? n / length : glm::dvec3(0));
+    const FaceNormal normal = faces_ ? (*faces_)[f] : face_normal(mesh, f);
+    weights_.push_back(normal.angles[slot]);
+    normals_.push_back(normal.unit);
   }
 }
 

@@ -1,14 +1,24 @@
 #pragma once
 // Normals of triangle corners: smooth within a model face, split where an edge is to look sharp.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 
 namespace aomd::scene {
+
+/// What a triangle brings to the normals of its corners.
+struct FaceNormal {
+  glm::dvec3 unit{0};              ///< zero where the face has no area
+  std::array<double, 3> angles{};  ///< at its vertices, radians
+};
+[[nodiscard]] FaceNormal face_normal(const Mesh& mesh, Face face);
 
 /// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store T(0,1),
 /// T(0,2) and T(2,0).
@@ -20,6 +30,10 @@ class CornerNormals {
     Vertex next, previous;   ///< the face's other vertices, in its order
     glm::vec3 normal{0, 0, 1};
   };
+
+  CornerNormals() = default;
+  /// With what face_normal() says of all faces, which must outlive this: for many vertices.
+  explicit CornerNormals(const Column<Face, FaceNormal>& faces) : faces_(&faces) {}
 
   /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by their angles
   /// at v) where they can be reached from each other through edges that are not on model edges and turn by
@@ -38,6 +52,7 @@ class CornerNormals {
   void join_smooth_ones();
   [[nodiscard]] std::uint32_t root(std::uint32_t i) const;
 
+  const Column<Face, FaceNormal>* faces_ = nullptr;
   std::vector<Corner> corners_;
   std::vector<glm::dvec3> normals_;  ///< of the faces, unit length or zero
   std::vector<double> weights_;

@@ -123,16 +123,18 @@ Color SurfaceDrawing::color(ModelRef ref) const {
 
 /// All corners, in pieces that write to places of their own.
 void SurfaceDrawing::draw_faces(const Mesh& mesh, std::span<Corner> corners) const {
+  Column<Face, FaceNormal> face_normals(mesh.capacity(2));
   parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
     std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
               corners.begin() + static_cast<std::ptrdiff_t>(3 * end), Corner());
     each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
       const auto drawn = corners_of(mesh, Face(id));
       std::copy(drawn.begin(), drawn.end(), corners.begin() + 3 * static_cast<std::ptrdiff_t>(id));
+      face_normals[Face(id)] = face_normal(mesh, Face(id));
     });
   });
   parallel_for(mesh.capacity(0), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-    CornerNormals normals;
+    CornerNormals normals(face_normals);
     each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
       for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
         corners[3 * std::size_t{c.face.index} + c.slot].normal = pack_normal(c.normal);
@@ -180,10 +182,11 @@ std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face) co
   if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
   if (style_.edge_codes) flags |= code_flags(mesh, face);
   const auto vertices = mesh.triangle(face);
+  const Color of_model = style_.field ? Color() : color(model);
   for (std::size_t i = 0; i < 3; ++i) {
     glm::vec3 position = place(mesh, vertices[i]);
     if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
-    corners[i] = {position, 0, color(face, model, vertices[i]), flags};
+    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_model, flags};
   }
   return corners;
 }

@@ -118,9 +118,6 @@ class SurfaceDrawing {
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
   [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
   [[nodiscard]] Color color(ModelRef ref) const;
-  [[nodiscard]] Color color(Face face, ModelRef model, Vertex corner) const {
-    return style_.field ? style_.field->color(face, corner) : color(model);
-  }
   [[nodiscard]] bool marked(Face face) const {
     return face.index < marked_faces_.size() && marked_faces_[face.index];
   }
