@@ -250,7 +250,8 @@ Index found_by_mesh(const Mesh& mesh, int dim, const Ids& vertices) {
 std::string class_list_difference(const Mesh& mesh, const Plain& plain, int dim) {
   std::map<std::uint32_t, Ids> should;
   for (const auto& [id, e] : plain.level(dim)) should[e.model.bits()].push_back(id);
-  if (mesh.class_lists()->models(dim).size() != should.size())
+  if (mesh.class_lists()->models(dim).size() != should.size() ||
+      mesh.class_lists()->model_count(dim) != should.size())
     return std::string("model entities with a ") + entity_name(dim) + " on them";
   for (const auto& [bits, ids] : should) {
     const auto is = mesh.class_lists()->entities(dim, ModelRef::from_bits(bits));

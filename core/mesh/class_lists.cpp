@@ -31,6 +31,7 @@ std::size_t ClassLists::bytes() const {
 void ClassLists::insert(int dim, std::uint32_t id, ModelRef model) {
   Level& l = level(dim);
   std::vector<std::uint32_t>& list = l.lists[model.bits()];
+  l.used += list.empty() ? 1 : 0;
   if (id >= l.place.size()) l.place.resize(std::size_t{id} + 1);
   l.place[id] = static_cast<std::uint32_t>(list.size());
   list.push_back(id);
@@ -44,6 +45,7 @@ void ClassLists::erase(int dim, std::uint32_t id, ModelRef model) {
   list[at] = list.back();
   l.place[list[at]] = at;
   list.pop_back();
+  l.used -= list.empty() ? 1 : 0;
 }
 
 }  // namespace aomd

@@ -19,6 +19,8 @@ class ClassLists {
   [[nodiscard]] std::span<const std::uint32_t> entities(int dim, ModelRef model) const;
   /// The model entities that have mesh entities of a level, sorted. O(n log n) in their number.
   [[nodiscard]] std::vector<ModelRef> models(int dim) const;
+  /// How many these are. O(1).
+  [[nodiscard]] std::size_t model_count(int dim) const { return level(dim).used; }
   [[nodiscard]] std::size_t bytes() const;
 
   void insert(int dim, std::uint32_t id, ModelRef model);
@@ -28,6 +30,7 @@ class ClassLists {
   struct Level {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> lists;  ///< by ModelRef::bits
     std::vector<std::uint32_t> place;                                     ///< by id: position in its list
+    std::size_t used = 0;                                                 ///< lists that are not empty
   };
   [[nodiscard]] Level& level(int dim) { return levels_[static_cast<std::size_t>(dim)]; }
   [[nodiscard]] const Level& level(int dim) const { return levels_[static_cast<std::size_t>(dim)]; }

@@ -13,6 +13,10 @@ namespace {
 /// derived and builds it anew afterwards: building costs about as much as keeping relations up to date for a
 /// twelfth of the entities.
 constexpr std::size_t far_words_per_entity = 1;
+/// How many steps before its turn the memory of a step is asked for.
+constexpr std::size_t steps_ahead = 6;
+
+void prefetch(const void* address) { __builtin_prefetch(address, 1); }
 
 }  // namespace
 
@@ -232,11 +236,42 @@ bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
 
 void Journal::seek(Mesh& mesh, std::size_t step) {
   step = std::min(step, steps_.size());
-  Mesh::Relations derived;
-  if (is_far(mesh, step)) derived = mesh.release_derived();
+  if (is_far(mesh, step)) return seek_far(mesh, step);
   while (cursor_ > step) undo(mesh);
   while (cursor_ < step) redo(mesh);
+}
+
+void Journal::seek_far(Mesh& mesh, std::size_t step) {
+  const Mesh::Derived derived = mesh.release_derived();
+  while (cursor_ > step) {
+    if (cursor_ > step + steps_ahead) fetch(mesh, cursor_ - 1 - steps_ahead);
+    undo(mesh);
+  }
+  while (cursor_ < step) {
+    if (cursor_ + steps_ahead < step) fetch(mesh, cursor_ + steps_ahead);
+    redo(mesh);
+  }
   mesh.build_again(derived);
+}
+
+/// Asks for the memory that a step will touch: on a large mesh waiting for it is most of the work.
+void Journal::fetch(const Mesh& mesh, std::size_t step) const {
+  const auto row = [&](int dim, std::uint32_t id) {
+    if (id >= mesh.capacity(dim)) return;
+    prefetch(dim == 0 ? static_cast<const void*>(&mesh.positions_[id])
+                      : mesh.representation_.down(dim, 0).row(id));
+  };
+  for (std::uint64_t at = steps_[step].begin; at < step_end(step);) {
+    const RecordHead head = RecordHead::unpack(words_[at]);
+    const std::uint32_t* w = words_.data() + at + 1;
+    if (head.kind == RecordKind::Rebind) {
+      for (std::uint32_t i = 0; i < head.count; ++i) row(static_cast<int>(w[4 * i] >> 8), w[4 * i + 1]);
+    } else {
+      row(head.dim, w[0]);
+      if (w[0] < mesh.capacity(head.dim)) prefetch(&mesh.level(head.dim).classes[w[0]]);
+    }
+    at += head.length();
+  }
 }
 
 void Journal::clear() {

@@ -111,6 +111,8 @@ class Journal {
     return i + 1 < steps_.size() ? steps_[i + 1].begin : words_.size();
   }
   [[nodiscard]] bool is_far(const Mesh& mesh, std::size_t step) const;
+  void seek_far(Mesh& mesh, std::size_t step);
+  void fetch(const Mesh& mesh, std::size_t step) const;
   void apply(Mesh& mesh, std::uint64_t at, bool forward);
   void apply_entity(Mesh& mesh, std::uint64_t at, bool create) const;
   [[nodiscard]] glm::dvec3 read_position(std::uint64_t at) const;

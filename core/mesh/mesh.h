@@ -239,9 +239,13 @@ class Mesh {
   [[nodiscard]] DownRows compact_rows(int i, int j,
                                       const std::array<std::vector<std::uint32_t>, 4>& maps) const;
   [[nodiscard]] std::vector<std::uint8_t> edges_to_keep();
-  using Relations = std::vector<std::array<int, 2>>;
-  [[nodiscard]] Relations release_derived();
-  void build_again(const Relations& relations);
+  /// What release_derived() let go of.
+  struct Derived {
+    std::vector<std::array<int, 2>> relations;
+    bool class_lists = false;
+  };
+  [[nodiscard]] Derived release_derived();
+  void build_again(const Derived& derived);
   [[nodiscard]] bool defines_level(int i, int j) const;
   [[nodiscard]] bool can_hold(int i, int j) const;
   [[nodiscard]] std::uint32_t widest(int dim, int lower) const;

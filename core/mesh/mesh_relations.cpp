@@ -9,8 +9,8 @@
 #include "core/mesh/bulk.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
-#include "core/mesh/parallel.h"
 #include "core/mesh/names.h"
+#include "core/mesh/parallel.h"
 
 namespace aomd {
 namespace {
@@ -127,31 +127,41 @@ void Mesh::build_up(int i, int j) {
   if (i == 0) hash_of(j).release();
 }
 
-/// Lets go of all relations but those of higher levels to vertices, which define the entities; of none where
-/// others do. For changes of large parts, which build_again() ends; T stays what it was for those who look.
-Mesh::Relations Mesh::release_derived() {
-  Relations released;
+/// Lets go of all relations but those of higher levels to vertices, which define the entities, and of the
+/// lists of model entities; of none where other relations define a level. For changes of large parts, which
+/// build_again() ends; for those who look T stays what it was.
+Mesh::Derived Mesh::release_derived() {
+  Derived released;
   for (int i = 1; i < 4; ++i)
     if (representation_.has_level(i) && !stored(i, 0)) return released;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i)
     for (int j = 1; j < 4; ++j) {
       if (i == j || !stored(i, j)) continue;
-      released.push_back({i, j});
+      released.relations.push_back({i, j});
       if (i > j)
         representation_.down(i, j).release();
       else
         representation_.up(i, j).release();
     }
-  }
+  released.class_lists = class_lists_ != nullptr;
+  keep_class_lists(false);
   return released;
 }
 
-void Mesh::build_again(const Relations& relations) {
-  // Each from T(j,0) alone.
-  parallel_for(relations.size(), 2, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-      if (const auto [i, j] = relations[k]; i == 0) build_upward(*this, 0, j, representation_.up(0, j));
+void Mesh::build_again(const Derived& derived) {
+  const auto& relations = derived.relations;
+  // Each from T(j,0) alone, and the lists from none.
+  parallel_for(relations.size() + 1, 2, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k == relations.size()) {
+        if (derived.class_lists) keep_class_lists(true);
+      } else if (const auto [i, j] = relations[k]; i == 0) {
+        build_upward(*this, 0, j, representation_.up(0, j));
+      }
+    }
   });
+  for (const auto [i, j] : relations)
+    if (i == 0) representation_.up(0, j).make_room();
   for (const auto [i, j] : relations)
     if (i > j) build_sides(*this, i, j, representation_.down(i, j));
   for (const auto [i, j] : relations) {

@@ -90,6 +90,8 @@ class UpRows {
   /// values: `sizes[i]` becomes the place of row i in it. O(rows + entries).
   std::uint32_t* allocate(std::span<std::uint32_t> sizes);
   void resize(std::uint32_t rows);
+  /// Room for edits to come, so that the first of them does not move all rows. O(entries).
+  void make_room() { pool_.reserve(pool_.size() + pool_.size() / 16); }
   void insert(std::uint32_t i, std::uint32_t value);
   /// False when the row does not hold the value.
   bool erase(std::uint32_t i, std::uint32_t value);

@@ -9,12 +9,12 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double split_cosine = 0.76604444;  // of 40 degrees
-constexpr double half_cosine = 0.93969262;   // of 20 degrees: any two of these are within 40
+constexpr float split_cosine = 0.76604444f;  // of 40 degrees
+constexpr float half_cosine = 0.93969262f;   // of 20 degrees: any two of these are within 40
 
-glm::dvec3 unit_or_zero(const glm::dvec3& v) {
-  const double length = glm::length(v);
-  return length > 0 ? v / length : glm::dvec3(0);
+glm::vec3 unit_or_zero(const glm::vec3& v) {
+  const float length = glm::length(v);
+  return length > 0 ? v / length : glm::vec3(0);
 }
 
 }  // namespace
@@ -24,12 +24,11 @@ FaceNormal face_normal(const Mesh& mesh, Face face) {
   const glm::dvec3 p = mesh.position(t[0]), q = mesh.position(t[1]), r = mesh.position(t[2]);
   const glm::dvec3 normal = glm::cross(q - p, r - p);
   const double length = glm::length(normal);
-  FaceNormal result;
-  if (length > 0) result.unit = normal / length;
-  result.angles[0] = std::atan2(length, glm::dot(q - p, r - p));
-  result.angles[1] = std::atan2(length, glm::dot(r - q, p - q));
-  result.angles[2] = std::max(0.0, std::numbers::pi - result.angles[0] - result.angles[1]);
-  return result;
+  const double at_p = std::atan2(length, glm::dot(q - p, r - p));
+  const double at_q = std::atan2(length, glm::dot(r - q, p - q));
+  const double at_r = std::max(0.0, std::numbers::pi - at_p - at_q);
+  return {length > 0 ? glm::vec3(normal / length) : glm::vec3(0),
+          {static_cast<float>(at_p), static_cast<float>(at_q), static_cast<float>(at_r)}};
 }
 
 std::span<const CornerNormals::Corner> CornerNormals::at(const Mesh& mesh, Vertex v) {
@@ -37,11 +36,11 @@ std::span<const CornerNormals::Corner> CornerNormals::at(const Mesh& mesh, Verte
   find_sharp_ones(mesh, v);
   if (sharp_.empty() && share_one()) return corners_;
   join_smooth_ones();
-  sums_.assign(corners_.size(), glm::dvec3(0));
+  sums_.assign(corners_.size(), glm::vec3(0));
   for (std::uint32_t i = 0; i < corners_.size(); ++i) sums_[root(i)] += weights_[i] * normals_[i];
   for (std::uint32_t i = 0; i < corners_.size(); ++i) {
-    const glm::dvec3 sum = unit_or_zero(sums_[root(i)]);
-    corners_[i].normal = sum == glm::dvec3(0) ? glm::vec3(0, 0, 1) : glm::vec3(sum);
+    const glm::vec3 sum = unit_or_zero(sums_[root(i)]);
+    corners_[i].normal = sum == glm::vec3(0) ? glm::vec3(0, 0, 1) : sum;
   }
   return corners_;
 }
@@ -69,12 +68,12 @@ void CornerNormals::find_sharp_ones(const Mesh& mesh, Vertex v) {
 
 /// What most vertices come to.
 bool CornerNormals::share_one() {
-  glm::dvec3 sum(0);
+  glm::vec3 sum(0);
   for (std::size_t i = 0; i < corners_.size(); ++i) sum += weights_[i] * normals_[i];
-  const glm::dvec3 mean = unit_or_zero(sum);
-  for (const glm::dvec3& n : normals_)
+  const glm::vec3 mean = unit_or_zero(sum);
+  for (const glm::vec3& n : normals_)
     if (glm::dot(n, mean) < half_cosine) return false;
-  for (Corner& c : corners_) c.normal = glm::vec3(mean);
+  for (Corner& c : corners_) c.normal = mean;
   return true;
 }
 

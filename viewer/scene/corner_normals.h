@@ -13,10 +13,10 @@
 
 namespace aomd::scene {
 
-/// What a triangle brings to the normals of its corners.
+/// What a triangle brings to the normals of its corners; small, since there are many.
 struct FaceNormal {
-  glm::dvec3 unit{0};              ///< zero where the face has no area
-  std::array<double, 3> angles{};  ///< at its vertices, radians
+  glm::vec3 unit{0};              ///< zero where the face has no area
+  std::array<float, 3> angles{};  ///< at its vertices, radians
 };
 [[nodiscard]] FaceNormal face_normal(const Mesh& mesh, Face face);
 
@@ -54,12 +54,12 @@ class CornerNormals {
 
   const Column<Face, FaceNormal>* faces_ = nullptr;
   std::vector<Corner> corners_;
-  std::vector<glm::dvec3> normals_;  ///< of the faces, unit length or zero
-  std::vector<double> weights_;
+  std::vector<glm::vec3> normals_;  ///< of the faces, unit length or zero
+  std::vector<float> weights_;
   std::vector<Side> sides_;
   std::vector<Vertex> sharp_;  ///< far ends of model edges at v, sorted
   std::vector<std::uint32_t> parent_;
-  std::vector<glm::dvec3> sums_;
+  std::vector<glm::vec3> sums_;
 };
 
 }  // namespace aomd::scene

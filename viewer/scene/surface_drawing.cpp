@@ -26,7 +26,7 @@ constexpr Color before_color = rgb(0x1f4fd8);
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
 float vertex_radius_px(const Mesh& mesh) {
   const ClassLists* lists = mesh.class_lists();
-  const std::size_t count = lists == nullptr ? 0 : lists->models(0).size();
+  const std::size_t count = lists == nullptr ? 0 : lists->model_count(0);
   return count <= 100 ? 4.0f : count <= 600 ? 2.8f : 1.8f;
 }
 
