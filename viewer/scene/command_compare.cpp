@@ -106,7 +106,7 @@ std::vector<Command> compare_commands() {
        "angle|length|valence|off VALUE",
        "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
        "edges "
-       "by their length over the wanted one, vertices by their number of edges.",
+       "by their length over the spacing, vertices by their number of edges.",
        CommandGroup::View,
        mark,
        {}},
