@@ -18,25 +18,20 @@ namespace aomd::scene {
 namespace {
 
 using test::drive;
+using test::labels;
 
 std::size_t cursor(const Session& s) { return s.document.journal().cursor(); }
 std::size_t size(const Session& s) { return s.document.journal().size(); }
 std::uint64_t hash(const Session& s) { return io::fingerprint(s.document.mesh()).hash; }
 
-std::vector<std::string> labels(const Session& s) {
-  std::vector<std::string> all;
-  for (const HistoryMark& m : s.document.marks()) all.push_back(m.label + std::to_string(m.begin));
-  return all;
-}
-
 TEST(Branches, WhatWasAheadIsKeptAndComesBackBitByBit) {
   Session s;
   drive(s, {"sample sphere 12", "step 6", "step 4"});
   const std::uint64_t first = hash(s);
-  const auto first_labels = labels(s);
+  const auto first_labels = labels(s.document);
   drive(s, {"seek 8", "angle 30", "swap", "expect branches = 1"});
   const std::uint64_t second = hash(s);
-  const auto second_labels = labels(s);
+  const auto second_labels = labels(s.document);
   const std::size_t second_size = size(s);
   EXPECT_EQ(s.document.tree().present(), 2u);
   EXPECT_EQ(s.document.tree().find(1)->fork, 8u);
@@ -44,11 +39,11 @@ TEST(Branches, WhatWasAheadIsKeptAndComesBackBitByBit) {
   drive(s, {"branch switch 1"});
   EXPECT_EQ(hash(s), first);
   EXPECT_EQ(size(s), 10u);
-  EXPECT_EQ(labels(s), first_labels);
+  EXPECT_EQ(labels(s.document), first_labels);
   drive(s, {"branch switch 2"});
   EXPECT_EQ(hash(s), second);
   EXPECT_EQ(size(s), second_size);
-  EXPECT_EQ(labels(s), second_labels);
+  EXPECT_EQ(labels(s.document), second_labels);
   EXPECT_TRUE(verify(s.document.mesh()).empty());
 }
 

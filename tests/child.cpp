@@ -5,8 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 namespace aomd::test {
 namespace {
@@ -39,7 +41,7 @@ Child::Child(const std::vector<std::string>& words, const std::vector<std::strin
 Child::~Child() {
   if (!running()) return;
   send_signal(SIGKILL);
-  ::waitpid(id_, nullptr, 0);
+  wait();
 }
 
 bool Child::running() { return !result(); }
@@ -52,6 +54,22 @@ std::optional<int> Child::result() {
   else if (::waitpid(id_, &status, WNOHANG) == id_)
     result_ = code_of(status);
   return result_;
+}
+
+bool Child::waits_for(const std::function<bool()>& condition) {
+  using Clock = std::chrono::steady_clock;
+  for (const auto end = Clock::now() + std::chrono::minutes(2); Clock::now() < end;) {
+    if (condition()) return true;
+    if (!running()) return condition();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+int Child::wait() {
+  int status = 0;
+  if (running() && ::waitpid(id_, &status, 0) == id_) result_ = code_of(status);
+  return result_.value();
 }
 
 void Child::send_signal(int number) const { ::kill(id_, number); }

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,12 @@ class Child {
   [[nodiscard]] bool running();
   /// Its exit code, or minus the number of the signal that ended it; nothing while it runs.
   [[nodiscard]] std::optional<int> result();
+  /// Looks every few milliseconds until a condition holds. False where it ends before, or after two minutes.
+  [[nodiscard]] bool waits_for(const std::function<bool()>& condition);
+  /// Waits for its end and returns what result() does then.
+  int wait();
   void send_signal(int number) const;
+  [[nodiscard]] pid_t id() const { return id_; }
 
  private:
   pid_t id_ = -1;

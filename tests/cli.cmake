@@ -13,6 +13,7 @@ foreach(test cli_test cli_compare_test cli_decimate_test cli_decimate_options_te
   target_compile_definitions(${test} PRIVATE AOMD_PROGRAM="$<TARGET_FILE:aomd>")
   add_dependencies(${test} aomd)
 endforeach()
+target_sources(cli_decimate_test PRIVATE child.cpp)
 add_test(NAME layers COMMAND ${PROJECT_SOURCE_DIR}/tools/check_layers.sh)
 add_test(NAME paper_tables COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/paper_tables_test.sh $<TARGET_FILE:aomd>)
 set_tests_properties(paper_tables PROPERTIES SKIP_RETURN_CODE 77)

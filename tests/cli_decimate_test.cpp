@@ -1,11 +1,10 @@
 // aomd decimate and replay: reports, journals, cancelling, and the figures of the bunny and the dragon.
 
-#include <signal.h>
-#include <unistd.h>
-
 #include <chrono>
+#include <csignal>
 #include <thread>
 
+#include "tests/child.h"
 #include "tests/cli_helpers.h"
 
 namespace aomd::test {
@@ -170,20 +169,13 @@ bool catches_interrupts(pid_t pid) {
 
 TEST_F(DecimateCommand, InterruptLeavesNothing) {
   sample("scan", "big.ply", 200000);
-  const pid_t pid = fork();
-  if (pid == 0) {
-    std::filesystem::current_path(at(""));
-    execl(AOMD_PROGRAM, "aomd", "decimate", "big.ply", "o.ply", "--coarsest", "--quiet", "--report", "r.json",
-          nullptr);
-    _exit(127);
-  }
-  while (!catches_interrupts(pid)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  Child program({AOMD_PROGRAM, "decimate", at("big.ply"), at("o.ply"), "--coarsest", "--quiet", "--report",
+                 at("r.json")},
+                {}, "/dev/null");
+  ASSERT_TRUE(program.waits_for([&] { return catches_interrupts(program.id()); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  kill(pid, SIGINT);
-  int status = 0;
-  waitpid(pid, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  program.send_signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130);
   EXPECT_EQ(folder_.entries(), 3u) << "only big.ply and what the run before printed should be there";
 }
 

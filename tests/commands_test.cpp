@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "message.h"
 #include "session_helpers.h"
 
 namespace aomd::scene {
@@ -56,6 +57,24 @@ TEST(Commands, WhatTakesNoArgumentsRefusesThem) {
     if (!command.arguments.empty()) continue;
     EXPECT_THROW(execute(session, std::string(command.name) + " surplus"), CommandError) << command.name;
   }
+}
+
+TEST(Commands, AWrongWordIsAnsweredByThoseThatAreTaken) {
+  Session session;
+  test::drive(session, {"sample sphere 8"});
+  const auto refusal = [&](const char* line) { return aomd::test::message([&] { execute(session, line); }); };
+  EXPECT_EQ(refusal("topology loose"),
+            "topology: 'loose' is neither safe nor paper (usage: topology safe|paper)");
+  EXPECT_EQ(refusal("strategy"), "strategy: give paper or quality (usage: strategy paper|quality)");
+  EXPECT_EQ(refusal("neighbours node"),
+            "neighbours: 'node' is none of vertex, edge, face, region, off (usage: neighbours "
+            "vertex|edge|face|region|off)");
+  EXPECT_NE(refusal("select node 3").find("'node' is none of vertex, edge, face, region ("),
+            std::string::npos);
+  EXPECT_NE(refusal("hash-sets build vertex").find("'vertex' is none of edge, face, region ("),
+            std::string::npos);
+  EXPECT_NE(refusal("expect faces == 3").find("'==' is none of =, <, >, <=, >= ("), std::string::npos);
+  EXPECT_NE(refusal("highlight face3").find("'face3' is not a model entity like face:3"), std::string::npos);
 }
 
 TEST(Commands, EmptyLinesAndCommentsDoNothing) {

@@ -11,10 +11,13 @@
 #include "core/model/classify.h"
 #include "core/operators/collapse.h"
 #include "core/operators/swap.h"
+#include "tests/quality_helpers.h"
 #include "zoo.h"
 
 namespace aomd {
 namespace {
+
+using test::without_edges;
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -92,22 +95,6 @@ std::map<Ends, ModelRef> model_edges(const Mesh& mesh) {
     if (mesh.classification(e).dimension() <= 1) all[std::minmax(a.index, b.index)] = mesh.classification(e);
   }
   return all;
-}
-
-// Faces, vertices and their classes, ids included; nothing of edges.
-std::string without_edges(const Mesh& mesh) {
-  std::string s;
-  const auto add = [&](auto x) { s += std::to_string(x) + ' '; };
-  for (const Face f : mesh.faces()) {
-    add(f.index);
-    for (const Vertex v : mesh.triangle(f)) add(v.index);
-    add(mesh.classification(f).bits());
-  }
-  for (const Vertex v : mesh.vertices()) {
-    add(v.index), add(mesh.classification(v).bits());
-    for (int k = 0; k < 3; ++k) add(std::bit_cast<std::uint64_t>(mesh.position(v)[k]));
-  }
-  return s;
 }
 
 const ClassifyOptions one_face{.feature_angle_deg = {}};

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/mesh/derive.h"
+#include "core/mesh/names.h"
 
 namespace aomd::oracle {
 
@@ -172,10 +173,6 @@ std::string text(const Ids& ids) {
   return s + ")";
 }
 
-std::string name(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
-
 std::string differ(const std::string& what, const Ids& is, const Ids& should) {
   return is == should ? "" : what + " is " + text(is) + ", should be " + text(should);
 }
@@ -203,18 +200,19 @@ Ids stored_row(const Mesh& mesh, EntityRef e, int j) {
 std::string relation_difference(const Mesh& mesh, EntityRef e, int j, const Ids& should) {
   const int i = e.dimension;
   if (mesh.stored(i, j))
-    if (std::string d = differ(name(e) + cell(" stored", i, j), stored_row(mesh, e, j), should); !d.empty())
+    if (std::string d = differ(name_of(e) + cell(" stored", i, j), stored_row(mesh, e, j), should);
+        !d.empty())
       return d;
   const bool empty_above = i < j && mesh.count(j) == 0;
   const bool possible = explain(mesh, i, j).kind != AdjacencyPath::Kind::None && (i < j || mesh.complete(j));
   Ids derived;
   try {
     adjacent(mesh, e, j, derived);
-    if (!possible && !empty_above) return name(e) + cell(" derived", i, j) + " should throw";
+    if (!possible && !empty_above) return name_of(e) + cell(" derived", i, j) + " should throw";
   } catch (const std::logic_error& error) {
-    return possible ? name(e) + cell(" derived", i, j) + " throws: " + error.what() : "";
+    return possible ? name_of(e) + cell(" derived", i, j) + " throws: " + error.what() : "";
   }
-  return differ(name(e) + cell(" derived", i, j), derived, should);
+  return differ(name_of(e) + cell(" derived", i, j), derived, should);
 }
 
 std::string direction_difference(const Mesh& mesh, const Plain& plain, EntityRef e) {
@@ -226,20 +224,20 @@ std::string direction_difference(const Mesh& mesh, const Plain& plain, EntityRef
     const bool is = dim == 1 ? mesh.use_direction(Face(e.index), Edge(s.index))
                              : mesh.use_direction(Region(e.index), Face(s.index));
     if (is != plain.use_direction(plain[e], static_cast<int>(k), plain[s]))
-      return name(e) + " has a wrong use direction of " + name(s);
+      return name_of(e) + " has a wrong use direction of " + name_of(s);
   }
   return "";
 }
 
 std::string self_difference(const Mesh& mesh, const Plain& plain, EntityRef e) {
-  if (!mesh.alive(e)) return name(e) + " should be alive";
+  if (!mesh.alive(e)) return name_of(e) + " should be alive";
   const Entity& own = plain[e];
   VertexBuffer buffer;
   const auto v = mesh.vertices_of(e, buffer);
-  if (mesh.shape(e) != own.shape) return name(e) + " has a wrong shape";
-  if (mesh.classification(e) != own.model) return name(e) + " has a wrong class";
-  if (e.dimension == 0 && mesh.position(Vertex(e.index)) != own.position) return name(e) + " is elsewhere";
-  return differ(name(e) + " on vertices", Ids(v.begin(), v.end()), own.vertices);
+  if (mesh.shape(e) != own.shape) return name_of(e) + " has a wrong shape";
+  if (mesh.classification(e) != own.model) return name_of(e) + " has a wrong class";
+  if (e.dimension == 0 && mesh.position(Vertex(e.index)) != own.position) return name_of(e) + " is elsewhere";
+  return differ(name_of(e) + " on vertices", Ids(v.begin(), v.end()), own.vertices);
 }
 
 Index found_by_mesh(const Mesh& mesh, int dim, const Ids& vertices) {
@@ -284,10 +282,10 @@ std::string entity_difference(const Mesh& mesh, const Plain& plain, EntityRef e)
     if (j == e.dimension) continue;
     if (std::string d = relation_difference(mesh, e, j, plain.adjacent(e, j)); !d.empty()) return d;
   }
-  if (mesh.users(e) != plain.users(e)) return name(e) + " has wrong users";
+  if (mesh.users(e) != plain.users(e)) return name_of(e) + " has wrong users";
   if (e.dimension > 0 &&
       found_by_mesh(mesh, e.dimension, plain[e].vertices) != plain.find(e.dimension, plain[e].vertices))
-    return name(e) + " is not found";
+    return name_of(e) + " is not found";
   return direction_difference(mesh, plain, e);
 }
 
@@ -305,7 +303,7 @@ std::string difference(const Mesh& mesh, const Plain& plain) {
     for (const auto& [id, e] : plain.level(dim)) {
       const Index should = first.at(sorted(e.vertices));
       if (const Index is = found_by_mesh(mesh, dim, e.vertices); is != should)
-        return name(EntityRef(dim, id)) + " is found as " + std::to_string(is) + ", should be " +
+        return name_of(EntityRef(dim, id)) + " is found as " + std::to_string(is) + ", should be " +
                std::to_string(should);
       if (std::string d = direction_difference(mesh, plain, EntityRef(dim, id)); !d.empty()) return d;
     }

@@ -4,22 +4,20 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
+
+#include "tests/io_helpers.h"
 
 namespace aomd::io {
 namespace {
 
+using test::bytes_of;
+
 class Png : public ::testing::Test {
  protected:
-  Png() { std::filesystem::create_directories(folder_); }
-  ~Png() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::filesystem::path file(const char* name) const { return folder_ / name; }
 
-  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("aomd_png_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const test::TemporaryFolder folder_;
 };
 
 Image pattern(int width, int height) {
@@ -27,11 +25,6 @@ Image pattern(int width, int height) {
   for (std::size_t i = 0; i < image.rgba.size(); ++i)
     image.rgba[i] = static_cast<std::uint8_t>(37 * i + i / 7);
   return image;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
@@ -58,7 +51,7 @@ TEST_F(Png, PixelAddressesRowsFromTheTop) {
 
 TEST_F(Png, MissingFileAndFolderAreReadErrors) {
   EXPECT_THROW((void)read_png(file("none.png")), ReadError);
-  EXPECT_THROW((void)read_png(folder_), ReadError);
+  EXPECT_THROW((void)read_png(file("")), ReadError);
 }
 
 TEST_F(Png, OtherContentIsAReadError) {

@@ -7,28 +7,16 @@
 
 #include "core/decimate/decimation.h"
 #include "core/mesh/geometry.h"
-#include "core/mesh/verify.h"
-#include "core/model/classify.h"
 #include "core/samples/samples.h"
+#include "tests/quality_helpers.h"
 #include "zoo.h"
 
 namespace aomd {
 namespace {
 
-DecimationOptions quality(std::uint32_t target) {
-  return {.strategy = Strategy::Quality, .coarsest = true, .target_faces = target, .angle_deg = 60};
-}
-
-std::string finding(const Mesh& mesh) {
-  const auto all = verify(mesh);
-  return all.empty() ? "" : all[0].name + ": " + all[0].text;
-}
-
-Mesh classified(const MeshData& data) {
-  Mesh mesh(data);
-  classify(mesh);
-  return mesh;
-}
+using test::classified;
+using test::finding;
+using test::quality;
 
 SweepStatistics total(const Decimation& decimation) {
   SweepStatistics sum;

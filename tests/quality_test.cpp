@@ -13,56 +13,32 @@
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/samples/samples.h"
+#include "tests/quality_helpers.h"
 #include "zoo.h"
 
 namespace aomd {
 namespace {
 
-enum class Edges { All, OnModelEdges };
+using test::classified;
+using test::Edges;
+using test::finding;
+using test::quality;
+using test::without_edges;
 
 struct Job {
-  Job(const MeshData& data, const DecimationOptions& options, Edges edges = Edges::All) : mesh(data) {
-    classify(mesh);
-    if (edges == Edges::OnModelEdges) mesh.keep_model_edges_only();
+  Job(const MeshData& data, const DecimationOptions& options, Edges edges = Edges::All)
+      : mesh(classified(data, edges)) {
     decimation.emplace(mesh, options);
   }
   Mesh mesh;
   std::optional<Decimation> decimation;
 };
 
-DecimationOptions quality(std::uint32_t target, double regularity = 0.5) {
-  return {.strategy = Strategy::Quality,
-          .coarsest = true,
-          .target_faces = target,
-          .angle_deg = 60,
-          .regularity = regularity};
-}
-
-std::string finding(const Mesh& mesh) {
-  const auto all = verify(mesh);
-  return all.empty() ? "" : all[0].name + ": " + all[0].text;
-}
-
 bool all_finite(const Mesh& mesh) {
   for (const Vertex v : mesh.vertices())
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(mesh.position(v)[k])) return false;
   return true;
-}
-
-// Faces and positions with their ids and classes, nothing of edges.
-std::string without_edges(const Mesh& mesh) {
-  std::string s;
-  const auto add = [&](auto x) { s += std::to_string(x) + ' '; };
-  for (const Face f : mesh.faces()) {
-    add(f.index), add(mesh.classification(f).bits());
-    for (const Vertex v : mesh.triangle(f)) add(v.index);
-  }
-  for (const Vertex v : mesh.vertices()) {
-    add(v.index), add(mesh.classification(v).bits());
-    for (int k = 0; k < 3; ++k) add(std::bit_cast<std::uint64_t>(mesh.position(v)[k]));
-  }
-  return s;
 }
 
 // What no decimation may touch.

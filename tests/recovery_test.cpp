@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <fstream>
-#include <thread>
 
+#include "child.h"
 #include "core/io/error.h"
 #include "core/io/journal_file.h"
 #include "core/mesh/verify.h"
@@ -21,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using aomd::test::TemporaryFolder;
 using test::drive;
+using test::labels;
 
 /// A program that did some work and died: its session is gone, its files are there.
 void work_and_die(const fs::path& folder, std::initializer_list<std::string_view> lines) {
@@ -28,12 +26,6 @@ void work_and_die(const fs::path& folder, std::initializer_list<std::string_view
   s.keep_work(folder);
   drive(s, lines);
   s.recovery->write_now(s.document);
-}
-
-std::vector<std::string> labels(const Document& document) {
-  std::vector<std::string> all;
-  for (const HistoryMark& mark : document.marks()) all.push_back(mark.label + std::to_string(mark.begin));
-  return all;
 }
 
 void expect_same(const Document& a, const Document& b) {
@@ -250,38 +242,10 @@ TEST(Recovery, IsThePlatformsStateFolder) {
 }
 
 #ifdef AOMD_VIEW
-/// A program of its own that is in the middle of a run, its work on disk.
-class KilledProgram {
- public:
-  KilledProgram(const fs::path& script, const fs::path& kept) {
-    child_ = ::fork();
-    if (child_ != 0) return;
-    ::execl(AOMD_VIEW, AOMD_VIEW, "--headless", "--script", script.c_str(), "--recovery", kept.c_str(),
-            nullptr);
-    ::_exit(127);
-  }
-  ~KilledProgram() { kill(); }
-  /// False when it ended by itself.
-  bool kill() {
-    if (child_ <= 0) return false;
-    int status = 0;
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFSIGNALED(status);
-  }
-
- private:
-  pid_t child_ = 0;
-};
-
-bool wait_for_work(const fs::path& kept) {
-  for (int i = 0; i < 12'000; ++i) {
-    std::error_code none;
-    for (fs::directory_iterator it(kept, none); !none && it != fs::directory_iterator(); it.increment(none))
-      if (it->path().extension() == ".json") return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+bool holds_work(const fs::path& kept) {
+  std::error_code none;
+  for (fs::directory_iterator it(kept, none); !none && it != fs::directory_iterator(); it.increment(none))
+    if (it->path().extension() == ".json") return true;
   return false;
 }
 
@@ -290,9 +254,12 @@ TEST(Recovery, AProgramKilledInTheMiddleOfARunLosesNextToNothing) {
   // What follows the run keeps the program there on a machine that is fast enough to finish it.
   std::ofstream(folder / "script.aomd") << "sample scan\nfactor 6\nrun\nexport turntable "
                                         << (folder / "pictures").string() << " 100000 16x16\n";
-  KilledProgram program(folder / "script.aomd", folder / "kept");
-  ASSERT_TRUE(wait_for_work(folder / "kept"));
-  ASSERT_TRUE(program.kill());
+  aomd::test::Child program(
+      {AOMD_VIEW, "--headless", "--script", folder / "script.aomd", "--recovery", folder / "kept"}, {},
+      folder / "said.txt");
+  ASSERT_TRUE(program.waits_for([&] { return holds_work(folder / "kept"); }));
+  program.send_signal(SIGKILL);
+  ASSERT_EQ(program.wait(), -SIGKILL) << "it ended by itself";
 
   Session s;
   s.keep_work(folder / "kept");

@@ -15,16 +15,9 @@ namespace aomd {
 namespace {
 
 using test::facts_of;
+using test::samples_of;
 using test::SurfaceFacts;
 using test::tags_of;
-
-/// Volumes have tests of their own, in volume_samples_test.cpp.
-std::vector<SampleInfo> surfaces() {
-  std::vector<SampleInfo> list;
-  for (const SampleInfo& info : samples())
-    if (info.dimension == 2) list.push_back(info);
-  return list;
-}
 
 constexpr const char* closed[] = {"scan", "bracket", "box", "cylinder", "sphere", "torus"};
 
@@ -71,7 +64,7 @@ std::uint64_t fingerprint(const MeshData& mesh) {
 }
 
 TEST(Samples, FacesHaveDistinctVerticesAndArea) {
-  for (const SampleInfo& info : surfaces()) {
+  for (const SampleInfo& info : samples_of(2)) {
     for (const int size : {info.default_size, info.default_size / 2}) {
       const MeshData mesh = make_sample(info.name, size);
       const SurfaceFacts facts = facts_of(mesh);
@@ -154,7 +147,7 @@ TEST(Samples, ModelsAreAsAModellerWouldCount) {
 }
 
 TEST(Samples, ClassificationFollowsTheRule) {
-  for (const SampleInfo& info : surfaces()) {
+  for (const SampleInfo& info : samples_of(2)) {
     const MeshData mesh = make_sample(info.name);
     if (!mesh.classified()) continue;
     ASSERT_EQ(mesh.vertex_classes.size(), mesh.positions.size());
@@ -204,7 +197,7 @@ TEST(Samples, TheSameOnEveryMachine) {
       {"cylinder", 13460761808539655071u},   {"sphere", 15350513252662970707u},
       {"torus", 8891201044047427698u},       {"terrain", 11692341552281899948u},
       {"nonmanifold", 11647533439574616473u}};
-  for (const SampleInfo& info : surfaces())
+  for (const SampleInfo& info : samples_of(2))
     EXPECT_EQ(fingerprint(make_sample(info.name)), expected.at(info.name)) << info.name;
 }
 

@@ -2,7 +2,9 @@
 // A session without a window, driven as scripts drive it.
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "viewer/scene/commands.h"
 #include "viewer/scene/session.h"
@@ -16,6 +18,13 @@ inline void drive(Session& session, std::initializer_list<std::string_view> line
     session.finish();
     session.refresh();
   }
+}
+
+/// What was done, each with the operation at which it begins.
+inline std::vector<std::string> labels(const Document& document) {
+  std::vector<std::string> all;
+  for (const HistoryMark& mark : document.marks()) all.push_back(mark.label + std::to_string(mark.begin));
+  return all;
 }
 
 }  // namespace aomd::scene::test

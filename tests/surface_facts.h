@@ -7,12 +7,22 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "core/mesh/mesh_data.h"
+#include "core/samples/samples.h"
 
 namespace aomd::test {
+
+/// The samples that are surfaces (2) or volumes (3).
+inline std::vector<SampleInfo> samples_of(int dimension) {
+  std::vector<SampleInfo> list;
+  for (const SampleInfo& info : samples())
+    if (info.dimension == dimension) list.push_back(info);
+  return list;
+}
 
 struct SurfaceFacts {
   std::size_t edges = 0, boundary = 0, nonmanifold = 0;

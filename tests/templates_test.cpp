@@ -11,6 +11,7 @@
 #include "tests/message.h"
 #include "tests/program.h"
 #include "tests/twin.h"
+#include "tests/volume_mesh.h"
 #include "zoo.h"
 
 namespace aomd {
@@ -19,6 +20,7 @@ namespace {
 using oracle::Ids;
 using oracle::Twin;
 using test::message;
+using test::set_all;
 
 ShapeTemplate make(std::string_view name, int dimension, int vertices, const std::vector<Ids>& edges,
                    const std::vector<std::pair<Shape, Ids>>& faces = {}) {
@@ -88,12 +90,6 @@ MeshData points(std::uint32_t n) {
   MeshData data;
   for (std::uint32_t k = 0; k < n; ++k) data.positions.emplace_back(k % 5, k % 7, k % 3);
   return data;
-}
-
-void set_all(Mesh& mesh) {
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      if (i != j) mesh.set(i, j);
 }
 
 TEST(TemplatesTest, OwnShapesAreCountedAndNamed) {

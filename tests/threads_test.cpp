@@ -9,31 +9,22 @@
 #include "core/decimate/decimation.h"
 #include "core/io/io.h"
 #include "core/mesh/journal.h"
-#include "core/model/classify.h"
 #include "core/model/discrete_model.h"
 #include "core/operators/swap.h"
 #include "core/samples/samples.h"
+#include "tests/quality_helpers.h"
 #include "zoo.h"
 
 namespace aomd {
 namespace {
 
-enum class Edges { All, OnModelEdges };
-
-Mesh classified(const MeshData& data, Edges edges = Edges::OnModelEdges) {
-  Mesh mesh(data);
-  classify(mesh);
-  if (edges == Edges::OnModelEdges) mesh.keep_model_edges_only();
-  return mesh;
-}
+using test::classified;
+using test::Edges;
 
 DecimationOptions quality(std::uint32_t target, int threads, double regularity = 0.5) {
-  return {.strategy = Strategy::Quality,
-          .coarsest = true,
-          .target_faces = target,
-          .angle_deg = 60,
-          .regularity = regularity,
-          .threads = threads};
+  DecimationOptions options = test::quality(target, regularity);
+  options.threads = threads;
+  return options;
 }
 
 // What a run makes of a mesh: the mesh itself and what the sweeps did.
@@ -134,7 +125,7 @@ TEST(ThreadsTest, SameBytesWithPassesInBetween) {
   for (const Phase when : {Phase::Collapse, Phase::Swap, Phase::Smooth}) {
     std::optional<std::string> one;
     for (const int threads : {1, 2, 7}) {
-      Mesh mesh = classified(data);
+      Mesh mesh = classified(data, Edges::OnModelEdges);
       Decimation decimation(mesh, quality(target, threads));
       while (decimation.phase() != when) decimation.step();
       for (int i = 0; i < 20; ++i) decimation.step();
@@ -154,7 +145,7 @@ TEST(ThreadsTest, SameBytesFromAnUndoneHalf) {
   const MeshData data = make_sample("scan", 6000);
   std::optional<std::string> one;
   for (const int threads : {1, 2, 7}) {
-    Mesh mesh = classified(data);
+    Mesh mesh = classified(data, Edges::OnModelEdges);
     Journal journal;
     mesh.attach(&journal);
     Decimation decimation(mesh, quality(mesh.count(2) / 4, threads));

@@ -5,16 +5,13 @@
 #include <set>
 #include <utility>
 
+#include "core/mesh/names.h"
 #include "core/mesh/verify.h"
 
 namespace aomd::oracle {
 namespace {
 
 constexpr double initial_value = -1;
-
-std::string name(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
 
 template <typename H>
 std::vector<H> handles(const Ids& ids) {
@@ -110,14 +107,14 @@ void Twin::take_sides(int dim, const Entity& whole) {
   for (std::size_t n = missing.size(); n > 0; --n) {
     Entity made{dim == 1 ? Shape::Line : Shape::Triangle, {}, whole.model};
     const EntityRef e(dim, plain_.create(dim, made));
-    expect(mesh_.alive(e), name(e) + " should have been created as a side");
+    expect(mesh_.alive(e), name_of(e) + " should have been created as a side");
     VertexBuffer buffer;
     const auto v = mesh_.vertices_of(e, buffer);
     plain_[e].vertices.assign(v.begin(), v.end());
     plain_[e].shape = mesh_.shape(e);
     const auto at = std::find_if(missing.begin(), missing.end(),
                                  [&](const Ids& s) { return same_cycle(s, plain_[e].vertices); });
-    expect(at != missing.end(), name(e) + " is no side that was missing");
+    expect(at != missing.end(), name_of(e) + " is no side that was missing");
     missing.erase(at);
     touch(e);
   }
@@ -131,11 +128,11 @@ bool Twin::destroy(EntityRef e) {
     mesh_.destroy(e);
   } catch (const std::logic_error& error) {
     expect(!users.empty(), std::string("deletion refused: ") + error.what());
-    const std::string first = name(e) + " is used by " + name(users[0]);
+    const std::string first = name_of(e) + " is used by " + name_of(users[0]);
     expect(std::string(error.what()).find(first) == 0, std::string("refusal says: ") + error.what());
     return false;
   }
-  expect(users.empty(), "deletion of " + name(e) + " should be refused");
+  expect(users.empty(), "deletion of " + name_of(e) + " should be refused");
   plain_.destroy(e);
   edited();
   return true;
@@ -180,7 +177,7 @@ bool Twin::classify(EntityRef e, ModelRef model) {
     expect(!legal, std::string("classification refused: ") + error.what());
     return false;
   }
-  expect(legal, "classification of " + name(e) + " should be refused");
+  expect(legal, "classification of " + name_of(e) + " should be refused");
   plain_[e].model = model;
   touch(e);
   edited();
@@ -312,7 +309,7 @@ void Twin::check_values() const {
     for (const auto& [id, e] : plain_.level(dim)) {
       const auto at = values_.find(e.instance);
       const double should = at == values_.end() ? initial_value : at->second;
-      expect(value_in_mesh(EntityRef(dim, id)) == should, "value of " + name(EntityRef(dim, id)));
+      expect(value_in_mesh(EntityRef(dim, id)) == should, "value of " + name_of(EntityRef(dim, id)));
     }
 }
 

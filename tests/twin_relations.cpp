@@ -4,16 +4,11 @@
 #include <functional>
 #include <utility>
 
+#include "core/mesh/names.h"
 #include "tests/twin.h"
 
 namespace aomd::oracle {
-namespace {
-
-std::string name(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // T
 
@@ -28,12 +23,12 @@ void Twin::take_missing(int dim, const std::map<Ids, ModelRef>& missing) {
   const Index before = plain_.capacity(dim);
   for (std::size_t n = 0; n < missing.size(); ++n) {
     const EntityRef e(dim, before + static_cast<Index>(n));
-    expect(mesh_.alive(e), name(e) + " should have been created for T");
+    expect(mesh_.alive(e), name_of(e) + " should have been created for T");
     VertexBuffer buffer;
     const auto v = mesh_.vertices_of(e, buffer);
     const Ids vertices(v.begin(), v.end());
     const auto at = missing.find(sorted(vertices));
-    expect(at != missing.end() && plain_.find(dim, vertices) == no_index, name(e) + " was not missing");
+    expect(at != missing.end() && plain_.find(dim, vertices) == no_index, name_of(e) + " was not missing");
     (void)plain_.create(dim, {mesh_.shape(e), vertices, at->second}, true);
     touch(e);
   }

@@ -34,6 +34,7 @@ foreach(test recovery_test outputs_test)
   target_compile_definitions(${test} PRIVATE AOMD_VIEW="$<TARGET_FILE:aomd-view>")
   add_dependencies(${test} aomd-view)
 endforeach()
+target_sources(recovery_test PRIVATE child.cpp)
 
 # One test a script: its last picture must be its baseline. Results and differences stay in pictures/ of the build.
 set(pictures ${CMAKE_CURRENT_BINARY_DIR}/pictures)

@@ -1,11 +1,9 @@
 #include "tests/viewer_window.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
-#include <thread>
 
 #include "core/io/png.h"
 #include "core/measure/image_diff.h"
@@ -76,13 +74,7 @@ std::string ViewerWindow::mesh_file(const std::string& sample, int size, const c
 }
 
 bool ViewerWindow::waits_for(const std::function<bool()>& condition) {
-  for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
-       std::chrono::steady_clock::now() < end;) {
-    if (condition()) return true;
-    if (!program_->running()) return condition();
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
+  return program_->waits_for(condition);
 }
 
 std::vector<std::string> ViewerWindow::recorded() const { return lines_of(folder_ / "record.aomd"); }
@@ -202,7 +194,7 @@ void ViewerWindow::expect_headless_picture(glm::ivec2 size) {
   Child replayer({AOMD_VIEW, "--headless", "--script", (folder_ / "replay.aomd").string(), "--size",
                   std::to_string(size.x) + "x" + std::to_string(size.y)},
                  environment(), folder_ / "said.txt");
-  ASSERT_TRUE(waits_for([&] { return !replayer.running(); }));
+  ASSERT_TRUE(replayer.waits_for([&] { return !replayer.running(); }));
   ASSERT_EQ(replayer.result(), 0) << said();
 
   const io::Image a = io::read_png(mine), b = io::read_png(other);

@@ -20,25 +20,19 @@
 namespace aomd {
 namespace {
 
+using test::samples_of;
 using test::tags_of;
 using test::volume_facts_of;
 using test::VolumeFacts;
 
-std::vector<SampleInfo> volumes() {
-  std::vector<SampleInfo> list;
-  for (const SampleInfo& info : samples())
-    if (info.dimension == 3) list.push_back(info);
-  return list;
-}
-
 TEST(VolumeSamples, AreFive) {
   std::set<std::string_view> names;
-  for (const SampleInfo& info : volumes()) names.insert(info.name);
+  for (const SampleInfo& info : samples_of(3)) names.insert(info.name);
   EXPECT_EQ(names, (std::set<std::string_view>{"hex-box", "mixed", "tet-ball", "tet-box", "tet-drilled"}));
 }
 
 TEST(VolumeSamples, MatchFaceToFaceAndHavePositiveVolume) {
-  for (const SampleInfo& info : volumes())
+  for (const SampleInfo& info : samples_of(3))
     for (const int size : {0, 2, 3, 5}) {
       const VolumeFacts facts = volume_facts_of(make_sample(info.name, size));
       EXPECT_EQ(facts.unused, 0u) << info.name;
@@ -50,7 +44,7 @@ TEST(VolumeSamples, MatchFaceToFaceAndHavePositiveVolume) {
 }
 
 TEST(VolumeSamples, ListedFacesAreJustTheSidesOfModelRegions) {
-  for (const SampleInfo& info : volumes())
+  for (const SampleInfo& info : samples_of(3))
     for (const int size : {0, 3}) {
       const VolumeFacts facts = volume_facts_of(make_sample(info.name, size));
       EXPECT_EQ(facts.listed_outward, facts.boundary) << info.name;
@@ -97,7 +91,7 @@ TEST(VolumeSamples, CountsOfTheOthers) {
 }
 
 TEST(VolumeSamples, EulerNumbers) {
-  for (const SampleInfo& info : volumes())
+  for (const SampleInfo& info : samples_of(3))
     for (const int size : {0, 4})
       EXPECT_EQ(volume_facts_of(make_sample(info.name, size)).euler, info.name == "tet-drilled" ? 0 : 1)
           << info.name;
@@ -157,7 +151,7 @@ void expect_closure(const MeshData& mesh, int dim, const char* name) {
 }
 
 TEST(VolumeSamples, ClassificationFollowsTheRule) {
-  for (const SampleInfo& info : volumes()) {
+  for (const SampleInfo& info : samples_of(3)) {
     const MeshData mesh = make_sample(info.name);
     ASSERT_EQ(mesh.vertex_classes.size(), mesh.positions.size());
     for (int dim = 1; dim <= 3; ++dim) expect_closure(mesh, dim, info.name.data());
@@ -198,7 +192,7 @@ TEST(VolumeSamples, TheSameOnEveryMachine) {
                                                            {"mixed", 9505855578600326422u},
                                                            {"tet-drilled", 8942414415395368173u},
                                                            {"tet-ball", 12918813644667153295u}};
-  for (const SampleInfo& info : volumes()) {
+  for (const SampleInfo& info : samples_of(3)) {
     EXPECT_EQ(fingerprint(make_sample(info.name)), expected.at(info.name)) << info.name;
     EXPECT_EQ(make_sample(info.name), make_sample(info.name));
   }

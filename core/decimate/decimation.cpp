@@ -56,6 +56,23 @@ bool lists_model_edges_only(const Mesh& mesh) {
   return true;
 }
 
+// Until the loop is done, or `goes_on` ends; every few candidates it asks whether it is to stop before.
+template <typename GoesOn>
+Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on, std::optional<std::chrono::microseconds> budget,
+                           const std::function<bool()>& cancelled) {
+  constexpr int candidates_between_checks = 64;
+  using Stop = Decimation::Stop;
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  for (int i = 1; !loop.done() && goes_on(); ++i) {
+    loop.advance();
+    if (i % candidates_between_checks != 0) continue;
+    if (cancelled && cancelled()) return Stop::Cancelled;
+    if (budget && Clock::now() - start >= *budget) return loop.done() ? Stop::Done : Stop::Budget;
+  }
+  return Stop::Done;
+}
+
 }  // namespace
 
 Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(decimable(mesh)) {
@@ -64,7 +81,7 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(dec
 
 void Decimation::begin(const DecimationOptions& options) {
   const bool paper = options.strategy == Strategy::Paper;
-  const char* name = paper ? "the paper's loop" : "the quality loop";
+  const char* name = paper ? PaperLoop::name : QualityLoop::name;
   std::vector<Request> needs;
   const auto need = [&](int i, int j) { needs.push_back(mesh_.request(i, j, name)); };
   need(2, 0);
@@ -107,27 +124,15 @@ std::uint32_t Decimation::sweep() {
 }
 
 Decimation::Stop Decimation::run_phase(const std::function<bool()>& cancelled) {
-  constexpr int candidates_between_checks = 64;
   const auto here = [&] { return std::pair(phase(), sweeps().size()); };
-  const auto start = here();
-  for (int i = 1; !done() && here() == start; ++i) {
-    loop_->advance();
-    if (i % candidates_between_checks == 0 && cancelled && cancelled()) return Stop::Cancelled;
-  }
-  return Stop::Done;
+  const auto same_phase = [&, start = here()] { return here() == start; };
+  return run_while(*loop_, same_phase, {}, cancelled);
 }
 
 Decimation::Stop Decimation::run(std::optional<std::chrono::microseconds> budget,
                                  const std::function<bool()>& cancelled) {
-  constexpr int candidates_between_checks = 64;
-  const auto start = std::chrono::steady_clock::now();
-  while (!done()) {
-    for (int i = 0; i < candidates_between_checks; ++i) loop_->advance();
-    if (cancelled && cancelled()) return Stop::Cancelled;
-    if (budget && std::chrono::steady_clock::now() - start >= *budget)
-      return done() ? Stop::Done : Stop::Budget;
-  }
-  return Stop::Done;
+  const auto always = [] { return true; };
+  return run_while(*loop_, always, budget, cancelled);
 }
 
 }  // namespace aomd

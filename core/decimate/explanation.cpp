@@ -32,7 +32,7 @@ std::string angle_words(const Mesh& mesh, const CollapseOutlook& o) {
   const EntityRef who = o.verdict.entity;
   if (who.dimension == 1) {
     const Held held = held_degrees(o.verdict.number(), o.limits.curve_deg);
-    return sentence("the model edge would turn by " + held.value + " degrees at " + name(who) +
+    return sentence("the model edge would turn by " + held.value + " degrees at " + name_of(who) +
                     "; the limit is " + held.limit);
   }
   const auto [before, after] = corners_of(mesh, Face(who.index), o.contraction);
@@ -59,12 +59,11 @@ std::string model_words(const Mesh& mesh, const Contraction& c) {
   if (gone.dimension() == 0 && kept.dimension() == 0)
     return sentence("Both ends are model vertices (" + std::to_string(gone.tag()) + " and " +
                     std::to_string(kept.tag()) + "), and these stay");
-  if (gone.dimension() == 0)
-    return sentence(name(EntityRef(c.deleted)) + " is " + name(gone) + ", and these stay");
+  if (gone.dimension() == 0) return sentence(name_of(c.deleted) + " is " + name(gone) + ", and these stay");
   if (differ(gone, between))
-    return sentence(name(EntityRef(c.deleted)) + " lies on " + name(gone) + " and the edge on " +
-                    name(between) + ": a vertex goes only along what it lies on");
-  return sentence(name(EntityRef(c.kept)) + " lies on " + name(kept) + ", which it would have to leave");
+    return sentence(name_of(c.deleted) + " lies on " + name(gone) + " and the edge on " + name(between) +
+                    ": a vertex goes only along what it lies on");
+  return sentence(name_of(c.kept) + " lies on " + name(kept) + ", which it would have to leave");
 }
 
 bool is_apex(const Mesh& mesh, Vertex v, const Contraction& c) {
@@ -85,12 +84,12 @@ bool at_border(const Mesh& mesh, Vertex v) {
 std::string topology_words(const Mesh& mesh, const CollapseOutlook& o) {
   const EntityRef who = o.verdict.entity;
   const Contraction& c = o.contraction;
-  if (who.dimension == 2) return sentence("a face would fall onto " + name(who));
+  if (who.dimension == 2) return sentence("a face would fall onto " + name_of(who));
   const bool third = who.dimension == 0 && who.index != c.deleted.index && who.index != c.kept.index;
   if (third && is_apex(mesh, Vertex(who.index), c))
-    return sentence("the edge to " + name(who) + " would be left without a face");
+    return sentence("the edge to " + name_of(who) + " would be left without a face");
   if (third)
-    return sentence("both ends are joined to " + name(who) +
+    return sentence("both ends are joined to " + name_of(who) +
                     ", which no face of this edge has: the surface would be pinched there");
   if (at_border(mesh, c.deleted) && at_border(mesh, c.kept))
     return "Both ends lie on the border and the edge does not: the surface would be pinched.";
@@ -102,8 +101,7 @@ std::string accepted_words(const Mesh& mesh, const CollapseOutlook& o, const Dec
     return "Nothing is against it, but the mesh has come down to the " +
            std::to_string(options.target_faces) + " faces that were asked for.";
   const Contraction& c = o.contraction;
-  std::string text =
-      "Nothing is against it: " + name(EntityRef(c.deleted)) + " would go into " + name(EntityRef(c.kept));
+  std::string text = "Nothing is against it: " + name_of(c.deleted) + " would go into " + name_of(c.kept);
   const double moved = glm::length(c.position - mesh.position(c.kept));
   if (moved > 0) text += ", which would move by " + formatted("%.3g", moved);
   return text + ".";
@@ -158,14 +156,14 @@ std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
   const EdgePair& p = o.pair;
   switch (o.verdict.reason) {
     case Reason::None:
-      return sentence("it would join " + name(EntityRef(p.c)) + " and " + name(EntityRef(p.d)));
+      return sentence("it would join " + name_of(p.c) + " and " + name_of(p.d));
     case Reason::Classification:
       if (mesh.classification(edge).dimension() == 1)
         return sentence("the edge lies on " + name(mesh.classification(edge)));
       return "Its two faces lie on different model faces.";
     case Reason::Topology:
       if (!p.f.valid() || !p.g.valid()) return "Not exactly two faces of one orientation share it.";
-      return sentence(name(EntityRef(p.c)) + " and " + name(EntityRef(p.d)) + " are joined already");
+      return sentence(name_of(p.c) + " and " + name_of(p.d) + " are joined already");
     case Reason::Quality:
       return "It would not pay: the smallest angle of its two faces would be " + degrees(o.verdict.number()) +
              " degrees; it is " + degrees(least_angle(mesh, p)) + ".";
@@ -185,7 +183,7 @@ std::string explain_move(const Mesh& mesh, const MoveOutlook& o) {
       if (on.dimension() <= 1) return sentence("it lies on " + name(on) + ", and is not moved off it");
       return "It has no neighbours to be moved between.";
     case Reason::Quality:
-      return sentence(name(o.verdict.entity) + " would become still poorer");
+      return sentence(name_of(o.verdict.entity) + " would become still poorer");
     default:
       return general_words(o.verdict, o.limits);
   }

@@ -10,10 +10,8 @@
 namespace aomd {
 namespace {
 
-constexpr const char* paper_name = "the paper's loop";
-
 bool has_wires(Mesh& mesh) {
-  const Request faces = mesh.request(1, 2, paper_name);
+  const Request faces = mesh.request(1, 2, PaperLoop::name);
   for (const Edge e : mesh.edges())
     if (mesh.row<2>(e).empty()) return true;
   return false;
@@ -45,13 +43,13 @@ void PaperLoop::hold(bool collapses) {
   needs_.clear();
   if (std::exchange(built_hash_, false)) mesh_.drop_hash(1);
   if (collapses) {
-    needs_.push_back(mesh_.request(0, 2, paper_name));
-    if (wires_) needs_.push_back(mesh_.request(0, 1, paper_name));
+    needs_.push_back(mesh_.request(0, 2, name));
+    if (wires_) needs_.push_back(mesh_.request(0, 1, name));
     built_hash_ = !mesh_.stored(0, 1) && !mesh_.hash(1).built();
     if (built_hash_) mesh_.build_hash(1);
   } else {
-    needs_.push_back(mesh_.request(0, 1, paper_name));
-    needs_.push_back(mesh_.request(1, 2, paper_name));
+    needs_.push_back(mesh_.request(0, 1, name));
+    needs_.push_back(mesh_.request(1, 2, name));
   }
 }
 

@@ -12,6 +12,8 @@ namespace aomd {
 
 class PaperLoop final : public Loop {
  public:
+  static constexpr const char* name = "the paper's loop";  ///< of its requests
+
   /// T(0,1), T(0,2) and T(2,0) must be stored; where they are exchanged, T(1,0) and T(2,0).
   PaperLoop(Mesh& mesh, const DecimationOptions& options);
   ~PaperLoop() override;

@@ -18,6 +18,8 @@ namespace aomd {
 
 class QualityLoop final : public Loop {
  public:
+  static constexpr const char* name = "the quality loop";  ///< of its requests
+
   /// T(2,0) and T(0,2) must be stored; T(0,1) too unless the edges of the mesh are those on model edges only.
   QualityLoop(Mesh& mesh, const DecimationOptions& options);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/decimate/explanation.h"
+#include "core/model/model.h"
 
 namespace aomd::words {
 
@@ -31,28 +32,18 @@ Held held_length(double value, double limit) {
   return held;
 }
 
-std::string name(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
+std::string name(ModelRef model) { return model.valid() ? name_of(model) : "nothing of the model"; }
 
-std::string name(ModelRef model) {
-  if (!model.valid()) return "nothing of the model";
-  return "model " + std::string(entity_name(model.dimension())) + " " + std::to_string(model.tag());
-}
-
-std::string sentence(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text + ".";
-}
+std::string sentence(std::string text) { return capitalized(std::move(text)) + "."; }
 
 std::string turn_words(EntityRef who, double deg, double limit) {
   const Held held = held_degrees(deg, limit);
-  return sentence(name(who) + " would turn by " + held.value + " degrees; the limit is " + held.limit);
+  return sentence(name_of(who) + " would turn by " + held.value + " degrees; the limit is " + held.limit);
 }
 
 std::string away_words(EntityRef who, double deg, double limit) {
   const Held held = held_degrees(deg, limit);
-  return sentence(name(who) + " would look " + held.value +
+  return sentence(name_of(who) + " would look " + held.value +
                   " degrees away from the original surface there; the limit is " + held.limit);
 }
 
@@ -60,10 +51,10 @@ namespace {
 
 std::string distance_words(const Verdict& verdict, double limit) {
   if (verdict.number() <= limit)
-    return sentence(name(verdict.entity) + " cannot be shown to stay within " + formatted("%.3g", limit) +
+    return sentence(name_of(verdict.entity) + " cannot be shown to stay within " + formatted("%.3g", limit) +
                     " of the original");
   const Held held = held_length(verdict.number(), limit);
-  return sentence("at " + name(verdict.entity) + " the surface would leave the original by " + held.value +
+  return sentence("at " + name_of(verdict.entity) + " the surface would leave the original by " + held.value +
                   "; the limit is " + held.limit);
 }
 
@@ -73,22 +64,22 @@ std::string general_words(const Verdict& verdict, const Limits& limits) {
   const EntityRef who = verdict.entity;
   switch (verdict.reason) {
     case Reason::Flat:
-      return sentence(name(who) + " would have no area");
+      return sentence(name_of(who) + " would have no area");
     case Reason::Angle:  // one number for both: what is within one limit was refused by the other
       if (limits.away_deg > 0 && verdict.number() <= limits.turn_deg)
         return away_words(who, verdict.number(), limits.away_deg);
       return turn_words(who, verdict.number(), limits.turn_deg);
     case Reason::Kept:
-      return sentence(name(who) + " is to stay where it is");
+      return sentence(name_of(who) + " is to stay where it is");
     case Reason::Shape: {
       const Held held = held_degrees(verdict.number(), limits.min_angle_deg);
-      return sentence(name(who) + " would get an angle of " + held.value + " degrees; the least is " +
+      return sentence(name_of(who) + " would get an angle of " + held.value + " degrees; the least is " +
                       held.limit);
     }
     case Reason::Distance:
       return distance_words(verdict, limits.distance);
     case Reason::Intersection:
-      return sentence("the surface would cut itself at " + name(who));
+      return sentence("the surface would cut itself at " + name_of(who));
     default:
       return reason_words(verdict.reason).help;
   }

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/decimate/outlook.h"
-#include "core/mesh/handle.h"
 #include "core/mesh/model_ref.h"
+#include "core/mesh/names.h"
 
 namespace aomd::words {
 
@@ -13,9 +13,7 @@ namespace aomd::words {
 [[nodiscard]] std::string formatted(const char* format, double value);
 /// "10" and "23.4".
 [[nodiscard]] std::string degrees(double value);
-/// "face 812"
-[[nodiscard]] std::string name(EntityRef e);
-/// "model edge 3"
+/// "model edge 3"; "nothing of the model" for what is not classified.
 [[nodiscard]] std::string name(ModelRef model);
 /// With a capital at its start and a full stop at its end.
 [[nodiscard]] std::string sentence(std::string text);

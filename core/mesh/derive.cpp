@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/mesh/check.h"
+#include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
 
 namespace aomd {
@@ -13,8 +14,6 @@ using Kind = AdjacencyPath::Kind;
 using Ids = std::vector<std::uint32_t>;
 
 constexpr double hash_cost = 8;
-
-std::string name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
 
 // The way from an entity to its vertices, as Mesh::vertices_of goes it.
 LevelPath way_to_vertices(const Mesh& mesh, int i) {
@@ -174,14 +173,14 @@ void go_sides(const Mesh& mesh, EntityRef e, int j, Ids& result) {
 
 [[noreturn]] void fail(const Mesh& mesh, int i, int j) {
   if (i > j && j > 0 && !mesh.complete(j))
-    throw std::logic_error(name(i, j) + " is not stored, and not every " + entity_name(j) +
-                           " exists: request " + name(i, j));
+    throw std::logic_error(relation_name(i, j) + " is not stored, and not every " + entity_name(j) +
+                           " exists: request " + relation_name(i, j));
   std::string others;
   for (int k = i + 1; k < j; ++k)
-    others += ", or " + (mesh.stored(i, k) ? "" : name(i, k) + " and ") + name(k, j);
-  if (i > 0) others += ", or " + name(0, j);
-  throw std::logic_error(name(i, j) + " is not stored and no path leads there: request " + name(i, j) +
-                         others);
+    others += ", or " + (mesh.stored(i, k) ? "" : relation_name(i, k) + " and ") + relation_name(k, j);
+  if (i > 0) others += ", or " + relation_name(0, j);
+  throw std::logic_error(relation_name(i, j) + " is not stored and no path leads there: request " +
+                         relation_name(i, j) + others);
 }
 
 }  // namespace
@@ -203,7 +202,7 @@ std::string AdjacencyPath::text() const {
 
 AdjacencyPath explain(const Mesh& mesh, int i, int j) {
   if (i < 0 || i > 3 || j < 0 || j > 3 || i == j)
-    throw std::invalid_argument(name(i, j) + " is not a relation");
+    throw std::invalid_argument(relation_name(i, j) + " is not a relation");
   return Explorer(mesh, i, j).run();
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/mesh/bulk.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/names.h"
 
 namespace aomd {
 namespace {
@@ -35,16 +36,16 @@ const char* defect(const MeshData& data, int dim, std::size_t i, std::size_t at)
 
 void check_list(const MeshData& data, int dim) {
   const EntityList& list = data.list(dim);
-  const std::string name = entity_name(dim);
+  const std::string names = entity_plural(dim);
   require(list.classes.empty() || list.classes.size() == list.size(),
-          "there are not as many classes as " + name + "s");
+          "there are not as many classes as " + names);
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (const char* what = defect(data, dim, i, at))
-      require(false, name + " " + std::to_string(i) + " " + what);
+      require(false, name_of(EntityRef(dim, static_cast<std::uint32_t>(i))) + " " + what);
     at += static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
   }
-  require(at == list.vertices.size(), "there are more vertices than the " + name + "s use");
+  require(at == list.vertices.size(), "there are more vertices than the " + names + " use");
 }
 
 void check_data(const MeshData& data) {

@@ -7,21 +7,18 @@
 #include "core/mesh/derive.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
 
 namespace aomd {
 namespace {
-
-std::string label(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
 
 void require(bool condition, const std::string& what) {
   if (!condition) throw std::invalid_argument(what);
 }
 
 void require_alive(const Mesh& mesh, EntityRef e) {
-  if (!mesh.alive(e)) throw std::invalid_argument(label(e) + " does not exist");
+  if (!mesh.alive(e)) throw std::invalid_argument(name_of(e) + " does not exist");
 }
 
 void require_class(EntityRef e, ModelRef model) {
@@ -158,10 +155,10 @@ void Mesh::check_new(int dim, Shape shape, std::span<const std::uint32_t> vertic
           std::string("a ") + entity_name(dim) + " cannot be made from " + std::to_string(vertices.size()) +
               " vertices in this shape");
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    require(alive(Vertex(vertices[i])), "vertex " + std::to_string(vertices[i]) + " does not exist");
+    require(alive(Vertex(vertices[i])), name_of(Vertex(vertices[i])) + " does not exist");
     require(std::find(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, vertices.end(), vertices[i]) ==
                 vertices.end(),
-            "vertex " + std::to_string(vertices[i]) + " is used twice");
+            name_of(Vertex(vertices[i])) + " is used twice");
   }
 }
 
@@ -195,7 +192,7 @@ Edge Mesh::create_edge(Vertex a, Vertex b, ModelRef model) {
   const std::uint32_t ends[] = {a.index, b.index};
   check_new(1, Shape::Line, ends, model);
   if (const Edge known = find_edge(a, b); known.valid())
-    throw std::invalid_argument(label(known) + " joins these vertices already");
+    throw std::invalid_argument(name_of(known) + " joins these vertices already");
   return Edge(create_entity(1, Shape::Line, ends, model));
 }
 
@@ -207,7 +204,8 @@ Face Mesh::create_face(std::span<const Vertex> vertices, ModelRef model) {
   const Shape shape = face_shape(ids.size());
   check_new(2, shape, ids, model);
   if (const Face known = count(3) > 0 ? find_face(vertices) : Face(); known.valid())
-    throw std::invalid_argument(label(known) + " has these vertices already, and regions could use only one");
+    throw std::invalid_argument(name_of(known) +
+                                " has these vertices already, and regions could use only one");
   return Face(create_entity(2, shape, ids, model));
 }
 
@@ -220,7 +218,7 @@ Face Mesh::create_face(std::span<const Edge> edges, ModelRef model) {
     const auto [a, b] = edge_vertices(edges[k]);
     const auto before = edge_vertices(edges[(k + n - 1) % n]);
     const bool first = a == before[0] || a == before[1], second = b == before[0] || b == before[1];
-    require(first != second, label(edges[k]) + " does not follow " + label(edges[(k + n - 1) % n]));
+    require(first != second, name_of(edges[k]) + " does not follow " + name_of(edges[(k + n - 1) % n]));
     vertices[k] = first ? a : b;
   }
   return create_face(std::span<const Vertex>(vertices.data(), n), model);
@@ -241,7 +239,7 @@ Region Mesh::create_region_of(Shape shape, int k, std::span<const std::uint32_t>
   require(static_cast<std::size_t>(shape) < shape_count() &&
               shape_template(shape).count(k) == static_cast<int>(sides.size()) &&
               corners_from_sides(shape, k, sides.data(), buffer),
-          std::string("these ") + entity_name(k) + "s do not form a region of this shape");
+          std::string("these ") + entity_plural(k) + " do not form a region of this shape");
   const std::span ids(std::as_const(buffer).data(),
                       static_cast<std::size_t>(shape_template(shape).vertex_count));
   check_new(3, shape, ids, model);
@@ -283,8 +281,8 @@ std::vector<EntityRef> Mesh::users(EntityRef e) const {
 void Mesh::destroy(EntityRef e) {
   require_alive(*this, e);
   if (const auto by = users(e); !by.empty()) {
-    std::string text = label(e) + " is used by ";
-    for (std::size_t k = 0; k < by.size() && k < 6; ++k) text += (k ? ", " : "") + label(by[k]);
+    std::string text = name_of(e) + " is used by ";
+    for (std::size_t k = 0; k < by.size() && k < 6; ++k) text += (k ? ", " : "") + name_of(by[k]);
     if (by.size() > 6) text += " and " + std::to_string(by.size() - 6) + " more";
     throw std::logic_error(text + ": delete them first, or with it");
   }

@@ -9,15 +9,14 @@
 #include "core/mesh/bulk.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
+#include "core/mesh/names.h"
 
 namespace aomd {
 namespace {
 
-std::string name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
-
 void check_cell(int i, int j) {
   if (i < 0 || i > 3 || j < 0 || j > 3 || i == j)
-    throw std::invalid_argument(name(i, j) +
+    throw std::invalid_argument(relation_name(i, j) +
                                 " is not a relation: I and J are two different levels of 0 to 3");
 }
 
@@ -51,9 +50,9 @@ void Mesh::unset(int i, int j) {
   if (stored(i, j) && defines_level(i, j)) {
     std::string others;
     for (int k = 0; k < i; ++k)
-      if (k != j && can_hold(i, k)) others += (others.empty() ? "" : " or ") + name(i, k);
-    throw std::logic_error(name(i, j) + " defines the " + entity_name(i) +
-                           "s: " + (others.empty() ? "delete them first" : "set " + others + " first"));
+      if (k != j && can_hold(i, k)) others += (others.empty() ? "" : " or ") + relation_name(i, k);
+    throw std::logic_error(relation_name(i, j) + " defines the " + entity_plural(i) + ": " +
+                           (others.empty() ? "delete them first" : "set " + others + " first"));
   }
   representation_.demand(i, j).user = false;
   free_unwanted(i, j);

@@ -5,16 +5,13 @@
 #include <map>
 #include <unordered_map>
 
+#include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
 
 namespace aomd {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
-
-std::string label(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
 
 class Verifier {
  public:
@@ -53,22 +50,22 @@ class Verifier {
     for (const std::uint32_t id : mesh_.ids(dim).free_ids()) {
       const EntityRef e(dim, id);
       if (id >= mesh_.capacity(dim))
-        report("id stack", e, label(e) + " is on the stack but was never given out");
+        report("id stack", e, name_of(e) + " is on the stack but was never given out");
       else if (mesh_.alive(e))
-        report("id stack", e, label(e) + " is alive and on the stack");
+        report("id stack", e, name_of(e) + " is alive and on the stack");
       else if (seen[id]++)
-        report("id stack", e, label(e) + " is on the stack twice");
+        report("id stack", e, name_of(e) + " is on the stack twice");
     }
     for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
       if (const EntityRef e(dim, id); !mesh_.alive(e) && !seen[id])
-        report("id stack", e, label(e) + " is neither alive nor on the stack: its id is lost");
+        report("id stack", e, name_of(e) + " is neither alive nor on the stack: its id is lost");
   }
 
   void check_positions() {
     for (const Vertex v : mesh_.vertices()) {
       const glm::dvec3& p = mesh_.position(v);
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        report("not finite", v, label(v) + " has a coordinate that is no number");
+        report("not finite", v, name_of(v) + " has a coordinate that is no number");
     }
   }
 
@@ -87,7 +84,7 @@ class Verifier {
         Ids v(row.begin(), row.end());
         std::sort(v.begin(), v.end());
         if (std::adjacent_find(v.begin(), v.end()) == v.end()) return;
-        report("repeated vertex", e, label(e) + " uses a vertex twice");
+        report("repeated vertex", e, name_of(e) + " uses a vertex twice");
         sound = false;
       });
     }
@@ -100,7 +97,7 @@ class Verifier {
     for (int i = 0; i < shape_template(mesh_.shape(e)).count(k); ++i) {
       if (row[i] < mesh_.capacity(k) && mesh_.alive(EntityRef(k, row[i]))) continue;
       report("dead reference", e,
-             label(e) + " uses " + label(EntityRef(k, row[i])) + ", which does not exist");
+             name_of(e) + " uses " + name_of(EntityRef(k, row[i])) + ", which does not exist");
       sound = false;
     }
     return sound;
@@ -125,7 +122,7 @@ class Verifier {
       if (fresh) return;
       if (dim == 2) return void(repeated_.emplace(it->second, e.index));
       report(dim == 1 ? "duplicate edge" : "duplicate region", e,
-             label(e) + " has the same vertices as " + label(EntityRef(dim, it->second)));
+             name_of(e) + " has the same vertices as " + name_of(EntityRef(dim, it->second)));
     });
   }
 
@@ -155,18 +152,18 @@ class Verifier {
   void check_side(EntityRef e, int k, std::size_t i, std::uint32_t expected) {
     if (expected == no_index)
       return report(k == 1 ? "missing edge" : "missing face", e,
-                    label(e) + " has a side without " + (k == 1 ? "an edge" : "a face"));
+                    name_of(e) + " has a side without " + (k == 1 ? "an edge" : "a face"));
     if (k == 2)
       if (const auto it = repeated_.find(expected); it != repeated_.end())
         report("duplicate face", Face(it->second),
-               label(Face(it->second)) + " has the same vertices as " + label(Face(expected)) + ", which " +
-                   label(e) + " uses");
+               name_of(Face(it->second)) + " has the same vertices as " + name_of(Face(expected)) +
+                   ", which " + name_of(e) + " uses");
     if (!mesh_.stored(e.dimension, k)) return;
     const std::uint32_t side = mesh_.representation().down(e.dimension, k).row(e.index)[i];
     if (side != expected)
       return report("wrong side", e,
-                    label(e) + " names " + label(EntityRef(k, side)) + " where its vertices say " +
-                        label(EntityRef(k, expected)));
+                    name_of(e) + " names " + name_of(EntityRef(k, side)) + " where its vertices say " +
+                        name_of(EntityRef(k, expected)));
     if (k + 1 == e.dimension) check_direction(e, k, i, side);
   }
 
@@ -182,7 +179,7 @@ class Verifier {
     const bool stored = (mesh_.representation().down(e.dimension, k).directions(e.index) >> i & 1u) != 0;
     if (stored != along)
       report("wrong use direction", e,
-             label(e) + " uses " + label(EntityRef(k, side)) + " the other way round");
+             name_of(e) + " uses " + name_of(EntityRef(k, side)) + " the other way round");
   }
 
   void check_upward(int i, int j) {
@@ -195,7 +192,7 @@ class Verifier {
     each(i, [&](EntityRef e) {
       const auto row = mesh_.representation().up(i, j).row(e.index);
       if (!std::equal(row.begin(), row.end(), expected[e.index].begin(), expected[e.index].end()))
-        report("upward list", e, label(e) + " has a wrong list of " + entity_name(j) + "s");
+        report("upward list", e, name_of(e) + " has a wrong list of " + entity_plural(j));
     });
   }
 
@@ -208,7 +205,7 @@ class Verifier {
           if (l != no_index) used[l] = 1;
       });
     each(dim, [&](EntityRef e) {
-      if (!used[e.index]) report(names[dim], e, label(e) + " is a side of nothing");
+      if (!used[e.index]) report(names[dim], e, name_of(e) + " is a side of nothing");
     });
   }
 
@@ -218,7 +215,7 @@ class Verifier {
         const ModelRef m = mesh_.classification(e);
         if (!m.may_classify(dim))
           report("classification order", e,
-                 label(e) + " is on a model entity of dimension " + std::to_string(m.dimension()));
+                 name_of(e) + " is on a model entity of dimension " + std::to_string(m.dimension()));
         for (int k = 0; m.valid() && k < dim; ++k) check_closure(e, k, m);
       });
   }
@@ -231,7 +228,7 @@ class Verifier {
       const ModelRef m = mesh_.classification(lower);
       if (m.valid() && m.dimension() > model.dimension())
         report("classification closure", lower,
-               label(lower) + " bounds " + label(e) + " but is on a higher model entity");
+               name_of(lower) + " bounds " + name_of(e) + " but is on a higher model entity");
     }
   }
 
@@ -242,12 +239,12 @@ class Verifier {
       const EntityRef e(dim, id);
       VertexBuffer buffer;
       if (id >= mesh_.capacity(dim) || !mesh_.alive(e) || found[id]++)
-        report("hash set", e, "the hash set holds " + label(e) + ", which it should not");
+        report("hash set", e, "the hash set holds " + name_of(e) + ", which it should not");
       else if (mesh_.hash(dim).key_of(id) != EntityHash::key(mesh_.vertices_of(e, buffer)))
-        report("hash set", e, "the hash set holds " + label(e) + " under the key of other vertices");
+        report("hash set", e, "the hash set holds " + name_of(e) + " under the key of other vertices");
     });
     each(dim, [&](EntityRef e) {
-      if (!found[e.index]) report("hash set", e, label(e) + " is missing from the hash set");
+      if (!found[e.index]) report("hash set", e, name_of(e) + " is missing from the hash set");
     });
   }
 
@@ -260,11 +257,11 @@ class Verifier {
           const EntityRef e(dim, id);
           ++listed;
           if (!mesh_.alive(e) || mesh_.classification(e) != model)
-            report("class list", e, label(e) + " is in the list of a model entity that it is not on");
+            report("class list", e, name_of(e) + " is in the list of a model entity that it is not on");
         }
       if (listed != mesh_.count(dim))
         report("class list", EntityRef(dim, no_index),
-               std::string("the lists miss some ") + entity_name(dim) + "s");
+               std::string("the lists miss some ") + entity_plural(dim));
     }
   }
 

@@ -6,18 +6,11 @@
 #include "core/mesh/check.h"
 #include "core/mesh/derive.h"
 #include "core/mesh/journal_scope.h"
+#include "core/mesh/names.h"
+#include "core/model/model.h"
 
 namespace aomd {
 namespace {
-
-std::string words(EntityRef e) {
-  return std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-}
-
-std::string words(ModelRef m) {
-  if (!m.valid()) return "no model entity";
-  return std::string("model ") + entity_name(m.dimension()) + " " + std::to_string(m.tag());
-}
 
 class ClassJudge {
  public:
@@ -165,28 +158,28 @@ void apply_classes(Mesh& mesh, const ClassOverlay& classes) {
 }
 
 std::string class_words(const ClassVerdict& v) {
-  const std::string who = v.entity.valid() ? words(v.entity) : "";
+  const std::string who = v.entity.valid() ? name_of(v.entity) : "";
   switch (v.rule) {
     case ClassRule::None:
       return "no rule is broken";
     case ClassRule::Nothing:
       return "nothing would change";
     case ClassRule::Dimension:
-      return who + " cannot lie on " + words(v.model) +
+      return who + " cannot lie on " + name_of(v.model) +
              ": an entity lies on a model entity of its own dimension or of a higher one";
     case ClassRule::Closure:
-      return who + " on " + words(v.model) + " would bound " + words(v.other) + " on " +
-             words(v.other_model) +
+      return who + " on " + name_of(v.model) + " would bound " + name_of(v.other) + " on " +
+             name_of(v.other_model) +
              ": what bounds an entity lies on the same model entity or on one of lower dimension";
     case ClassRule::Border:
       return who + " has " + std::to_string(v.count) + (v.count == 1 ? " face" : " faces") +
-             " and would lie inside " + words(v.model) + ": inside a model face every edge has two faces";
+             " and would lie inside " + name_of(v.model) + ": inside a model face every edge has two faces";
     case ClassRule::Curve:
-      return who + " would lie inside " + words(v.model) + ", but " + std::to_string(v.count) +
+      return who + " would lie inside " + name_of(v.model) + ", but " + std::to_string(v.count) +
              (v.count == 1 ? " edge" : " edges") +
              " on model edges would meet there: where other than two meet stands a model vertex";
     case ClassRule::Point:
-      return who + " and " + words(v.other) + " would lie on the same " + words(v.model) +
+      return who + " and " + name_of(v.other) + " would lie on the same " + name_of(v.model) +
              ": a model vertex holds one vertex";
   }
   return {};

@@ -10,6 +10,7 @@
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal_scope.h"
+#include "core/mesh/names.h"
 
 namespace aomd {
 namespace {
@@ -269,8 +270,8 @@ void check_against(const Mesh& mesh, const Model& model) {
     const ModelRef m = mesh.classification(v);
     if (!m.valid()) continue;
     if (const double d = glm::length(model.snap(m, mesh.position(v)) - mesh.position(v)); d > limit)
-      throw ModelError("vertex " + std::to_string(v.index) + " is " + text_of(d) + " away from " +
-                       name_of(m) + ", on which it is classified: another model, or other units");
+      throw ModelError(name_of(v) + " is " + text_of(d) + " away from " + name_of(m) +
+                       ", on which it is classified: another model, or other units");
   }
 }
 

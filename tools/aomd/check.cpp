@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/measure/volume_statistics.h"
+#include "core/mesh/names.h"
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
@@ -16,9 +17,7 @@ struct Options {
   bool json = false, unused = false;
 };
 
-std::string shown(EntityRef e) {
-  return e.valid() ? std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) : "mesh";
-}
+std::string shown(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
 void print(const std::string& file, const std::vector<Finding>& findings) {
   for (const Finding& f : findings) std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';

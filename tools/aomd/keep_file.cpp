@@ -9,6 +9,7 @@
 
 #include "core/io/source.h"
 #include "core/io/text_cursor.h"
+#include "core/model/model.h"
 
 namespace aomd::cli {
 namespace {
@@ -70,10 +71,7 @@ class KeepFile {
       for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
         if (mesh_.alive({dim, id})) keep_if_listed({dim, id});
     for (const auto& [ref, entry] : classes_)
-      if (!entry.found)
-        source_.fail_at_line(entry.offset, std::string("nothing lies on model ") +
-                                               entity_name(ref.dimension()) + " " +
-                                               std::to_string(ref.tag()));
+      if (!entry.found) source_.fail_at_line(entry.offset, "nothing lies on " + name_of(ref));
   }
 
   void keep_if_listed(EntityRef e) {

@@ -1,12 +1,15 @@
 #include "tools/aomd/repair_items.h"
 
+#include "core/mesh/names.h"
+
 namespace aomd::cli {
 namespace {
 
 // Edges have no numbers of their own: one of their faces is named.
 std::string where(const RepairItem& item) {
-  std::string text = item.dimension == 1 ? "at face" : entity_name(item.dimension);
-  if (item.first.size() > 1) text = item.dimension == 0 ? "vertices" : text + "s";
+  const int named = item.dimension == 1 ? 2 : item.dimension;
+  std::string text = item.dimension == 1 ? "at " : "";
+  text += item.first.size() > 1 ? entity_plural(named) : entity_name(named);
   for (std::size_t i = 0; i < item.first.size(); ++i)
     text += (i == 0 ? " " : ", ") + std::to_string(item.first[i]);
   return text + (item.count > item.first.size() ? ", ..." : "");

@@ -15,6 +15,7 @@
 
 #include "core/io/io.h"
 #include "core/mesh/derive.h"
+#include "core/mesh/names.h"
 #include "core/samples/samples.h"
 
 namespace aomd {
@@ -35,11 +36,9 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::string name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
-
 std::string names(const Cells& cells) {
   std::string text;
-  for (const auto& [i, j] : cells) text += (text.empty() ? "" : " ") + name(i, j);
+  for (const auto& [i, j] : cells) text += (text.empty() ? "" : " ") + relation_name(i, j);
   return text;
 }
 
@@ -138,8 +137,8 @@ void print_building(const MeshData& data, const Cells& cells) {
     else
       for (std::uint32_t id = 0; id < mesh.capacity(i); ++id)
         pairs += shape_template(mesh.shape(EntityRef(i, id))).count(j);
-    std::printf("| %s | %.0f | %.2f | %.0f | %.2f | %.1f |\n", name(i, j).c_str(), pairs, median(ours),
-                pairs / median(ours) / 1e3, median(plain), median(ours) / median(plain));
+    std::printf("| %s | %.0f | %.2f | %.0f | %.2f | %.1f |\n", relation_name(i, j).c_str(), pairs,
+                median(ours), pairs / median(ours) / 1e3, median(plain), median(ours) / median(plain));
   }
 }
 
@@ -160,8 +159,8 @@ void print_query(const Mesh& mesh, int i, int j, const std::string& stored) {
         read += result.size();
       }
     }));
-  std::printf("| %s | %s | %s | %.1f | %.0f |\n", name(i, j).c_str(), path.text().c_str(), stored.c_str(),
-              static_cast<double>(read) / runs / n, median(times) * 1e6 / n);
+  std::printf("| %s | %s | %s | %.1f | %.0f |\n", relation_name(i, j).c_str(), path.text().c_str(),
+              stored.c_str(), static_cast<double>(read) / runs / n, median(times) * 1e6 / n);
 }
 
 void print_queries(const MeshData& data, int dim) {

@@ -19,7 +19,7 @@ std::string read_text(const std::filesystem::path& path) {
 
 ShaderSources load_shader_sources(const std::optional<std::filesystem::path>& folder) {
   ShaderSources sources;
-  for (const EmbeddedText& embedded : embedded_texts()) {
+  for (const scene::EmbeddedText& embedded : embedded_texts()) {
     const std::string name(embedded.name);
     sources.emplace(name, folder ? read_text(*folder / name) : std::string(embedded.text));
   }

@@ -6,17 +6,13 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
+
+#include "viewer/scene/embedded_text.h"
 
 namespace aomd::render {
 
-struct EmbeddedText {
-  std::string_view name;  ///< "surface.vert"
-  std::string_view text;
-};
-
 /// What cmake/EmbedText.cmake made of shaders/.
-[[nodiscard]] std::span<const EmbeddedText> embedded_texts();
+[[nodiscard]] std::span<const scene::EmbeddedText> embedded_texts();
 
 /// From a file's name ("surface.vert") to its text.
 using ShaderSources = std::map<std::string, std::string, std::less<>>;

@@ -8,16 +8,14 @@
 #include <vector>
 
 #include "core/mesh/derive.h"
+#include "core/mesh/names.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
 namespace {
 
-constexpr std::array<const char*, 4> singular = {"vertex", "edge", "face", "region"};
-constexpr std::array<const char*, 4> plural = {"vertices", "edges", "faces", "regions"};
-
-std::string one(int dim) { return singular[static_cast<std::size_t>(dim)]; }
-std::string many(int dim) { return plural[static_cast<std::size_t>(dim)]; }
+std::string one(int dim) { return entity_name(dim); }
+std::string many(int dim) { return entity_plural(dim); }
 
 /// "1 request holds it", "2 requests hold it"
 std::string held_by(int requests) {
@@ -95,8 +93,6 @@ double mean_row_length(const Mesh& mesh, int i, int j) {
   const auto entries = static_cast<double>(i > j ? uses(mesh, i, j) : uses(mesh, j, i));
   return mesh.count(i) == 0 ? 0 : entries / mesh.count(i);
 }
-
-std::string relation_name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
 
 std::string relation_words(int i, int j) {
   if (i < j) return "The " + many(j) + " around each " + one(i) + ", sorted";

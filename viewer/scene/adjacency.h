@@ -22,8 +22,6 @@ struct AdjacencyCell {
 /// Average length of the rows of a stored relation, from the shapes that there are. O(entities).
 [[nodiscard]] double mean_row_length(const Mesh& mesh, int i, int j);
 
-/// "T(0,2)"
-[[nodiscard]] std::string relation_name(int i, int j);
 /// "The faces around each vertex, sorted", "The vertices of each face, in template order".
 [[nodiscard]] std::string relation_words(int i, int j);
 /// Whether, how and for whom a relation is stored, in sentences; with `times`, how long building took.

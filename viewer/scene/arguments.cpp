@@ -1,16 +1,15 @@
 #include "viewer/scene/arguments.h"
 
-#include <array>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "core/mesh/handle.h"
 #include "viewer/scene/commands.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
 namespace {
-
-constexpr std::array<std::string_view, 4> dimension_names = {"vertex", "edge", "face", "region"};
 
 template <typename T>
 std::optional<T> parse(std::string_view word) {
@@ -18,6 +17,14 @@ std::optional<T> parse(std::string_view word) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return {};
   return value;
+}
+
+/// "a, b or c" where the last two are joined by " or ".
+std::string joined(const std::vector<std::string_view>& words, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + std::string(words[i]);
+  return text;
 }
 
 }  // namespace
@@ -82,6 +89,21 @@ long long Arguments::integer(std::string_view what) {
   return *value;
 }
 
+std::string Arguments::one_of(const std::vector<std::string_view>& words) {
+  std::string result = word(joined(words, " or "));
+  if (std::find(words.begin(), words.end(), result) == words.end())
+    fail("'" + result +
+         (words.size() == 2 ? "' is neither " + joined(words, " nor ")
+                            : "' is none of " + joined(words, ", ")));
+  return result;
+}
+
+int Arguments::level(int lowest) {
+  std::vector<std::string_view> names;
+  for (int level = lowest; level < 4; ++level) names.emplace_back(entity_name(level));
+  return level_named(one_of(names)).value();
+}
+
 bool Arguments::flag(bool present) {
   if (done()) return !present;
   const std::string text = word("on, off or toggle");
@@ -105,23 +127,27 @@ glm::ivec2 Arguments::size() {
 ModelRef Arguments::model_entity() {
   const std::string text = word("a model entity like face:3");
   const std::size_t colon = text.find(':');
-  for (std::size_t dim = 0; dim < dimension_names.size() && colon != std::string::npos; ++dim) {
-    const auto tag = parse<std::int32_t>(std::string_view(text).substr(colon + 1));
-    if (text.substr(0, colon) == dimension_names[dim] && tag && *tag >= ModelRef::min_tag &&
-        *tag <= ModelRef::max_tag)
-      return ModelRef(static_cast<int>(dim), *tag);
-  }
-  fail("'" + text + "' is not a model entity like face:3");
+  const auto dim = level_named(std::string_view(text).substr(0, colon));
+  const auto tag = colon == std::string::npos ? std::nullopt
+                                              : parse<std::int32_t>(std::string_view(text).substr(colon + 1));
+  if (!dim || !tag || *tag < ModelRef::min_tag || *tag > ModelRef::max_tag)
+    fail("'" + text + "' is not a model entity like face:3");
+  return ModelRef(*dim, *tag);
 }
 
 void Arguments::end() {
   if (!done()) fail("'" + std::string(text_) + "' is too much");
 }
 
+std::optional<int> level_named(std::string_view word) {
+  for (int level = 0; level < 4; ++level)
+    if (word == entity_name(level)) return level;
+  return {};
+}
+
 std::string model_entity_text(ModelRef ref) {
   if (!ref.valid()) return {};
-  return std::string(dimension_names[static_cast<std::size_t>(ref.dimension())]) + ":" +
-         std::to_string(ref.tag());
+  return std::string(entity_name(ref.dimension())) + ":" + std::to_string(ref.tag());
 }
 
 }  // namespace aomd::scene

@@ -1,9 +1,12 @@
 #pragma once
 // The words that follow a command's name.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -25,6 +28,20 @@ class Arguments {
   /// A number in [low, high].
   [[nodiscard]] double number(std::string_view what, double low, double high);
   [[nodiscard]] long long integer(std::string_view what);
+  /// One of two or more words.
+  [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words);
+  /// What one of two or more words stands for.
+  template <typename T, std::size_t N>
+  [[nodiscard]] T choice(const std::array<std::pair<std::string_view, T>, N>& choices) {
+    std::vector<std::string_view> words;
+    for (const auto& each : choices) words.push_back(each.first);
+    const std::string word = one_of(words);
+    for (const auto& [name, value] : choices)
+      if (word == name) return value;
+    return {};
+  }
+  /// vertex, edge, face or region as 0 to 3; those below `lowest` are not taken.
+  [[nodiscard]] int level(int lowest = 0);
   /// on, off or toggle; a missing word is toggle.
   [[nodiscard]] bool flag(bool present);
   /// "960x600"
@@ -42,6 +59,9 @@ class Arguments {
   std::string usage_;
   std::string_view text_;
 };
+
+/// "vertex", "edge", "face" or "region" as 0 to 3.
+[[nodiscard]] std::optional<int> level_named(std::string_view word);
 
 /// "face:3": what model_entity() reads. Empty for what is not classified.
 [[nodiscard]] std::string model_entity_text(ModelRef ref);

@@ -1,5 +1,6 @@
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/command_groups.h"
 
@@ -38,9 +39,8 @@ void expect_adjacency(Session& session, Arguments& arguments) {
   static_cast<void>(arguments.word("adjacency"));
   const auto [i, j] = cell(arguments);
   if (const std::string sign = arguments.word("="); sign != "=") arguments.fail("'" + sign + "' is not =");
-  const std::string text = arguments.word("on or off");
+  const std::string text = arguments.one_of({"on", "off"});
   arguments.end();
-  if (text != "on" && text != "off") arguments.fail("'" + text + "' is neither on nor off");
   const bool stored = session.document.mesh().stored(i, j);
   if (stored != (text == "on"))
     throw ExpectationMissed("expected " + relation_name(i, j) + " to be " + text + ", but it is " +

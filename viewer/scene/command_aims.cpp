@@ -26,9 +26,8 @@ void set_with_angle(Session& session, DecimationOptions options) {
 }
 
 void strategy(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("paper or quality");
+  const std::string text = arguments.one_of({"paper", "quality"});
   arguments.end();
-  if (text != "paper" && text != "quality") arguments.fail("'" + text + "' is neither paper nor quality");
   DecimationOptions options = session.document.options();
   options.strategy = text == "paper" ? Strategy::Paper : Strategy::Quality;
   set_with_angle(session, options);

@@ -56,7 +56,7 @@ std::string branch_list(const Document& document) {
 void branch(Session& session, Arguments& arguments) {
   need_mesh(session);
   Document& document = session.document;
-  const std::string what = arguments.word("list, switch or remove");
+  const std::string what = arguments.one_of({"list", "switch", "remove"});
   if (what == "list") {
     arguments.end();
     session.log = branch_list(document);
@@ -68,14 +68,12 @@ void branch(Session& session, Arguments& arguments) {
     document.switch_branch(id);
     session.status = "Branch " + std::to_string(id) + ": operation " +
                      count_text(document.journal().cursor()) + " of " + count_text(document.journal().size());
-  } else if (what == "remove") {
+  } else {
     const unsigned id = number_of(document.tree(), arguments);
     if (id == document.tree().present()) arguments.fail("the present branch cannot be removed");
     const std::size_t removed = document.remove_branch(id);
     session.status = "Branch " + std::to_string(id) + " is removed" +
                      (removed > 1 ? ", and " + count_text(removed - 1) + " that left it" : "");
-  } else {
-    arguments.fail("'" + what + "' is none of list, switch, remove");
   }
 }
 
@@ -86,8 +84,7 @@ std::vector<Command> branch_commands() {
       {"bookmark",
        "[NAME] | remove NAME",
        "Gives the present place of the history a name, for seek bookmark NAME. It survives undo and stays "
-       "with "
-       "its branch.",
+       "with its branch.",
        CommandGroup::History,
        bookmark,
        {{"Ctrl+B", "bookmark"}}},

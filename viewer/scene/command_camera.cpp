@@ -81,7 +81,7 @@ void fit(Session& session, Arguments& arguments) {
   Arguments ahead = arguments;
   const std::string word = ahead.word("selection or an entity");
   if (word.find(':') != std::string::npos) return fit_model_entity(session, arguments);
-  if (word != "selection") return fit_entities(session, listed_entities(session, ahead, word));
+  if (word != "selection") return fit_entities(session, listed_entities(session, arguments));
   ahead.end();
   fit_selection(session);
 }
@@ -134,8 +134,7 @@ std::vector<Command> camera_commands() {
       {"fit",
        "[selection | KIND:TAG | KIND ID [ID...]]",
        "Shows the whole mesh from the present direction, all that lies on a model entity, or what is "
-       "selected or "
-       "named with its surroundings.",
+       "selected or named with its surroundings.",
        CommandGroup::View,
        fit,
        {{"F", "fit"}, {"Shift+F", "fit selection"}}},

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/io/io.h"
+#include "core/mesh/names.h"
 #include "core/mesh/part.h"
 #include "core/model/class_edits.h"
 #include "viewer/scene/command_groups.h"
@@ -19,9 +20,10 @@ void need_triangles(const Session& session) {
 
 /// The entities that are named, or else those that are selected.
 std::vector<EntityRef> concerned(Session& session, Arguments& arguments) {
-  const std::string word = arguments.done() ? "selection" : arguments.word("selection or entities");
-  if (word != "selection") return listed_entities(session, arguments, word);
-  arguments.end();
+  Arguments ahead = arguments;
+  const std::string word = ahead.done() ? "selection" : ahead.word("selection or entities");
+  if (word != "selection") return listed_entities(session, arguments);
+  ahead.end();
   const auto selected = session.selection.entities();
   if (selected.empty()) arguments.fail("nothing is selected");
   return {selected.begin(), selected.end()};
@@ -32,9 +34,8 @@ std::string model_counts(const Mesh& mesh) {
   for (const int dim : {2, 1, 0}) {
     std::int64_t count = 0;
     for (const ModelRef ref : mesh.class_lists()->models(dim)) count += ref.dimension() == dim;
-    const char* names[] = {"vertices", "edges", "faces"};
     text += (text.empty() ? "" : ", ") + grouped(count) + " model " +
-            (count == 1 ? entity_name(dim) : names[static_cast<std::size_t>(dim)]);
+            (count == 1 ? entity_name(dim) : entity_plural(dim));
   }
   return text;
 }
@@ -137,8 +138,7 @@ std::vector<Command> class_commands() {
       {"promote",
        "[selection] | KIND ID [ID...]",
        "Edges become model edges, vertices model vertices: collapses respect them. Ends, branches and sharp "
-       "turns "
-       "of the new model edges become model vertices.",
+       "turns of the new model edges become model vertices.",
        CommandGroup::Selection,
        promote,
        {}},
@@ -152,8 +152,7 @@ std::vector<Command> class_commands() {
       {"assign",
        "KIND:TAG|KIND:new [border] [selection | KIND ID [ID...]]",
        "Puts entities onto a model entity; new takes the next free tag, border makes model edges of the "
-       "edges "
-       "around faces. Refused where a rule of classification would be broken.",
+       "edges around faces. Refused where a rule of classification would be broken.",
        CommandGroup::Selection,
        assign,
        {}},

@@ -1,5 +1,6 @@
 // Before and after, and the inside of volumes.
 
+#include <array>
 #include <string>
 
 #include "viewer/scene/command_groups.h"
@@ -10,10 +11,8 @@ namespace {
 constexpr double most_shrunk = 0.9;
 
 void compare(Session& session, Arguments& arguments) {
-  const std::string how = arguments.done() ? "toggle" : arguments.word("side, off or toggle");
+  const std::string how = arguments.done() ? "toggle" : arguments.one_of({"side", "off", "toggle"});
   arguments.end();
-  if (how != "side" && how != "off" && how != "toggle")
-    arguments.fail("'" + how + "' is none of side, off, toggle");
   session.view.side_by_side = how == "toggle" ? !session.view.side_by_side : how == "side";
 }
 
@@ -35,13 +34,11 @@ void clip(Session& session, Arguments& arguments) {
   clip.axis = axis_of(axis, arguments);
   clip.position = arguments.number("a position from 0 to 1", 0, 1);
   while (!arguments.done()) {
-    const std::string word = arguments.word("cut, cells or flip");
+    const std::string word = arguments.one_of({"cut", "cells", "flip"});
     if (word == "flip")
       clip.flip = true;
-    else if (word == "cells" || word == "cut")
-      clip.cells = word == "cells";
     else
-      arguments.fail("'" + word + "' is none of cut, cells, flip");
+      clip.cells = word == "cells";
   }
   session.view.clip = clip;
 }
@@ -51,30 +48,27 @@ void shrink(Session& session, Arguments& arguments) {
   arguments.end();
 }
 
-HistogramKind kind_of(const std::string& word, const Arguments& arguments) {
-  if (word == "angle") return HistogramKind::Angle;
-  if (word == "length") return HistogramKind::Length;
-  if (word == "valence") return HistogramKind::Valence;
-  arguments.fail("'" + word + "' is none of angle, length, valence");
-}
-
 void mark(Session& session, Arguments& arguments) {
-  const std::string word = arguments.word("angle, length, valence or off");
-  if (word == "off") {
-    arguments.end();
+  Arguments ahead = arguments;
+  if (ahead.word("angle, length, valence or off") == "off") {
+    ahead.end();
     session.view.marked.reset();
     return;
   }
   need_mesh(session);
   if (session.document.content().skin) arguments.fail("only surfaces of triangles have marks");
-  session.view.marked = bar_of_histogram(word, arguments);
+  session.view.marked = bar_of_histogram(arguments);
 }
 
 }  // namespace
 
-MarkedBar bar_of_histogram(const std::string& kind, Arguments& arguments) {
+MarkedBar bar_of_histogram(Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, HistogramKind>, 3> kinds = {
+      {{"angle", HistogramKind::Angle},
+       {"length", HistogramKind::Length},
+       {"valence", HistogramKind::Valence}}};
   MarkedBar bar;
-  bar.kind = kind_of(kind, arguments);
+  bar.kind = arguments.choice(kinds);
   bar.value = arguments.number("a value in the bar");
   arguments.end();
   return bar;
@@ -105,8 +99,7 @@ std::vector<Command> compare_commands() {
       {"mark",
        "angle|length|valence|off VALUE",
        "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
-       "edges "
-       "by their length over the spacing, vertices by their number of edges.",
+       "edges by their length over the spacing, vertices by their number of edges.",
        CommandGroup::View,
        mark,
        {}},

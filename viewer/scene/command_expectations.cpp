@@ -16,15 +16,11 @@ namespace {
 std::string flag_word(bool on) { return on ? "on" : "off"; }
 
 EntityRef entity(const Session& session, Arguments& arguments) {
-  const std::string word = arguments.word("vertex, edge, face or region");
-  for (int dim = 0; dim < 4; ++dim) {
-    if (word != entity_name(dim)) continue;
-    const long long id = arguments.integer("an id");
-    const EntityRef e(dim, static_cast<std::uint32_t>(id));
-    const Mesh& mesh = session.document.mesh();
-    return id >= 0 && id < mesh.capacity(dim) && mesh.alive(e) ? e : EntityRef();
-  }
-  arguments.fail("'" + word + "' is none of vertex, edge, face, region");
+  const int dim = arguments.level();
+  const long long id = arguments.integer("an id");
+  const EntityRef e(dim, static_cast<std::uint32_t>(id));
+  const Mesh& mesh = session.document.mesh();
+  return id >= 0 && id < mesh.capacity(dim) && mesh.alive(e) ? e : EntityRef();
 }
 
 std::string ids_text(const std::vector<std::uint32_t>& ids) {
@@ -223,37 +219,37 @@ constexpr std::array<Measure, 10> measures = {
      {"lesson-done", lesson_done},
      {"lessons-completed", [](Session& s) { return static_cast<double>(s.lesson.completed.size()); }}}};
 
-bool holds(double value, const std::string& relation, double bound, const Arguments& arguments) {
-  if (relation == "=") return value == bound;
-  if (relation == "<") return value < bound;
-  if (relation == ">") return value > bound;
-  if (relation == "<=") return value <= bound;
-  if (relation == ">=") return value >= bound;
-  arguments.fail("'" + relation + "' is none of =, <, >, <=, >=");
-}
-
 void expect_answer(Session& session, const Question& question, const std::string& what,
                    Arguments& arguments) {
   session.refresh();
   const std::string answer = question.answer(session, arguments);
-  const std::string sign = arguments.word("= or !=");
-  if (sign != "=" && sign != "!=") arguments.fail("'" + sign + "' is neither = nor !=");
+  const std::string sign = arguments.one_of({"=", "!="});
   const std::string wanted = arguments.rest("what it should be");
   if ((answer == wanted) != (sign == "="))
     throw ExpectationMissed("expected " + what + ", but it is " + answer);
 }
 
 void expect_measure(Session& session, const Measure& measure, const std::string& what, Arguments& arguments) {
-  const std::string relation = arguments.word("=, <, >, <= or >=");
+  const std::string sign = comparison(arguments);
   const double bound = arguments.number("a number");
   arguments.end();
   session.refresh();
   const double value = measure.value(session);
-  if (!holds(value, relation, bound, arguments))
+  if (!holds(sign, value <=> bound))
     throw ExpectationMissed("expected " + what + ", but it is " + short_number(value, 6));
 }
 
 }  // namespace
+
+std::string comparison(Arguments& arguments) { return arguments.one_of({"=", "<", ">", "<=", ">="}); }
+
+bool holds(std::string_view sign, std::partial_ordering compared) {
+  if (sign == "=") return compared == 0;
+  if (sign == "<") return compared < 0;
+  if (sign == ">") return compared > 0;
+  if (sign == "<=") return compared <= 0;
+  return compared >= 0;
+}
 
 bool expect_other(Session& session, Arguments& arguments) {
   Arguments words = arguments, all = arguments;

@@ -2,6 +2,7 @@
 // The table of commands in parts: each source file has the handlers of its commands and, below them, their
 // rows. A new command is a handler and a row in one of these files; docs/COMMANDS.md is then generated anew.
 
+#include <compare>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -42,12 +43,15 @@ void need_mesh(const Session& session);
 /// The same, and for a mesh that cannot be decimated. In command_files.cpp.
 void need_decimable(const Session& session);
 /// "angle", "length" or "valence" and a value in the bar. In command_compare.cpp.
-[[nodiscard]] MarkedBar bar_of_histogram(const std::string& kind, Arguments& arguments);
-/// The ids that follow "vertex", "edge", "face" or "region". In command_selection.cpp.
-[[nodiscard]] std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments,
-                                                     const std::string& kind);
+[[nodiscard]] MarkedBar bar_of_histogram(Arguments& arguments);
+/// "vertex", "edge", "face" or "region" and the ids that follow it. In command_selection.cpp.
+[[nodiscard]] std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments);
 /// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.
 void expect_adjacency(Session& session, Arguments& arguments);
+/// "=", "<", ">", "<=" or ">=". In command_expectations.cpp.
+[[nodiscard]] std::string comparison(Arguments& arguments);
+/// Whether a value and its bound, compared, are as it says. In command_expectations.cpp.
+[[nodiscard]] bool holds(std::string_view sign, std::partial_ordering compared);
 /// What `expect` knows besides counts. False: the next word is none of it, and nothing has been read. Throws
 /// ExpectationMissed. In command_expectations.cpp.
 [[nodiscard]] bool expect_other(Session& session, Arguments& arguments);

@@ -8,12 +8,9 @@ namespace aomd::scene {
 namespace {
 
 std::optional<int> level_or_off(Arguments& arguments) {
-  const std::string word = arguments.word("vertex, edge, face, region or off");
+  const std::string word = arguments.one_of({"vertex", "edge", "face", "region", "off"});
   arguments.end();
-  for (int level = 0; level < 4; ++level)
-    if (word == entity_name(level)) return level;
-  if (word != "off") arguments.fail("'" + word + "' is none of vertex, edge, face, region, off");
-  return {};
+  return level_named(word);
 }
 
 void neighbours(Session& session, Arguments& arguments) {

@@ -37,9 +37,8 @@ void feature_angle(Session& session, Arguments& arguments) {
 }
 
 void topology(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("safe or paper");
+  const std::string text = arguments.one_of({"safe", "paper"});
   arguments.end();
-  if (text != "safe" && text != "paper") arguments.fail("'" + text + "' is neither safe nor paper");
   DecimationOptions options = session.document.options();
   options.topology = text == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
   session.document.set_options(options);
@@ -61,9 +60,8 @@ void improve_passes(Session& session, Arguments& arguments) {
 }
 
 void snap(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("none or model");
+  const std::string text = arguments.one_of({"none", "model"});
   arguments.end();
-  if (text != "none" && text != "model") arguments.fail("'" + text + "' is neither none nor model");
   session.document.set_snapping(text == "model");
 }
 

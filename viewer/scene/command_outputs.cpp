@@ -41,9 +41,7 @@ void screenshot(Session& session, Arguments& arguments) {
 }
 
 void export_series(Session& session, Arguments& arguments) {
-  const std::string kind = arguments.word("turntable or history");
-  if (kind != "turntable" && kind != "history")
-    arguments.fail("'" + kind + "' is neither turntable nor history");
+  const std::string kind = arguments.one_of({"turntable", "history"});
   const std::filesystem::path folder = expanded(arguments.word("a folder"));
   const auto is_size = [&] {
     Arguments again = arguments;
@@ -62,13 +60,8 @@ void export_series(Session& session, Arguments& arguments) {
 }
 
 void copy(Session& session, Arguments& arguments) {
-  const std::string table = arguments.word("a table");
   const auto names = table_names();
-  if (std::find(names.begin(), names.end(), table) == names.end()) {
-    std::string all;
-    for (const std::string_view each : names) all += (all.empty() ? "" : ", ") + std::string(each);
-    arguments.fail("'" + table + "' is none of " + all);
-  }
+  const std::string table = arguments.one_of({names.begin(), names.end()});
   const std::string file = arguments.done() ? "" : arguments.rest("a file");
   need_mesh(session);
   session.refresh();
@@ -103,8 +96,7 @@ std::vector<Command> output_commands() {
       {"copy",
        "counts|legend|adjacency|hashes|ids|strategies|refusals|sweeps [FILE]",
        "Copies a table as text, columns separated by tabs, to the clipboard or into a file; strategies into "
-       "a "
-       "file named .json as JSON.",
+       "a file named .json as JSON.",
        CommandGroup::File,
        copy,
        {}},

@@ -41,9 +41,7 @@ void play_speed(Session& session, Arguments& arguments) {
 }
 
 void operation(Session& session, Arguments& arguments) {
-  const std::string sides = arguments.word("before, after or both");
-  if (sides != "before" && sides != "after" && sides != "both")
-    arguments.fail("'" + sides + "' is none of before, after, both");
+  const std::string sides = arguments.one_of({"before", "after", "both"});
   arguments.end();
   session.view.step_sides = {sides != "after", sides != "before"};
   session.view.operation = true;
@@ -63,16 +61,14 @@ std::vector<Command> playing_commands() {
       {"play-speed",
        "N|whole [SECONDS]|faster|slower",
        "How fast the history is played: N operations a second (0.5 to 1000000), or the whole history in so "
-       "many "
-       "seconds, however long it is; faster and slower go to the next of 1, 2, 5, 10 ...",
+       "many seconds, however long it is; faster and slower go to the next of 1, 2, 5, 10 ...",
        CommandGroup::History,
        play_speed,
        {{".", "play-speed faster"}, {",", "play-speed slower"}}},
       {"operation",
        "before|after|both",
        "What is pointed at of the last single operation: what stood there before it (blue), what stands "
-       "there "
-       "after it (pink), or both.",
+       "there after it (pink), or both.",
        CommandGroup::History,
        operation,
        {}},

@@ -95,15 +95,6 @@ Quantity quantity(Arguments& arguments) {
   arguments.fail("'" + name + "' is none of " + names);
 }
 
-bool holds(std::int64_t value, const std::string& relation, std::int64_t bound, const Arguments& arguments) {
-  if (relation == "=") return value == bound;
-  if (relation == "<") return value < bound;
-  if (relation == ">") return value > bound;
-  if (relation == "<=") return value <= bound;
-  if (relation == ">=") return value >= bound;
-  arguments.fail("'" + relation + "' is none of =, <, >, <=, >=");
-}
-
 void expect(Session& session, Arguments& arguments) {
   need_mesh(session);
   Arguments again = arguments;
@@ -111,12 +102,12 @@ void expect(Session& session, Arguments& arguments) {
   if (what.rfind("adjacency ", 0) == 0) return expect_adjacency(session, arguments);
   if (expect_other(session, arguments)) return;
   const Quantity of = quantity(arguments);
-  const std::string relation = arguments.word("=, <, >, <= or >=");
+  const std::string sign = comparison(arguments);
   const long long bound = arguments.integer("a whole number");
   arguments.end();
   session.refresh();
   const std::int64_t value = of(session);
-  if (!holds(value, relation, bound, arguments))
+  if (!holds(sign, value <=> bound))
     throw ExpectationMissed("expected " + what + ", but it is " + std::to_string(value));
 }
 
@@ -134,20 +125,16 @@ std::vector<Command> script_commands() {
       {"expect",
        "QUANTITY = N",
        "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, neighbours (that light up), adjacency-bytes, "
-       "hash-entities, hash-buckets, hash-rehashes (of all levels), free-vertices, free-edges, free-faces "
-       "(on the id stacks), same-result (1 where both strategies led to the same mesh), outer-faces (of a "
-       "volume), euler (over used "
-       "vertices), boundary, "
-       "nonmanifold, "
-       "unused, model-vertices, model-edges, model-faces, model-regions, steps, cursor, commands, branches "
-       "(others than the present one), bookmarks, "
-       "refused-classification, refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = "
-       "on|off; angle, factor, feature-angle, stored (relations), decided (the number of the verdict on what "
-       "is selected), scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a "
-       "word: kind, selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class "
-       "KIND "
-       "ID, alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
+       "faces, regions, selected, neighbours (that light up), adjacency-bytes, hash-entities, hash-buckets, "
+       "hash-rehashes (of all levels), free-vertices, free-edges, free-faces (on the id stacks), same-result "
+       "(1 where both strategies led to the same mesh), outer-faces (of a volume), euler (over used "
+       "vertices), boundary, nonmanifold, unused, model-vertices, model-edges, model-faces, model-regions, "
+       "steps, cursor, commands, branches (others than the present one), bookmarks, refused-classification, "
+       "refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = on|off; angle, factor, "
+       "feature-angle, stored (relations), decided (the number of the verdict on what is selected), "
+       "scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a word: kind, "
+       "selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class KIND ID, "
+       "alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
        CommandGroup::Scripts,
        expect,
        {}},

@@ -23,12 +23,6 @@ EntityRef entity(Session& session, Arguments& arguments, int dim) {
   return e;
 }
 
-int kind(const std::string& word, const Arguments& arguments) {
-  for (int dim = 0; dim < 4; ++dim)
-    if (word == entity_name(dim)) return dim;
-  arguments.fail("'" + word + "' is none of vertex, edge, face, region");
-}
-
 glm::dvec2 place(Arguments& arguments) {
   const double x = arguments.number("a place from left (-1) to right (1)", -1, 1);
   return {x, arguments.number("a place from bottom (-1) to top (1)", -1, 1)};
@@ -66,21 +60,21 @@ void select_refused(Session& session, Arguments& arguments) {
 }
 
 void select_bar(Session& session, Arguments& arguments) {
-  const std::string kind = arguments.word("angle, length or valence");
-  const MarkedBar bar = bar_of_histogram(kind, arguments);
+  const MarkedBar bar = bar_of_histogram(arguments);
   if (session.document.running()) arguments.fail("nothing is counted before the run has ended");
   session.selection.replace(session.counted_in(bar));
 }
 
 void select(Session& session, Arguments& arguments) {
   need_mesh(session);
+  Arguments again = arguments;
   const std::string word = arguments.word("what to select");
   Selection& selection = session.selection;
   if (word == "none") {
     arguments.end();
     selection.clear();
   } else if (word == "add" || word == "remove") {
-    const auto entities = listed_entities(session, arguments, arguments.word("vertex, edge, face or region"));
+    const auto entities = listed_entities(session, arguments);
     word == "add" ? selection.add(entities) : selection.remove(entities);
   } else if (word == "box") {
     select_box(session, arguments);
@@ -95,7 +89,7 @@ void select(Session& session, Arguments& arguments) {
     session.refresh();
     selection.replace(grown(session.document.mesh(), selection));
   } else {
-    selection.replace(listed_entities(session, arguments, word));
+    selection.replace(listed_entities(session, again));
   }
   say(session);
 }
@@ -119,14 +113,8 @@ void pick_level(Session& session, Arguments& arguments) {
        {"edge", PickLevel::Edge},
        {"face", PickLevel::Face},
        {"region", PickLevel::Region}}};
-  const std::string word = arguments.word("automatic, vertex, edge, face or region");
+  session.view.pick_level = arguments.choice(levels);
   arguments.end();
-  for (const auto& [name, level] : levels)
-    if (word == name) {
-      session.view.pick_level = level;
-      return;
-    }
-  arguments.fail("'" + word + "' is none of automatic, vertex, edge, face, region");
 }
 
 void hover(Session& session, Arguments& arguments) {
@@ -154,13 +142,12 @@ void labels(Session& session, Arguments& arguments) {
 }
 
 void preview(Session& session, Arguments& arguments) {
-  constexpr std::array<std::string_view, 6> words = {"best", "1", "2", "swap", "on", "off"};
-  const std::string word = arguments.word("on, off, best, 1, 2 or swap");
+  constexpr std::array<std::string_view, 4> ways = {"best", "1", "2", "swap"};
+  const std::string word = arguments.one_of({"on", "off", "best", "1", "2", "swap"});
   arguments.end();
-  const auto chosen = static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
-  if (chosen == words.size()) arguments.fail("'" + word + "' is none of on, off, best, 1, 2, swap");
   session.view.preview = word != "off";
-  if (chosen < 4) session.view.previewed = static_cast<PreviewedWay>(chosen);
+  if (const auto way = std::find(ways.begin(), ways.end(), word); way != ways.end())
+    session.view.previewed = static_cast<PreviewedWay>(way - ways.begin());
 }
 
 void why(Session& session, Arguments& arguments) {
@@ -173,8 +160,8 @@ void why(Session& session, Arguments& arguments) {
 
 }  // namespace
 
-std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments, const std::string& word) {
-  const int dim = kind(word, arguments);
+std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments) {
+  const int dim = arguments.level();
   std::vector<EntityRef> entities;
   do entities.push_back(entity(session, arguments, dim));
   while (!arguments.done());

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/command_groups.h"
 #include "viewer/scene/id_facts.h"
 #include "viewer/scene/text.h"
@@ -22,34 +23,27 @@ void show(Session& session, bool& section, Arguments& arguments) {
   panels.page = Page::Adjacency;
 }
 
-int level_of_set(Arguments& arguments) {
-  const std::string word = arguments.word("edge, face or region");
-  for (int level = 1; level < 4; ++level)
-    if (word == entity_name(level)) return level;
-  arguments.fail("'" + word + "' is none of edge, face, region");
-}
-
 void build_set(Session& session, Arguments& arguments) {
-  const int level = level_of_set(arguments);
+  const int level = arguments.level(1);
   double buckets = 0;
   if (!arguments.done()) buckets = arguments.number("a number of buckets", 1, most_buckets);
   arguments.end();
   need_mesh(session);
   session.document.build_hash(level, static_cast<std::uint32_t>(buckets));
   const HashFacts facts = hash_facts(session.document.mesh(), level);
-  session.status = "Hash set of the " + std::string(entity_name(level)) +
-                   "s: " + grouped(static_cast<std::int64_t>(facts.entities)) + " in " +
+  session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " +
+                   grouped(static_cast<std::int64_t>(facts.entities)) + " in " +
                    grouped(facts.statistics.buckets) + " buckets, " + bytes_text(facts.bytes);
 }
 
 void release_set(Session& session, Arguments& arguments) {
-  const int level = level_of_set(arguments);
+  const int level = arguments.level(1);
   arguments.end();
   need_mesh(session);
   const bool built = session.document.mesh().hash(level).built();
   session.document.drop_hash(level);
   session.status =
-      "Hash set of the " + std::string(entity_name(level)) + (built ? "s is freed" : "s: there was none");
+      "Hash set of the " + std::string(entity_plural(level)) + (built ? " is freed" : ": there was none");
 }
 
 void hash_sets(Session& session, Arguments& arguments) {
@@ -81,8 +75,7 @@ std::vector<Command> tensor_commands() {
        "[on|off|toggle] | build edge|face|region [BUCKETS] | release edge|face|region",
        "Shows the hash sets that find entities from their vertices where no stored relation can. build makes "
        "one, starting with about as many buckets as entities, or BUCKETS; it grows tenfold when more than 10 "
-       "% of "
-       "its used buckets hold 10 entities or more. Not part of the history.",
+       "% of its used buckets hold 10 entities or more. Not part of the history.",
        CommandGroup::Options,
        hash_sets,
        {}},
@@ -95,10 +88,8 @@ std::vector<Command> tensor_commands() {
       {"strategies",
        "[on|off|toggle] | run",
        "Shows what the paper's two ways to store adjacencies cost; run decimates two copies of the present "
-       "mesh "
-       "by the paper's strategy in the background, keeping T(0,2), and giving it up for T(0,1) and T(1,2) "
-       "while "
-       "edges are swapped and vertices smoothed. cancel stops it.",
+       "mesh by the paper's strategy in the background, keeping T(0,2), and giving it up for T(0,1) and "
+       "T(1,2) while edges are swapped and vertices smoothed. cancel stops it.",
        CommandGroup::Options,
        strategies,
        {}},

@@ -8,16 +8,6 @@
 namespace aomd::scene {
 namespace {
 
-template <typename T, std::size_t N>
-T choose(Arguments& arguments, const std::array<std::pair<std::string_view, T>, N>& choices) {
-  std::string names;
-  for (const auto& choice : choices) names += (names.empty() ? "" : ", ") + std::string(choice.first);
-  const std::string text = arguments.word("one of " + names);
-  for (const auto& [name, value] : choices)
-    if (text == name) return value;
-  arguments.fail("'" + text + "' is none of " + names);
-}
-
 void color(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, Coloring>, 7> choices = {
       {{"classification", Coloring::Classification},
@@ -27,7 +17,7 @@ void color(Session& session, Arguments& arguments) {
        {"curvature", Coloring::Curvature},
        {"verdict", Coloring::Verdict},
        {"none", Coloring::None}}};
-  session.view.coloring = choose(arguments, choices);
+  session.view.coloring = arguments.choice(choices);
   arguments.end();
 }
 
@@ -42,7 +32,7 @@ void show(Session& session, Arguments& arguments) {
        {"original", &View::original},
        {"axes", &View::axes},
        {"operation", &View::operation}}};
-  bool& shown = session.view.*choose(arguments, choices);
+  bool& shown = session.view.*arguments.choice(choices);
   shown = arguments.flag(shown);
   arguments.end();
 }
@@ -75,7 +65,7 @@ void theme(Session& session, Arguments& arguments) {
   const Theme other = session.view.theme == Theme::Light ? Theme::Dark : Theme::Light;
   const std::array<std::pair<std::string_view, Theme>, 3> choices = {
       {{"light", Theme::Light}, {"dark", Theme::Dark}, {"toggle", other}}};
-  session.view.theme = choose(arguments, choices);
+  session.view.theme = arguments.choice(choices);
   arguments.end();
 }
 
@@ -89,7 +79,7 @@ void panel(Session& session, Arguments& arguments) {
                                                                           {"timeline", Which::Timeline},
                                                                           {"all", Which::All}}};
   Panels& panels = session.view.panels;
-  const Which which = choose(arguments, choices);
+  const Which which = arguments.choice(choices);
   const bool any = panels.mesh || panels.side || panels.timeline;
   const auto turn_page = [&](Page page) {
     const bool up = panels.side && panels.page == page;
@@ -117,7 +107,7 @@ void dialog(Session& session, Arguments& arguments) {
                                                                            {"recovery", Dialog::Recovery},
                                                                            {"lessons", Dialog::Lessons},
                                                                            {"none", Dialog::None}}};
-  const Dialog wanted = choose(arguments, choices);
+  const Dialog wanted = arguments.choice(choices);
   arguments.end();
   if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
   session.view.dialog = wanted;

@@ -14,10 +14,8 @@ void palette(Session& session, Arguments& arguments) {
 }
 
 void unsaved(Session& session, Arguments& arguments) {
-  const std::string answer = arguments.word("save, discard or cancel");
+  const std::string answer = arguments.one_of({"save", "discard", "cancel"});
   arguments.end();
-  if (answer != "save" && answer != "discard" && answer != "cancel")
-    arguments.fail("'" + answer + "' is none of save, discard, cancel");
   if (answer == "save") {
     const std::filesystem::path file = session.document.saved_file();
     if (file.empty())
@@ -74,8 +72,7 @@ void recover(Session& session, Arguments& arguments) {
 }
 
 void panel_width(Session& session, Arguments& arguments) {
-  const std::string panel = arguments.word("mesh or side");
-  if (panel != "mesh" && panel != "side") arguments.fail("'" + panel + "' is neither mesh nor side");
+  const std::string panel = arguments.one_of({"mesh", "side"});
   const std::string text = arguments.word("a width, or usual");
   arguments.end();
   const double ems =

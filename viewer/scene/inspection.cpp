@@ -7,6 +7,8 @@
 
 #include "core/mesh/derive.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/names.h"
+#include "core/model/model.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
@@ -29,7 +31,7 @@ AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
       (level < e.dimension && !mesh.complete(level) && level > 0)) {
     result.known = false;
     if (path.kind != AdjacencyPath::Kind::None)
-      result.how = "not asked: it needs T(" + std::to_string(e.dimension) + "," + std::to_string(level) + ")";
+      result.how = "not asked: it needs " + relation_name(e.dimension, level);
     return result;
   }
   adjacent(mesh, e, level, result.ids);
@@ -111,8 +113,6 @@ void add_attached(const Mesh& mesh, EntityRef e, Inspection& result) {
   if (e.dimension == 3) add_attached(mesh, Region(e.index), result);
 }
 
-constexpr std::array<const char*, 4> level_names = {"Vertices", "Edges", "Faces", "Regions"};
-
 std::string mark(CheckResult::State state) {
   return state == CheckResult::State::Passed ? "yes" : state == CheckResult::State::Failed ? "NO" : "-";
 }
@@ -133,16 +133,11 @@ std::string judgement_text(const Judgement& j) {
 
 }  // namespace
 
-std::string entity_title(EntityRef e) {
-  std::string title = std::string(entity_name(e.dimension)) + " " + std::to_string(e.index);
-  title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  return title;
-}
+std::string entity_title(EntityRef e) { return capitalized(name_of(e)); }
 
-std::string model_words(ModelRef ref) {
-  if (!ref.valid()) return "not classified";
-  return "model " + std::string(entity_name(ref.dimension())) + " " + std::to_string(ref.tag());
-}
+std::string entity_label(EntityRef e) { return entity_name(e.dimension)[0] + std::to_string(e.index); }
+
+std::string model_words(ModelRef ref) { return ref.valid() ? name_of(ref) : "not classified"; }
 
 Inspection inspect(const Document& document, EntityRef e) {
   const Mesh& mesh = document.mesh();
@@ -163,7 +158,7 @@ std::string inspection_text(const Inspection& inspection, const Judgement* judge
   std::string text = entity_title(inspection.entity) + "\n";
   for (const auto& [name, value] : inspection.facts) text += name + ": " + value + "\n";
   for (const AdjacentLevel& level : inspection.adjacent) {
-    text += level_names[static_cast<std::size_t>(level.level)];
+    text += capitalized(entity_plural(level.level));
     if (level.known) text += " " + std::to_string(level.ids.size()) + ":";
     for (const std::uint32_t id : level.ids) text += " " + std::to_string(id);
     text += " (" + level.how + ")\n";

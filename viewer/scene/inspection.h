@@ -30,6 +30,8 @@ struct Inspection {
 
 /// "Edge 812"
 [[nodiscard]] std::string entity_title(EntityRef e);
+/// "e812"
+[[nodiscard]] std::string entity_label(EntityRef e);
 /// "model face 3", or "not classified".
 [[nodiscard]] std::string model_words(ModelRef ref);
 /// All of it as lines of text, the judgement included where there is one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/decimate/change.h"
+#include "core/mesh/names.h"
 #include "viewer/scene/selection_drawing.h"
 
 namespace aomd::scene {
@@ -86,7 +87,7 @@ std::string short_words(const Judgement& judgement) {
 }
 
 std::string way_title(const CollapseWay& way) {
-  return "Vertex " + std::to_string(way.outlook.contraction.deleted.index) + " into " +
+  return capitalized(name_of(way.outlook.contraction.deleted)) + " into " +
          std::to_string(way.outlook.contraction.kept.index);
 }
 

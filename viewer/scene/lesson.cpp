@@ -19,6 +19,28 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
+/// What a page lacks, as the end of a sentence; "" where nothing is missing.
+std::string defect_of(const LessonPage& page) {
+  if (page.text.empty()) return "no text";
+  if (page.task.empty() != page.checks.empty()) return "a task without checks, or checks without a task";
+  if (page.checks.empty() != page.solution.empty())
+    return "checks without a solution, or a solution without checks";
+  for (const LessonCheck& check : page.checks)
+    if (check.expectations.empty()) return "a check that expects nothing";
+  return "";
+}
+
+std::string defect_of(const Lesson& lesson) {
+  if (lesson.title.empty()) return "there is no @lesson";
+  if (lesson.about.empty()) return "there is no @about";
+  if (lesson.minutes == 0) return "there are no @minutes";
+  if (lesson.pages.empty()) return "there is no @page";
+  for (const LessonPage& page : lesson.pages)
+    if (const std::string what = defect_of(page); !what.empty())
+      return "the page '" + page.title + "' has " + what;
+  return "";
+}
+
 /// Reads a file from top to bottom: a line that begins with @ says what the lines below it are.
 class LessonReader {
  public:
@@ -39,7 +61,7 @@ class LessonReader {
     }
     close_section();
     ++number_;
-    finish();
+    if (const std::string what = defect_of(lesson_); !what.empty()) fail(what);
     return std::move(lesson_);
   }
 
@@ -178,25 +200,6 @@ class LessonReader {
       fail(error.what(), mesh_line_);
     }
     section_ = Section::Head;
-  }
-
-  void finish() const {
-    if (lesson_.title.empty()) fail("there is no @lesson");
-    if (lesson_.about.empty()) fail("there is no @about");
-    if (lesson_.minutes == 0) fail("there are no @minutes");
-    if (lesson_.pages.empty()) fail("there is no @page");
-    for (const LessonPage& each : lesson_.pages) check_page(each);
-  }
-
-  void check_page(const LessonPage& each) const {
-    const std::string name = "the page '" + each.title + "' has ";
-    if (each.text.empty()) fail(name + "no text");
-    if (each.task.empty() != each.checks.empty())
-      fail(name + "a task without checks, or checks without a task");
-    if (each.checks.empty() != each.solution.empty())
-      fail(name + "checks without a solution, or a solution without checks");
-    for (const LessonCheck& check : each.checks)
-      if (check.expectations.empty()) fail(name + "a check that expects nothing");
   }
 
   std::string_view text_;

@@ -2,14 +2,10 @@
 // The lessons' files, embedded at build time.
 
 #include <span>
-#include <string_view>
+
+#include "viewer/scene/embedded_text.h"
 
 namespace aomd::scene {
-
-struct EmbeddedText {
-  std::string_view name;  ///< "01-stored.lesson"
-  std::string_view text;
-};
 
 /// What cmake/EmbedText.cmake made of assets/lessons/.
 [[nodiscard]] std::span<const EmbeddedText> embedded_texts();

@@ -7,6 +7,8 @@
 
 #include "core/mesh/derive.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/names.h"
+#include "core/model/model.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/text.h"
 
@@ -110,8 +112,10 @@ class ModelReader {
 
 ModelEntityFacts model_entity_facts(const Mesh& mesh, ModelRef ref) { return ModelReader(mesh, ref).run(); }
 
-std::string model_entity_title(ModelRef ref) {
-  return std::string("Model ") + entity_name(ref.dimension()) + " " + std::to_string(ref.tag());
+std::string model_entity_title(ModelRef ref) { return capitalized(name_of(ref)); }
+
+std::string model_entity_label(ModelRef ref) {
+  return capitalized(entity_name(ref.dimension())) + " " + std::to_string(ref.tag());
 }
 
 std::string model_entity_text(const ModelEntityFacts& facts) {

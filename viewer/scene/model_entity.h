@@ -27,6 +27,8 @@ struct ModelEntityFacts {
 
 /// "Model face 3"
 [[nodiscard]] std::string model_entity_title(ModelRef ref);
+/// "Face 3": where it is plain that model entities are meant.
+[[nodiscard]] std::string model_entity_label(ModelRef ref);
 /// All of it as lines of text.
 [[nodiscard]] std::string model_entity_text(const ModelEntityFacts& facts);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/text.h"
 
@@ -43,8 +44,8 @@ void explain_unknown(const Mesh& mesh, Neighbours& n) {
   const bool no_hash = n.path.by_hash && !mesh.hash(j).built();
   n.remedy = store_line(i, j);
   if (n.path.kind != AdjacencyPath::Kind::None && no_hash) {
-    n.words = name + " needs the hash set of the " + entity_name(j) +
-              "s, which is not built: build it, or store " + name;
+    n.words = name + " needs the hash set of the " + entity_plural(j) +
+              ", which is not built: build it, or store " + name;
     return;
   }
   const bool incomplete = j > 0 && !mesh.complete(j);
@@ -63,7 +64,7 @@ Neighbours find_neighbours(const Mesh& mesh, EntityRef e, int level) {
   }
   const std::string name = relation_name(e.dimension, level);
   if (mesh.count(level) == 0 && level > e.dimension) {
-    n.words = name + ": there are no " + entity_name(level) + "s";
+    n.words = name + ": there are no " + entity_plural(level);
     return n;
   }
   n.path = explain(mesh, e.dimension, level);

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "core/mesh/derive.h"
+#include "core/mesh/names.h"
 #include "core/operators/verdict.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/arguments.h"
@@ -22,8 +23,6 @@ void add_row(std::string& text, std::initializer_list<std::string> cells) {
   }
   text += '\n';
 }
-
-constexpr std::array<const char*, 4> level_names = {"vertices", "edges", "faces", "regions"};
 
 std::string plain(std::int64_t n) { return std::to_string(n); }
 
@@ -64,7 +63,7 @@ std::string legend(const Session& session) {
       if (ref.dimension() != dim && ref.valid()) continue;
       if (!ref.valid() && dim < 2) continue;
       const std::string name =
-          ref.valid() ? model_entity_text(ref) : std::string("unclassified ") + entity_name(dim) + "s";
+          ref.valid() ? model_entity_text(ref) : std::string("unclassified ") + entity_plural(dim);
       add_row(text, {name, std::to_string(mesh.class_lists()->entities(dim, ref).size()),
                      session.view.hidden.contains(ref) ? "yes" : "no"});
     }
@@ -96,7 +95,7 @@ std::string hashes(const Session& session) {
   for (int level = 1; level < 4; ++level) {
     const HashFacts facts = hash_facts(session.document.mesh(), level);
     const EntityHash::Statistics& s = facts.statistics;
-    text += std::string(level_names[static_cast<std::size_t>(level)]) + "\t" + (facts.built ? "yes" : "no");
+    text += std::string(entity_plural(level)) + "\t" + (facts.built ? "yes" : "no");
     for (const std::uint64_t n :
          {facts.entities, std::uint64_t{s.buckets}, std::uint64_t{s.used}, std::uint64_t{s.crowded},
           std::uint64_t{s.worst}, std::uint64_t{facts.bytes}, std::uint64_t{s.rehashes}})
@@ -114,8 +113,8 @@ std::string ids(const Session& session) {
     const IdFacts facts = id_facts(session.document.mesh(), level);
     std::string top;
     for (const std::uint32_t id : facts.top) top += (top.empty() ? "" : " ") + std::to_string(id);
-    add_row(text, {std::string(level_names[static_cast<std::size_t>(level)]), plain(facts.alive),
-                   plain(facts.free), plain(facts.capacity), plain(facts.next), top});
+    add_row(text, {entity_plural(level), plain(facts.alive), plain(facts.free), plain(facts.capacity),
+                   plain(facts.next), top});
   }
   return text;
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/mesh/names.h"
+
 namespace aomd::scene {
 
 std::string grouped(std::int64_t n) {
@@ -25,13 +27,12 @@ std::string signed_grouped(std::int64_t n) {
 }
 
 std::string counts_text(const std::array<std::size_t, 4>& counts) {
-  constexpr std::array<std::array<const char*, 2>, 4> names = {
-      {{"vertex", "vertices"}, {"edge", "edges"}, {"face", "faces"}, {"region", "regions"}}};
   std::string text;
-  for (std::size_t dim = counts.size(); dim-- > 0;) {
-    if (counts[dim] == 0) continue;
-    text += (text.empty() ? "" : ", ") + grouped(static_cast<std::int64_t>(counts[dim])) + " " +
-            names[dim][counts[dim] == 1 ? 0 : 1];
+  for (const int dim : {3, 2, 1, 0}) {
+    const auto count = static_cast<std::int64_t>(counts[static_cast<std::size_t>(dim)]);
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + grouped(count) + " " +
+            (count == 1 ? entity_name(dim) : entity_plural(dim));
   }
   return text;
 }

@@ -1,9 +1,9 @@
 #include "viewer/ui/class_controls.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/link_flow.h"
@@ -13,13 +13,6 @@ namespace aomd::ui {
 namespace {
 
 constexpr std::size_t most_ids = 24, most_neighbours = 12, most_choices = 40;
-constexpr std::array<const char*, 4> level_names = {"Vertices", "Edges", "Faces", "Regions"};
-
-std::string short_name(ModelRef ref) {
-  std::string name = std::string(entity_name(ref.dimension())) + " " + std::to_string(ref.tag());
-  name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  return name;
-}
 
 std::string more(std::size_t count) {
   return "\u2026 and " + scene::grouped(static_cast<std::int64_t>(count)) + " more";
@@ -31,7 +24,8 @@ void links(Frame& frame, const char* title, const std::vector<ModelRef>& refs, c
   tooltip(help);
   LinkFlow flow(frame);
   for (std::size_t i = 0; i < std::min(refs.size(), most_neighbours); ++i)
-    flow.add(short_name(refs[i]), "highlight " + scene::model_entity_text(refs[i]), "Show this model entity");
+    flow.add(scene::model_entity_label(refs[i]), "highlight " + scene::model_entity_text(refs[i]),
+             "Show this model entity");
   if (refs.size() > most_neighbours) muted(frame, more(refs.size() - most_neighbours));
 }
 
@@ -39,7 +33,8 @@ void counts(const Frame& frame, const scene::ModelEntityFacts& facts) {
   if (!begin_values("model entity", 2)) return;
   for (std::size_t level = 0; level < 4; ++level)
     if (facts.counts[level] > 0)
-      value_row(frame, level_names[level], scene::grouped(static_cast<std::int64_t>(facts.counts[level])),
+      value_row(frame, capitalized(entity_plural(static_cast<int>(level))).c_str(),
+                scene::grouped(static_cast<std::int64_t>(facts.counts[level])),
                 "Mesh entities of this kind that lie on it; not those that only bound it.");
   for (const auto& [name, value] : facts.facts)
     value_row(frame, name.c_str(), value, "Of all its mesh entities together, in units of the mesh.");
@@ -48,16 +43,11 @@ void counts(const Frame& frame, const scene::ModelEntityFacts& facts) {
 
 void entity_links(Frame& frame, const scene::ModelEntityFacts& facts) {
   if (facts.ids.empty()) return;
-  const auto dim = static_cast<std::size_t>(facts.ref.dimension());
-  muted(frame, std::string("Mesh ") + (dim == 0   ? "vertices"
-                                       : dim == 1 ? "edges"
-                                       : dim == 2 ? "faces"
-                                                  : "regions"));
+  const int dim = facts.ref.dimension();
+  muted(frame, std::string("Mesh ") + entity_plural(dim));
   LinkFlow flow(frame);
   for (std::size_t i = 0; i < std::min(facts.ids.size(), most_ids); ++i)
-    flow.add(std::to_string(facts.ids[i]),
-             std::string("select ") + entity_name(facts.ref.dimension()) + " " + std::to_string(facts.ids[i]),
-             "Select it");
+    flow.add(std::to_string(facts.ids[i]), EntityRef(dim, facts.ids[i]), "Select it");
   if (facts.ids.size() > most_ids) muted(frame, more(facts.ids.size() - most_ids));
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/scalar_field.h"
@@ -17,7 +18,6 @@ namespace aomd::ui {
 namespace {
 
 constexpr std::size_t most_links = 400;
-constexpr std::array<const char*, 4> level_names = {"Vertices", "Edges", "Faces", "Regions"};
 
 void level_choice(Frame& frame) {
   constexpr std::array<Choice, 5> levels = {
@@ -35,16 +35,6 @@ void level_choice(Frame& frame) {
     frame.emit(std::string("pick-level ") + levels[*chosen].name);
 }
 
-void wrapped(const Frame& frame, std::string_view words, const ImVec4* color = nullptr) {
-  ImGui::PushStyleColor(ImGuiCol_Text, color ? *color : frame.colors.text);
-  text(broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
-  ImGui::PopStyleColor();
-}
-
-std::string select_line(EntityRef e) {
-  return std::string("select ") + entity_name(e.dimension) + " " + std::to_string(e.index);
-}
-
 void facts_table(Frame& frame, const scene::Inspection& inspection) {
   const ModelRef model = frame.document().mesh().classification(inspection.entity);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.1f * em()));
@@ -60,7 +50,7 @@ void facts_table(Frame& frame, const scene::Inspection& inspection) {
       if (name == "Lies on" && model.valid())
         LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model), "Show this model entity");
       else
-        wrapped(frame, value);
+        wrapped(value, frame.colors.text);
     }
     ImGui::EndTable();
   }
@@ -75,7 +65,7 @@ void neighbour_links(const Frame& frame, LinkFlow& flow, int i, const scene::Adj
     flow.add(lit ? "[hide]" : "[show]", "neighbours " + (lit ? "off" : name),
              "Lights them up in the picture: stored ones solid, derived ones dashed, with the path to them.");
   else
-    flow.add("[store " + scene::relation_name(i, level.level) + "]",
+    flow.add("[store " + relation_name(i, level.level) + "]",
              "adjacency " + std::to_string(i) + " " + std::to_string(level.level) + " on",
              "Nothing that is stored leads there: stores this relation.");
 }
@@ -85,8 +75,8 @@ void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
   for (const scene::AdjacentLevel& level : inspection.adjacent) {
     ImGui::PushID(level.level);
-    const std::string relation = scene::relation_name(inspection.entity.dimension, level.level);
-    muted(frame, std::string(level_names[static_cast<std::size_t>(level.level)]) +
+    const std::string relation = relation_name(inspection.entity.dimension, level.level);
+    muted(frame, capitalized(entity_plural(level.level)) +
                      (level.known ? " " + std::to_string(level.ids.size()) : ""));
     ImGui::SameLine();
     const std::string how = level.stored ? "stored" : level.known ? "derived" : "not stored";
@@ -99,7 +89,7 @@ void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
     LinkFlow flow(frame);
     neighbour_links(frame, flow, inspection.entity.dimension, level);
     for (const std::uint32_t id : level.ids)
-      flow.add(std::to_string(id), select_line({level.level, id}), "Select it");
+      flow.add(std::to_string(id), EntityRef(level.level, id), "Select it");
     ImGui::PopID();
   }
   ImGui::PopStyleVar();
@@ -157,7 +147,7 @@ void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number
   ImGui::PopStyleVar();
   tooltip("Draw the faces that this would leave.");
   const bool yes = way.outlook.verdict.accepted();
-  wrapped(frame, way.words, yes ? &frame.colors.good : &frame.colors.bad);
+  wrapped(way.words, yes ? frame.colors.good : frame.colors.bad);
   checks_line(frame, way.checks);
   if (way.outlook.cost) {
     const glm::dvec3& p = way.outlook.contraction.position;
@@ -165,10 +155,8 @@ void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number
     tooltip(
         "What orders the collapses: the error that it adds, as a part of the mesh's diagonal, and a little "
         "for its length. The cheapest goes first.");
-    wrapped(frame,
-            "Kept vertex at " + scene::significant(p.x) + ", " + scene::significant(p.y) + ", " +
-                scene::significant(p.z),
-            &frame.colors.text_muted);
+    wrapped(frame, "Kept vertex at " + scene::significant(p.x) + ", " + scene::significant(p.y) + ", " +
+                       scene::significant(p.z));
   }
   ImGui::PopID();
 }
@@ -177,8 +165,7 @@ void swap_choice(Frame& frame, const scene::Judgement& judgement) {
   const EdgePair& pair = judgement.swap->pair;
   if (!pair.f.valid() || !pair.g.valid()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
-  const std::string label =
-      "Vertex " + std::to_string(pair.c.index) + " to vertex " + std::to_string(pair.d.index);
+  const std::string label = scene::entity_title(pair.c) + " to " + name_of(pair.d);
   if (ImGui::RadioButton(label.c_str(), frame.session.view.preview &&
                                             frame.session.previewed_way() == judgement.ways.size()))
     frame.emit("preview swap");
@@ -199,10 +186,7 @@ void judgement_section(Frame& frame, const scene::Judgement& judgement) {
     gap(0.2f);
     heading(frame, title);
     if (judgement.swap) swap_choice(frame, judgement);
-    wrapped(frame, words,
-            !known     ? &frame.colors.text_muted
-            : accepted ? &frame.colors.good
-                       : &frame.colors.bad);
+    wrapped(words, !known ? frame.colors.text_muted : accepted ? frame.colors.good : frame.colors.bad);
   };
   section("Swap", judgement.swap_words, judgement.swap && judgement.swap->verdict.accepted(),
           judgement.swap.has_value());
@@ -235,16 +219,14 @@ void one_entity(Frame& frame, const scene::Inspection& inspection) {
 void many_entities(Frame& frame, const scene::Selection& selection) {
   heading(frame, scene::selection_text(selection).c_str());
   std::string copied;
-  for (const EntityRef e : selection.entities())
-    copied += std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) + "\n";
+  for (const EntityRef e : selection.entities()) copied += name_of(e) + "\n";
   buttons(frame, copied);
   class_edits(frame);
   LinkFlow flow(frame);
   std::size_t left = most_links;
   for (const EntityRef e : selection.entities()) {
     if (left-- == 0) break;
-    flow.add(std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index), select_line(e),
-             "Select it alone");
+    flow.add(scene::entity_label(e), e, "Select it alone");
   }
   if (selection.size() > most_links)
     muted(frame, "and " + scene::grouped(static_cast<std::int64_t>(selection.size() - most_links)) + " more");
@@ -261,8 +243,7 @@ void inspector_panel(Frame& frame) {
     wrapped(
         frame,
         "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what is adjacent and "
-        "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.",
-        &frame.colors.text_muted);
+        "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.");
   else if (const scene::Inspection* inspection = frame.session.inspection())
     one_entity(frame, *inspection);
   else

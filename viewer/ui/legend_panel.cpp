@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "core/decimate/explanation.h"
+#include "core/mesh/names.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/palette.h"
 #include "viewer/scene/text.h"
@@ -13,10 +13,6 @@
 
 namespace aomd::ui {
 namespace {
-
-constexpr std::array<const char*, 4> group_titles = {"Model vertices", "Model edges", "Model faces",
-                                                     "Model regions"};
-constexpr std::array<const char*, 4> row_titles = {"Vertex ", "Edge ", "Face ", "Region "};
 
 /// A title (ref is not valid) or a model entity.
 struct Item {
@@ -45,7 +41,7 @@ void title_row(const Frame& frame, const Item& item) {
   ImGui::TableNextColumn();
   ImGui::TableNextColumn();
   ImGui::PushFont(frame.fonts.heading);
-  ImGui::TextUnformatted(group_titles[static_cast<std::size_t>(item.dimension)]);
+  text(std::string("Model ") + entity_plural(item.dimension));
   ImGui::PopFont();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
@@ -87,9 +83,7 @@ void entity_row(Frame& frame, const Item& item) {
   ImGui::TableNextColumn();
   swatch_cell(frame, item, name);
   ImGui::TableNextColumn();
-  const std::string label =
-      item.ref.valid() ? row_titles[static_cast<std::size_t>(item.dimension)] + std::to_string(item.ref.tag())
-                       : "Unclassified";
+  const std::string label = item.ref.valid() ? scene::model_entity_label(item.ref) : "Unclassified";
   if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
   if (ImGui::Selectable(label.c_str(), on, ImGuiSelectableFlags_None) && !name.empty())
     frame.emit(on ? "highlight" : "highlight " + name);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -25,6 +26,11 @@ class LinkFlow {
     if (ImGui::IsItemHovered()) list.AddLine({at.x, at.y + em()}, {at.x + width, at.y + em()}, color);
     tooltip(help);
     if (pressed) frame_.emit(line);
+  }
+
+  /// Selects an entity.
+  void add(const std::string& label, EntityRef e, const char* help) {
+    add(label, "select " + name_of(e), help);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
@@ -25,7 +26,7 @@ std::vector<Row> rows_of(const scene::Neighbours& n) {
                                    derived = scene::derived_style(), between = scene::between_style();
   std::vector<Row> rows{{nullptr, n.words}};
   if (!n.known) return rows;
-  rows.push_back({&selected, std::string(entity_name(n.of.dimension)) + " " + std::to_string(n.of.index)});
+  rows.push_back({&selected, name_of(n.of)});
   std::array<std::size_t, 4> count{};
   count[static_cast<std::size_t>(n.level)] = n.entities.size();
   const std::string what = n.entities.empty() ? "none" : scene::counts_text(count);

@@ -113,9 +113,7 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
                         at.x <= viewport.position.x + viewport.size.x &&
                         at.y <= viewport.position.y + viewport.size.y;
     const float raised = e.dimension == 0 ? 0.9f * em() : 0;  // the dot stays free
-    if (inside)
-      plates.add({at.x, at.y - raised},
-                 std::string(1, entity_name(e.dimension)[0]) + std::to_string(e.index));
+    if (inside) plates.add({at.x, at.y - raised}, scene::entity_label(e));
   }
   ImGui::PopFont();
 }

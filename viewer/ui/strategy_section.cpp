@@ -15,10 +15,6 @@ using scene::StrategyRun;
 
 std::string ms_text(double ms) { return scene::short_number(ms, ms < 10 ? 1 : 0) + " ms"; }
 
-void wrapped(const Frame& frame, const std::string& words) {
-  muted(frame, broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
-}
-
 /// A value with a bar that compares it with the larger of the two.
 void bar_row(const Frame& frame, const char* name, const std::string& value, double share) {
   muted(frame, name);

@@ -1,9 +1,9 @@
 // Below T(I,J): hash sets, id stacks, strategies.
 
 #include <algorithm>
-#include <array>
 #include <string>
 
+#include "core/mesh/names.h"
 #include "viewer/scene/id_facts.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
@@ -12,7 +12,8 @@
 namespace aomd::ui {
 namespace {
 
-constexpr std::array<const char*, 4> names = {"Vertices", "Edges", "Faces", "Regions"};
+/// "Edges"
+std::string title_of(int level) { return capitalized(entity_plural(level)); }
 
 /// A title with a sign that says whether what is below it shows. A click emits `line`. True while it is open.
 bool section(Frame& frame, const char* title, bool open, const char* line, const char* help) {
@@ -38,10 +39,6 @@ bool section(Frame& frame, const char* title, bool open, const char* line, const
   return open;
 }
 
-void wrapped(const Frame& frame, const std::string& words) {
-  muted(frame, broken_at_blanks(words, ImGui::GetContentRegionAvail().x));
-}
-
 std::string count(std::uint64_t n) { return scene::grouped(static_cast<std::int64_t>(n)); }
 
 /// A button of the small font at the right end of the present line.
@@ -58,7 +55,7 @@ void small_button(Frame& frame, const char* label, const std::string& line, cons
 
 /// The relation that answers whether an entity exists, where one does.
 std::string answered_by(const Mesh& mesh, int level) {
-  if (mesh.stored(0, level)) return "T(0," + std::to_string(level) + ")";
+  if (mesh.stored(0, level)) return relation_name(0, level);
   if (level == 2 && mesh.stored(0, 1) && mesh.stored(1, 2)) return "T(0,1) and T(1,2)";
   return {};
 }
@@ -128,7 +125,7 @@ void hash_set(Frame& frame, int level) {
   const Mesh& mesh = frame.document().mesh();
   const scene::HashFacts facts = scene::hash_facts(mesh, level);
   const std::string kind = entity_name(level);
-  text(names[static_cast<std::size_t>(level)]);
+  text(title_of(level));
   if (facts.built)
     small_button(frame, "Release", "hash-sets release " + kind, "Lets go of it.");
   else
@@ -172,7 +169,7 @@ void id_row(const Frame& frame, int level) {
   const scene::IdFacts facts = scene::id_facts(frame.document().mesh(), level);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  muted(frame, names[static_cast<std::size_t>(level)]);
+  muted(frame, title_of(level));
   for (const std::uint32_t n : {facts.alive, facts.free, facts.capacity}) {
     ImGui::TableNextColumn();
     text_right(count(n));
@@ -193,8 +190,7 @@ void id_stacks(Frame& frame) {
   for (int level = 0; level <= top; ++level) id_row(frame, level);
   ImGui::EndTable();
   for (int level = 0; level <= top; ++level)
-    wrapped(frame, std::string(names[static_cast<std::size_t>(level)]) + ": " +
-                       stack_words(scene::id_facts(mesh, level)));
+    wrapped(frame, title_of(level) + ": " + stack_words(scene::id_facts(mesh, level)));
 }
 
 }  // namespace

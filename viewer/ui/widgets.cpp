@@ -65,6 +65,13 @@ void draw_icon(Icon icon, ImVec2 c, float r, ImU32 color) {
   }
 }
 
+/// Without a tooltip.
+void emitting_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+  ImGui::BeginDisabled(!enabled);
+  if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
 void text(std::string_view s) { ImGui::TextUnformatted(s.data(), s.data() + s.size()); }
@@ -88,6 +95,14 @@ std::string broken_at_blanks(std::string_view s, float width) {
   }
   return result + line;
 }
+
+void wrapped(std::string_view s, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  text(broken_at_blanks(s, ImGui::GetContentRegionAvail().x));
+  ImGui::PopStyleColor();
+}
+
+void wrapped(const Frame& frame, std::string_view s) { wrapped(s, frame.colors.text_muted); }
 
 void text_right(std::string_view s) {
   const float width = ImGui::CalcTextSize(s.data(), s.data() + s.size()).x;
@@ -156,9 +171,7 @@ void command_tooltip(std::string_view line) {
 }
 
 void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
-  ImGui::BeginDisabled(!enabled);
-  if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
-  ImGui::EndDisabled();
+  emitting_button(frame, label, line, width, enabled);
   command_tooltip(line);
 }
 
@@ -177,9 +190,7 @@ void primary_button(Frame& frame, const char* label, std::string_view line, floa
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, lighter(0.15f));
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, lighter(0.3f));
   ImGui::PushStyleColor(ImGuiCol_Text, on_accent(frame));
-  ImGui::BeginDisabled(!enabled);
-  if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
-  ImGui::EndDisabled();
+  emitting_button(frame, label, line, width, enabled);
   ImGui::PopStyleColor(4);  // before the tooltip, whose text is on another colour
   command_tooltip(line);
 }
