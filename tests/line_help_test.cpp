@@ -31,7 +31,9 @@ TEST(LineHelp, EachIsASentenceOfItsOwnForALineThatIsACommand) {
 TEST(LineHelp, KeysThatEmitMoreThanANameSayWhatTheyDo) {
   for (const Command& command : commands())
     for (const Shortcut& s : command.shortcuts)
-      if (s.line != command.name) EXPECT_NE(line_help(s.line), command_help(s.line)) << s.line;
+      if (s.line != command.name) {
+        EXPECT_NE(line_help(s.line), command_help(s.line)) << s.line;
+      }
 }
 
 TEST(LineHelp, TabsAndTransportButtonsDiffer) {
