@@ -105,6 +105,27 @@ TEST(ColorDistance, OfAFlatFaceBelowAParallelOne) {
   EXPECT_DOUBLE_EQ(face_distance(below, Face(0), TriangleTree(triangles_of(original).corners)), 0.25);
 }
 
+/// A sheet that is flat in a direction which numbers cannot hold exactly.
+MeshData tilted_sheet() {
+  MeshData data = zoo::grid(6);
+  for (glm::dvec3& p : data.positions) p = {0.1 * p.x, 0.1 * p.y, 0.1 * (p.x / 3 + p.y / 7)};
+  return data;
+}
+
+TEST(ColorDistance, RoundingIsNoDistance) {
+  Session s;
+  load(s, tilted_sheet());
+  drive(s, {"color distance", "strategy paper", "coarsest on", "sweep", "expect steps > 5"});
+  EXPECT_EQ(s.field()->scale.high, 0);
+}
+
+TEST(ColorCurvature, RoundingIsNoCurvature) {
+  Session s;
+  load(s, tilted_sheet());
+  drive(s, {"color curvature"});
+  EXPECT_TRUE(s.field()->scale.empty()) << s.field()->scale.low << " to " << s.field()->scale.high;
+}
+
 TEST(ColorDistance, WaitsWhileSomethingRuns) {
   Session s;
   drive(s, {"sample sphere 24", "color distance", "strategy quality", "factor 6"});

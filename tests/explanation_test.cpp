@@ -65,14 +65,13 @@ TEST(Explanation, ClassificationSaysWhatTheVertexLiesOn) {
 
 TEST(Explanation, LengthNamesTheWantedOne) {
   Bench b(zoo::grid(3), {.spacing = everywhere(1.5)});
-  EXPECT_EQ(
-      b.collapse(5, 6),
-      "It is long enough: 1, and an edge goes only where it is shorter than 0.75, half the wanted 1.5.");
+  EXPECT_EQ(b.collapse(5, 6),
+            "Its length is 1, and an edge goes only where it is shorter than 0.75, half the spacing of 1.5.");
   EXPECT_EQ(b.checks(5, 6), "Length! Model- Topology- Faces-");
   Bench close(zoo::grid(3), {.spacing = everywhere(1.9999)});
   EXPECT_EQ(
       close.collapse(5, 6),
-      "It is long enough: 1, and an edge goes only where it is shorter than 0.99995, half the wanted 2.");
+      "Its length is 1, and an edge goes only where it is shorter than 0.99995, half the spacing of 2.");
 }
 
 //  3---2

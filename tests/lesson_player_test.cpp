@@ -153,6 +153,18 @@ TEST(LessonPlayer, UnsavedWorkIsAskedAboutAndPracticeIsNone) {
   EXPECT_FALSE(asks_first(s, "quit"));
 }
 
+TEST(LessonPlayer, ARuinedScanIsNotDone) {
+  Session s;
+  drive(s, {"lesson scan 6", "coarsest on", "angle 30", "run", "expect faces < 300", "expect euler = 2",
+            "expect lesson-done = 0"});
+  drive(s, {"lesson restart", "coarsest on", "angle 11", "run", "expect lesson-done = 1"});
+}
+
+TEST(LessonPlayer, TheUsualResultIsNoBetterOne) {
+  Session s;
+  drive(s, {"lesson judge 5", "run", "expect faces = 456", "expect lesson-done = 0"});
+}
+
 TEST(LessonPlayer, ChecksAreLive) {
   Session s;
   drive(s, {"lesson stored 6", "expect lesson-done = 0", "adjacency 0 1 on", "adjacency 1 2 on",

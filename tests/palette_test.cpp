@@ -86,6 +86,7 @@ TEST(FindCommands, LinesWithAKeySayIt) {
 
 TEST(FindCommands, HelpIsSearchedByTheBeginningsOfWords) {
   EXPECT_TRUE(has_line(find("takes back"), "undo"));
+  EXPECT_TRUE(has_line(find("takes one back"), "step -1"));  // what this line does, not its command
   EXPECT_TRUE(find("qqqq").empty());
 }
 

@@ -13,6 +13,8 @@ if [ ${#names[@]} -eq 0 ]; then
 fi
 baselines=$root/tests/baselines
 mkdir -p "$baselines/panels"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
 # picture OUT.png OPTIONS...
 picture() {
@@ -30,8 +32,13 @@ for name in "${names[@]}"; do
   for theme in light dark; do
     for screen in "1280x800 1" "1920x1080 1.5"; do
       read -r size scale <<<"$screen"
-      (export HOME=$PWD/home && cd home/meshes &&
-        picture "${name}_${theme}_$size.png" --transparent --theme "$theme" --size "$size" --scale "$scale" --script "$script")
+      options=()
+      if [ "$name" = panels/dialog_recovery ]; then
+        cp recovery/* "$work"
+        options=(--recovery "$work")
+      fi
+      (export TZ=UTC HOME=$PWD/home && cd home/meshes &&
+        picture "${name}_${theme}_$size.png" --transparent --theme "$theme" --size "$size" --scale "$scale" --script "$script" "${options[@]}")
     done
   done
 done

@@ -59,7 +59,7 @@ class Decimation {
   /// A guess in [0,1].
   [[nodiscard]] double progress() const { return loop_->progress(); }
   [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const { return loop_->sweeps(); }
-  /// The wanted length at a vertex: what the options give, else the average length of its edges at the start,
+  /// The spacing at a vertex: what the options give, else the average length of its edges at the start,
   /// times factor. Infinite for coarsest.
   [[nodiscard]] double spacing(Vertex v) const { return loop_->spacing(v); }
   /// Why the edge was not collapsed when it was last judged (None: not judged yet).

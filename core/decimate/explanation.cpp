@@ -45,8 +45,8 @@ std::string angle_words(const Mesh& mesh, const CollapseOutlook& o) {
 
 std::string length_words(const CollapseOutlook& o) {
   const Held held = held_length(o.length, o.longest);
-  return "It is long enough: " + held.value + ", and an edge goes only where it is shorter than " +
-         held.limit + ", half the wanted " + formatted("%.3g", 2 * o.longest) + ".";
+  return "Its length is " + held.value + ", and an edge goes only where it is shorter than " + held.limit +
+         ", half the spacing of " + formatted("%.3g", 2 * o.longest) + ".";
 }
 
 // Paper, section 3: a vertex goes only along what it lies on.
@@ -117,7 +117,7 @@ double least_angle(const Mesh& mesh, const EdgePair& p) {
 ReasonWords reason_words(Reason reason) {
   constexpr std::array<ReasonWords, reason_count> words = {{
       {"Could go", "Nothing is against it."},
-      {"Long enough", "The edge has reached the wanted length: a larger factor would let it go."},
+      {"Spacing", "The edge is not shorter than half the spacing: a larger factor would let it go."},
       {"Classification",
        "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it would cut "
        "a corner off."},

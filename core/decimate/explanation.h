@@ -10,7 +10,7 @@
 
 namespace aomd {
 
-/// A reason as people say it: "Long enough", and what it means in a sentence.
+/// A reason as people say it: "Spacing", and what it means in a sentence.
 struct ReasonWords {
   const char* name;
   const char* help;

@@ -36,7 +36,7 @@ class Loop {
   [[nodiscard]] virtual std::optional<MoveOutlook> move_outlook(Vertex v) = 0;
   /// Why an edge was not collapsed when it was last judged (None: not judged yet).
   [[nodiscard]] virtual Reason last_refusal(Edge e) const = 0;
-  /// The wanted length at a vertex; infinite where nothing limits it.
+  /// The spacing at a vertex; infinite where nothing limits it.
   [[nodiscard]] virtual double spacing(Vertex v) const = 0;
   /// A guess in [0,1].
   [[nodiscard]] virtual double progress() const = 0;

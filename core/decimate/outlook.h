@@ -26,7 +26,7 @@ struct CollapseOutlook {
   Verdict verdict;
   Limits limits;
   double length = 0;           ///< of the edge
-  double longest = 0;          ///< an edge must be shorter to go: half of what is wanted; infinite: any may
+  double longest = 0;          ///< an edge must be shorter to go: half the spacing; infinite: any may
   std::optional<double> cost;  ///< Quality: what orders collapses; none where it is out of the question
 };
 

@@ -100,7 +100,7 @@ void PaperLoop::begin_sweep() {
   open_sweep();
 }
 
-// A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
+// A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
 
 Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {

@@ -62,7 +62,7 @@ void QualityLoop::set_rules() {
   scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;
 }
 
-// A collapse removes what is shorter than half the wanted length: edges then end up at about that length.
+// A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 void QualityLoop::fill_spacing() {
   const bool by_factor = !options_.spacing && !options_.coarsest && options_.target_faces == 0;
   if (by_factor && average_length_.size() == 0)

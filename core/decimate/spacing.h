@@ -57,9 +57,9 @@ inline constexpr double default_spacing_growth = 0.3;
 /// line with the character and the reason.
 [[nodiscard]] SpacingSource parse_spacing(const std::string& text);
 
-/// Wanted length of the edges at each vertex, in the mesh's units. Vertices without edges get 0 unless a file
-/// gives them more. O(entities), with growth O(n log n); needs no stored adjacency and changes nothing.
-/// Throws io::ReadError for files (missing, no number, not positive, too many or too few values) and
+/// The spacing at each vertex, how long edges should be, in the mesh's units. Vertices without edges get 0
+/// unless a file gives them more. O(entities), with growth O(n log n); needs no stored adjacency and changes
+/// nothing. Throws io::ReadError for files (missing, no number, not positive, too many or too few values) and
 /// std::invalid_argument for formulas and for options that are not positive and finite.
 [[nodiscard]] Column<Vertex, double> evaluate_spacing(const Mesh& mesh, const SpacingSource& source);
 

@@ -106,7 +106,11 @@ void Viewer::restore_settings() {
   session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
   session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
-  session_.lesson.suggested = options_.file.empty() && !std::filesystem::exists(ui::settings_path());
+  const bool some_left = session_.lesson.completed.size() < scene::lessons().size();
+  if (options_.file.empty() && some_left)
+    session_.lesson.suggested = std::filesystem::exists(ui::settings_path())
+                                    ? scene::LessonPlayer::Hint::Again
+                                    : scene::LessonPlayer::Hint::First;
   if (settings.window && !options_.size_given) window_.move_to(*settings.window);
 }
 

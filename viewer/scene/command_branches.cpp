@@ -10,6 +10,8 @@ namespace {
 
 std::string count_text(std::size_t n) { return grouped(static_cast<std::int64_t>(n)); }
 
+std::string operations(std::size_t n) { return counted(static_cast<std::int64_t>(n), "operation"); }
+
 std::string free_name(const HistoryTree& tree) {
   std::size_t n = tree.bookmarks().size() + 1;
   while (tree.find_bookmark("Place " + std::to_string(n)) != nullptr) ++n;
@@ -43,9 +45,9 @@ unsigned number_of(const HistoryTree& tree, Arguments& arguments) {
 std::string branch_list(const Document& document) {
   const HistoryTree& tree = document.tree();
   std::string text = "Branch " + std::to_string(tree.present()) +
-                     " (the present one): " + count_text(document.journal().size()) + " operations";
+                     " (the present one): " + operations(document.journal().size());
   for (const HistoryBranch& b : tree.branches())
-    text += "\nBranch " + std::to_string(b.id) + ": " + count_text(b.size()) + " operations, leaves branch " +
+    text += "\nBranch " + std::to_string(b.id) + ": " + operations(b.size()) + ", leaves branch " +
             std::to_string(b.from == 0 ? tree.present() : b.from) + " at operation " + count_text(b.fork) +
             ", " + bytes_text(b.part.bytes());
   return text;
@@ -58,8 +60,8 @@ void branch(Session& session, Arguments& arguments) {
   if (what == "list") {
     arguments.end();
     session.log = branch_list(document);
-    session.status = count_text(document.tree().branches().size()) + " branches besides the present one, " +
-                     bytes_text(document.tree().bytes());
+    session.status = counted(static_cast<std::int64_t>(document.tree().branches().size()), "branch") +
+                     " besides the present one, " + bytes_text(document.tree().bytes());
   } else if (what == "switch") {
     const unsigned id = number_of(document.tree(), arguments);
     session.play(false);

@@ -113,9 +113,9 @@ void feature_preview(Session& session, Arguments& arguments) {
   session.play(false);
   const FeaturePreview& preview = session.document.try_feature_angle(angle).preview;
   session.point_out({preview.edges.begin(), preview.edges.end()});
-  session.status = short_number(angle) + " deg would make " + grouped(preview.model_edges) +
-                   " model edges of " + grouped(static_cast<std::int64_t>(preview.edges.size())) +
-                   " edges, " + grouped(preview.model_vertices) + " model vertices";
+  session.status = short_number(angle) + " deg would make " + counted(preview.model_edges, "model edge") +
+                   " of " + counted(static_cast<std::int64_t>(preview.edges.size()), "edge") + ", " +
+                   counted(preview.model_vertices, "model vertex");
 }
 
 void export_selection(Session& session, Arguments& arguments) {
@@ -125,8 +125,10 @@ void export_selection(Session& session, Arguments& arguments) {
   if (part.positions.empty()) arguments.fail("no faces or regions are selected");
   io::write(expanded(file), part);
   const std::size_t regions = part.regions.size();
-  session.status = "Saved " + grouped(static_cast<std::int64_t>(regions > 0 ? regions : part.faces.size())) +
-                   (regions > 0 ? " regions" : " faces") + " in " + file;
+  session.status = "Saved " +
+                   counted(static_cast<std::int64_t>(regions > 0 ? regions : part.faces.size()),
+                           regions > 0 ? "region" : "face") +
+                   " in " + file;
 }
 
 }  // namespace

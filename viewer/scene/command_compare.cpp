@@ -99,7 +99,7 @@ std::vector<Command> compare_commands() {
       {"mark",
        "angle|length|valence|off VALUE",
        "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
-       "edges by their length over the wanted one, vertices by their number of edges.",
+       "edges by their length over the spacing, vertices by their number of edges.",
        CommandGroup::View,
        mark,
        {}},

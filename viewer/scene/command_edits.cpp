@@ -16,12 +16,11 @@ std::size_t count_or_one(Arguments& arguments, std::string_view what) {
 }
 
 void say(Session& session, const std::string& name, std::size_t made) {
-  const std::string faces = grouped(session.document.mesh().count(2)) + " faces";
+  const std::string faces = counted(session.document.mesh().count(2), "face");
   if (made == 0)
     session.status = name + ": nothing left to do with these settings, " + faces;
   else
-    session.status = name + ": " + grouped(static_cast<std::int64_t>(made)) +
-                     (made == 1 ? " operation, " : " operations, ") + faces;
+    session.status = name + ": " + counted(static_cast<std::int64_t>(made), "operation") + ", " + faces;
 }
 
 void start(Session& session, Arguments& arguments) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "viewer/scene/line_help.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -79,6 +81,9 @@ class Matches {
     for (const std::string& choice : choices_of(command))
       by_line(command, std::string(command.name) + " " + choice + (all ? "" : " "), all);
     by_help(command);
+    for (const LineHelp& each : helped_lines())
+      if (command_of(each.line) == &command && says_all(each.help))
+        add({&command, std::string(each.line), {}, true, false, described});
   }
 
   void look_at_recent() {
@@ -123,6 +128,11 @@ class Matches {
     if (fit == 0) return;
     const int kind = completes(line) ? completed : chosen;
     add({&command, std::move(line), {}, complete, false, kind + fit});
+  }
+
+  [[nodiscard]] bool says_all(std::string_view help) const {
+    return std::all_of(words_.begin(), words_.end(),
+                       [&](std::string_view word) { return has_word_from(help, word); });
   }
 
   void by_help(const Command& command) {

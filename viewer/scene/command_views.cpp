@@ -111,7 +111,7 @@ void dialog(Session& session, Arguments& arguments) {
   arguments.end();
   if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
   session.view.dialog = wanted;
-  if (wanted == Dialog::Lessons) session.lesson.suggested = false;
+  if (wanted == Dialog::Lessons) session.lesson.suggested = LessonPlayer::Hint::None;
   if (wanted != Dialog::Save) session.asked.clear();
 }
 

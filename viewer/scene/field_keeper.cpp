@@ -14,6 +14,7 @@ namespace {
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double beyond_share = 0.02;   // of the curvatures, on either side of their scale
 constexpr double curvature_span = 1e3;  // at most, from the scale's low to its high
+constexpr double rounding = 1e-9;       // below this, relative to the diagonal of the box, there is nothing
 constexpr double least_span = 4;        // at least: what hardly differs should look so
 
 /// Quads and volumes are not decimated: nothing is wanted of them, and they stay where they are.
@@ -23,10 +24,10 @@ bool has_field(Coloring coloring, bool skin) {
 }
 
 /// Most of the values: outliers would leave all others one colour.
-FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& values) {
+FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& values, double diagonal) {
   std::vector<double> positive;
   for (const Vertex v : mesh.vertices())
-    if (values[v] > 0) positive.push_back(values[v]);
+    if (values[v] * diagonal > rounding) positive.push_back(values[v]);
   FieldScale scale;
   scale.logarithmic = true;
   if (positive.empty()) return scale;
@@ -137,9 +138,9 @@ void FieldKeeper::measure_distances(const FieldSource& source, SurfaceChanges& c
   for (const Face f : source.mesh.faces()) {
     float& value = field_->faces[f];
     if (std::isnan(value)) {
-      value = original.has(source.mesh, f)
-                  ? 0
-                  : static_cast<float>(percent * face_distance(source.mesh, f, original.tree()));
+      const double distance =
+          original.has(source.mesh, f) ? 0 : percent * face_distance(source.mesh, f, original.tree());
+      value = distance > 100 * rounding ? static_cast<float>(distance) : 0;
       if (!changes.everything) changes.faces.push_back(f);
     }
     scale.add(value);
@@ -152,19 +153,20 @@ void FieldKeeper::curvature(const FieldSource& source, const SurfaceChanges& cha
   pending_ = pending_ || !changes.nothing();
   if (!pending_ || !source.still) return;
   pending_ = false;
+  const double diagonal = source.document.content().bounds.diagonal();
   // One scale for before and after, that of before.
   if (source.as_loaded) {
     AsLoaded& original = source.document.as_loaded();
     assign(field_->vertices, original.curvatures());
-    field_->scale = curvature_scale(original.mesh(), original.curvatures());
+    field_->scale = curvature_scale(original.mesh(), original.curvatures(), diagonal);
   } else {
     const Column<Vertex, double> values = vertex_curvatures(source.mesh);
     assign(field_->vertices, values);
     if (source.skin)
-      field_->scale = curvature_scale(source.mesh, values);
+      field_->scale = curvature_scale(source.mesh, values, diagonal);
     else
-      field_->scale =
-          curvature_scale(source.document.as_loaded().mesh(), source.document.as_loaded().curvatures());
+      field_->scale = curvature_scale(source.document.as_loaded().mesh(),
+                                      source.document.as_loaded().curvatures(), diagonal);
   }
   ++field_->version;
 }

@@ -60,7 +60,7 @@ void add_edge_facts(const Document& document, EntityRef e, Inspection& result) {
   if (const Decimation* decimation = document.decimation()) {
     const double wanted =
         std::max(decimation->spacing(Vertex(ends[0])), decimation->spacing(Vertex(ends[1])));
-    result.facts.emplace_back("Wanted length", std::isfinite(wanted) ? significant(wanted) : "no limit");
+    result.facts.emplace_back("Spacing", std::isfinite(wanted) ? significant(wanted) : "no limit");
   }
   for (const AdjacentLevel& l : result.adjacent)
     if (l.level == 2 && mesh.dimension() == 2) add_fold(mesh, l.ids, result);
@@ -90,7 +90,7 @@ void add_vertex_facts(const Document& document, Vertex v, Inspection& result) {
   const Decimation* decimation = document.decimation();
   if (decimation == nullptr) return;
   const double wanted = decimation->spacing(v);
-  result.facts.emplace_back("Wanted length", std::isfinite(wanted) ? significant(wanted) : "no limit");
+  result.facts.emplace_back("Spacing", std::isfinite(wanted) ? significant(wanted) : "no limit");
 }
 
 template <typename H>

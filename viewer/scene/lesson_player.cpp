@@ -62,7 +62,8 @@ void LessonPlayer::open(Session& session, const Lesson& lesson, std::size_t page
   lesson_ = &lesson;
   page_ = page;
   shown = true;
-  hinted = suggested = false;
+  hinted = false;
+  suggested = Hint::None;
   session.selection.clear();
   session.error.clear();
   session.view = plain_view(session.view);

@@ -48,7 +48,9 @@ class LessonPlayer {
   bool shown = true;                ///< its tab is in front of the mesh's
   bool hinted = false;              ///< the hint is open
   std::set<std::string> completed;  ///< names of lessons whose last page was done
-  bool suggested = false;           ///< the user has never seen a lesson: worth a word
+  /// Whether a word about lessons is worth while: strong at the first start, quiet as long as some are left.
+  enum class Hint { None, First, Again };
+  Hint suggested = Hint::None;
 
  private:
   /// What the user had before the first page.

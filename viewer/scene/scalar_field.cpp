@@ -34,9 +34,9 @@ FieldText field_text(Coloring coloring) {
               "faces are grey.",
               "1 / unit of the mesh, logarithmic"};
     default:
-      return {"Wanted edge length",
-              "How long decimation wants the edges at each vertex to be, in the units of the mesh. The "
-              "colours follow the logarithm.",
+      return {"Spacing",
+              "How long decimation wants the edges around a vertex to be, in the units of the mesh: an edge "
+              "that is shorter than half of it may collapse. Colours follow its logarithm.",
               "units of the mesh, logarithmic"};
   }
 }

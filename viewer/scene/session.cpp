@@ -37,7 +37,7 @@ bool renew(std::optional<T>& kept, const T& now) {
 
 /// "7,160 faces", "165,295 regions"
 std::string size_words(const MeshFacts& facts) {
-  return facts.regions > 0 ? grouped(facts.regions) + " regions" : grouped(facts.faces) + " faces";
+  return facts.regions > 0 ? counted(facts.regions, "region") : counted(facts.faces, "face");
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ void Session::restore(const SavedWork& work) {
   std::erase(found_work, shared);
   if (recovery) recovery->take_over(shared);
   document.restore(work);
-  status = "Restored " + work.name() + ": " + grouped(static_cast<std::int64_t>(work.cursor)) +
-           " operations, " + grouped(document.mesh().count(2)) + " faces";
+  status = "Restored " + work.name() + ": " + counted(static_cast<std::int64_t>(work.cursor), "operation") +
+           ", " + counted(document.mesh().count(2), "face");
 }
 
 void Session::start_series(PictureSeries::Kind kind, const std::filesystem::path& folder, int count,
@@ -180,7 +180,7 @@ void Session::run_on(std::optional<std::chrono::microseconds> budget) {
   const bool was_running = document.running();
   document.tick(budget);
   if (was_running && !document.running())
-    status = "Run finished: " + grouped(document.mesh().count(2)) + " faces";
+    status = "Run finished: " + counted(document.mesh().count(2), "face");
 }
 
 void Session::tick(std::chrono::microseconds budget, double frame_s) {

@@ -13,6 +13,14 @@ std::string grouped(std::int64_t n) {
   return n < 0 ? "\u2212" + text : text;
 }
 
+std::string counted(std::int64_t n, std::string_view one) {
+  const std::string text = grouped(n) + " ";
+  if (n == 1) return text + std::string(one);
+  constexpr std::string_view latin = "vertex";
+  if (one.ends_with(latin)) return text + std::string(one.substr(0, one.size() - 2)) + "ices";
+  return text + std::string(one) + (one.ends_with("ch") ? "es" : "s");
+}
+
 std::string signed_grouped(std::int64_t n) {
   if (n == 0) return "\u00b10";
   return n > 0 ? "+" + grouped(n) : grouped(n);

@@ -5,11 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace aomd::scene {
 
 /// "69,451".
 [[nodiscard]] std::string grouped(std::int64_t n);
+
+/// "1 face", "7,160 faces", "2 vertices".
+[[nodiscard]] std::string counted(std::int64_t n, std::string_view one);
 
 /// "+12", "−1,234", "±0".
 [[nodiscard]] std::string signed_grouped(std::int64_t n);

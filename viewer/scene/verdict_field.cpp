@@ -16,7 +16,7 @@ std::string reason_word(Reason reason) {
 Color verdict_color(std::uint8_t code) {
   constexpr std::array<Color, reason_count> colors = {
       rgb(0x1fa37a),  // could go
-      rgb(0xd9dee5),  // long enough: what most edges of a finished mesh are
+      rgb(0xd9dee5),  // spacing: what most edges of a finished mesh are
       rgb(0x2f7fc1),  // shape of the model
       rgb(0x7b4fb5),  // topology
       rgb(0x8c5a2b),  // flat face

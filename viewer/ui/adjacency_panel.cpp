@@ -11,7 +11,7 @@
 namespace aomd::ui {
 namespace {
 
-constexpr std::array<const char*, 4> levels = {"Vertex", "Edge", "Face", "Region"};
+constexpr std::array<const char*, 4> levels = {"0 Vertex", "1 Edge", "2 Face", "3 Region"};
 
 /// How a cell looks, in the order of the key below the table.
 enum class State { Set, Requested, Implied, Absent };
@@ -54,12 +54,9 @@ void draw_centered(ImVec2 from, float width, const std::string& s, const ImVec4&
   ImGui::GetWindowDrawList()->AddText({left, from.y}, ImGui::GetColorU32(color), s.c_str());
 }
 
-/// "922 KB", or "922K" where there is less room.
+/// "71.9 KB", or "71.9K" where there is less room.
 std::string short_bytes(std::size_t bytes, float width) {
   std::string text = scene::bytes_text(bytes);
-  const std::size_t point = text.find('.');
-  const std::size_t blank = text.find(' ');
-  if (point >= 2 && point < blank) text.erase(point, blank - point);  // three digits are enough
   if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
   text.erase(text.find(' '), 1);
   if (text.size() > 1) text.pop_back();
@@ -93,7 +90,7 @@ EntityRef centre_for(const Frame& frame, int j) {
   return e.valid() && e.dimension != j ? e : EntityRef();
 }
 
-/// Names, or first letters where a name is too wide. While one entity is selected they light up what is
+/// Numbers and names, or numbers where a name is too wide. While one entity is selected they light up what is
 /// around it.
 void column_titles(Frame& frame, const Grid& grid) {
   ImGui::PushFont(frame.fonts.small);
@@ -226,7 +223,7 @@ void totals(const Frame& frame) {
   const int top = mesh.count(3) > 0 ? 3 : 2;
   if (!begin_values("totals", 2)) return;
   value_row(frame, "Adjacencies", scene::bytes_text(adjacency), "All stored relations and hash sets");
-  value_row(frame, "Entities", scene::bytes_text(entities), "Entities, coordinates and classification");
+  value_row(frame, "Entities", scene::bytes_text(entities), entity_memory_help);
   if (mesh.count(top) > 0)
     value_row(frame, top == 3 ? "Both, per region" : "Both, per face",
               scene::bytes_text((adjacency + entities) / mesh.count(top)),

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "viewer/scene/line_help.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -97,20 +98,15 @@ bool CommandPalette::draw_row(const Frame& frame, const scene::CommandMatch& mat
   const float key_width = ImGui::CalcTextSize(key.c_str()).x;
   const ImU32 strong = ImGui::GetColorU32(frame.colors.text),
               weak = ImGui::GetColorU32(frame.colors.text_muted);
-  ImGui::PushFont(frame.fonts.mono);
-  const std::string name = fitted(std::string(line), width - key_width - 2 * em());
-  list.AddText({left, top}, strong, name.c_str());
-  if (const std::string_view more = missing_arguments(match); !more.empty()) {
-    const float x = ImGui::CalcTextSize(name.c_str()).x + 0.6f * em();
-    const std::string shown = fitted(std::string(more), width - key_width - x - 2 * em());
-    list.AddText({left + x, top}, weak, shown.c_str());
-  }
-  ImGui::PopFont();
+  const std::string help = (match.recent ? "Recent. " : "") + std::string(scene::line_help(line));
+  const std::string shown = shortened(help, width - key_width - 2 * em());
+  list.AddText({left, top}, strong, shown.c_str());
   list.AddText({from.x + width - key_width - 0.5f * em(), top}, weak, key.c_str());
-  ImGui::PushFont(frame.fonts.small);
-  const std::string help = (match.recent ? "Recent. " : "") + std::string(match.command->help);
-  const std::string shown = shortened(help, width - em());
-  list.AddText({left, top + 1.1f * em()}, weak, shown.c_str());
+  ImGui::PushFont(frame.fonts.mono);
+  std::string command(line);
+  if (const std::string_view more = missing_arguments(match); !more.empty())
+    command += " " + std::string(more);
+  list.AddText({left, top + 1.1f * em()}, weak, fitted(command, width - em()).c_str());
   ImGui::PopFont();
   if (shown != help) tooltip(help);
   return pressed;

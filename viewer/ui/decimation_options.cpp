@@ -23,13 +23,16 @@ void label(const Frame& frame, const char* name, const char* help) {
 float name_width() { return 5.4f * em(); }
 
 constexpr const char* spacing_help =
-    "How long edges become, in the units of the mesh as opened, then Enter. A file with a number for each "
-    "vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the edges "
+    "The spacing: how long edges become, in the units of the mesh as opened, then Enter. A file with a "
+    "number "
+    "for each vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the "
+    "edges "
     "there), k (curvature) and diag (diagonal of the box), like x < 0 ? 2 * h : 8 * h.";
 
 constexpr const char* factor_help =
-    "How many times longer edges become (\u00d7 their average length at the start) where the angle does not "
-    "bind.";
+    "The spacing as a factor: how many times longer edges become (\u00d7 their mean length at the start) "
+    "where "
+    "the angle does not bind.";
 constexpr const char* faces_help = "Stops at this many faces, or where nothing more may go.";
 constexpr const char* angle_help = "How far the normal of a face may turn in one operation, in degrees.";
 constexpr const char* feature_help =
@@ -116,12 +119,12 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
 }
 
 void aim_control(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
-  const Choice choices[] = {
-      {"Length factor", factor_help},
-      {"Number of faces", faces_help},
-      {"Edge lengths", spacing_help, frame.can_decimate()},
-      {"Coarsest", "No limit on length: only the angle and the model stop a collapse."}};
-  label(frame, "Aim at", "When an edge is long enough, or the mesh coarse enough.");
+  const Choice choices[] = {{"Spacing factor", factor_help},
+                            {"Number of faces", faces_help},
+                            {"Spacing", spacing_help, frame.can_decimate()},
+                            {"Coarsest", "No spacing: only the angle and the model stop a collapse."}};
+  label(frame, "Aim at",
+        "How far to go: to a spacing of edges, to a number of faces, or as far as the limits let it.");
   ImGui::SameLine(name_width());
   ImGui::SetNextItemWidth(-1);
   const Aim present = aim_of(options);
@@ -177,8 +180,8 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
                        !frame.document().content().classified_by_file();
   if (changed && can_try) frame.emit("feature-preview " + short_number(drafts.feature_angle_deg));
   if (trial != nullptr)
-    muted(frame, "gives " + scene::grouped(trial->preview.model_edges) + " model edges, " +
-                     scene::grouped(trial->preview.model_vertices) + " vertices");
+    muted(frame, "gives " + scene::counted(trial->preview.model_edges, "model edge") + ", " +
+                     scene::counted(trial->preview.model_vertices, "vertex"));
   if (drafts.editing_feature_angle && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     drafts.editing_feature_angle = false;
     frame.emit("feature-angle " + short_number(drafts.feature_angle_deg));

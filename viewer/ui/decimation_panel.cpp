@@ -80,8 +80,8 @@ void last_sweep_section(Frame& frame) {
   gap();
   heading(frame, "Last sweep");
   copy_button(frame, "refusals");
-  std::string made = grouped(sweep->collapses) + " collapses";
-  if (sweep->swaps > 0) made += ", " + grouped(sweep->swaps) + " swaps";
+  std::string made = scene::counted(sweep->collapses, "collapse");
+  if (sweep->swaps > 0) made += ", " + scene::counted(sweep->swaps, "swap");
   if (sweep->smooths > 0) made += ", " + grouped(sweep->smooths) + " smoothed";
   ImGui::PushTextWrapPos(0);
   const bool refused = std::ranges::any_of(sweep->refused, [](std::uint32_t n) { return n > 0; });
@@ -107,9 +107,9 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts) {
   gap();
   operation_buttons(frame);
   run_controls(frame);
-  ImGui::PopStyleVar();
   ImGui::EndDisabled();
   last_sweep_section(frame);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace aomd::ui

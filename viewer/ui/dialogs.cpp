@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/scene/commands.h"
+#include "viewer/scene/line_help.h"
 #include "viewer/ui/lessons_dialog.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/ui/work_dialogs.h"
@@ -72,7 +73,8 @@ void draw_browser(Frame& frame, DialogState& state, bool appearing) {
   if (const auto file = browser.draw(frame, purpose)) frame.emit(line_for(dialog, *file));
 }
 
-void shortcut_row(const Frame& frame, std::string_view keys, std::string_view what) {
+void shortcut_row(const Frame& frame, std::string_view keys, std::string_view what,
+                  std::string_view line = {}) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::PushFont(frame.fonts.mono);
@@ -80,6 +82,9 @@ void shortcut_row(const Frame& frame, std::string_view keys, std::string_view wh
   ImGui::PopFont();
   ImGui::TableNextColumn();
   text(what);
+  ImGui::PushFont(frame.fonts.small);
+  if (!line.empty()) muted(frame, line);
+  ImGui::PopFont();
 }
 
 void draw_mouse(const Frame& frame) {
@@ -97,8 +102,7 @@ void draw_mouse(const Frame& frame) {
 void draw_keys(const Frame& frame) {
   for (const scene::Command& command : scene::commands())
     for (const scene::Shortcut& s : command.shortcuts)
-      shortcut_row(frame, s.chord,
-                   s.line == command.name || command.shortcuts.size() == 1 ? command.help : s.line);
+      shortcut_row(frame, s.chord, scene::line_help(s.line), s.line);
 }
 
 void draw_shortcuts(const Frame& frame) {

@@ -124,7 +124,7 @@ bool FileBrowser::draw_entry(const Frame& frame, const Entry& entry) {
 }
 
 void FileBrowser::draw_entries(const Frame& frame, const BrowserPurpose& purpose) {
-  const float below = 2.6f * ImGui::GetFrameHeightWithSpacing();
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing();
   const float height = std::max(5 * em(), ImGui::GetContentRegionAvail().y - below);
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   if (!ImGui::BeginTable("entries", 2, flags, {0, height})) return;

@@ -52,12 +52,12 @@ std::array<Words, 3> words_of(const scene::Histograms& all) {
                          true};
   const char* lengths =
       all.wanted_lengths
-          ? "The length of each edge over the mean of what is wanted at its ends: 1 is as wanted."
+          ? "The length of each edge over the mean spacing at its ends: 1 is as long as it should be."
           : "The length of each edge over the mean length of the edges as loaded: the present "
-            "options want no lengths.";
+            "options give no spacing.";
   return {
       angle,
-      {HistogramKind::Length, "length", all.wanted_lengths ? "Edge length / wanted" : "Edge length / mean",
+      {HistogramKind::Length, "length", all.wanted_lengths ? "Edge length / spacing" : "Edge length / mean",
        lengths, "edges", "", "longest", false, false, true},
       {HistogramKind::Valence, "valence", "Edges at a vertex",
        "The valence: 6 inside a regular surface of triangles, 4 at its border.", "vertices", "", "most",

@@ -7,6 +7,7 @@
 #include "core/mesh/names.h"
 #include "viewer/scene/adjacency.h"
 #include "viewer/scene/arguments.h"
+#include "viewer/scene/scalar_field.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/link_flow.h"
@@ -44,6 +45,7 @@ void facts_table(Frame& frame, const scene::Inspection& inspection) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       muted(frame, fitted(name, 6.6f * em()));
+      if (name == "Spacing") tooltip(scene::field_text(scene::Coloring::Spacing).help);
       ImGui::TableNextColumn();
       if (name == "Lies on" && model.valid())
         LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model), "Show this model entity");
@@ -95,7 +97,7 @@ void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
 
 const char* check_help(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, const char*>, 8> help = {
-      {{"Length", "Is the edge shorter than half the wanted length?"},
+      {{"Length", "Is the edge shorter than half the spacing?"},
        {"Kept", "Does the user want the vertex to stay?"},
        {"Model", "Does the vertex stay on the model entity that it lies on?"},
        {"Topology", "The link condition: is the surface neither pinched, doubled nor torn?"},

@@ -73,11 +73,14 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
 }
 
 void Interface::draw_panels(Frame& frame) {
-  const ImVec2 narrow{0.75f * em(), 0.22f * em()};
+  const ImVec2 narrow{0.75f * em(), 0.22f * em()}, usual = ImGui::GetStyle().WindowPadding;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, narrow);
   docked("##menu", layout_.menu, ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar, [&] {
     if (!ImGui::BeginMenuBar()) return;
+    // Menus that drop down have the usual distance to their border.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, usual);
     menu_bar(frame, recent);
+    ImGui::PopStyleVar();
     ImGui::EndMenuBar();
   });
   docked("##status", layout_.status, ImGuiWindowFlags_NoScrollbar, [&] { status_bar(frame); });

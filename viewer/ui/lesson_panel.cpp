@@ -51,6 +51,7 @@ void small_link(Frame& frame, const char* words, const char* line) {
   ImGui::PopFont();
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (ImGui::IsItemClicked()) frame.emit(line);
+  command_tooltip(line);
 }
 
 void help_with_task(Frame& frame, const LessonPlayer& player) {
@@ -110,8 +111,10 @@ bool lesson_titles(Frame& frame) {
   const LessonPlayer& player = frame.session.lesson;
   if (player.lesson() == nullptr) return false;
   if (tab_title(frame, "Lesson", frame.fonts.heading, player.shown)) frame.emit("lesson show");
+  command_tooltip("lesson show");
   ImGui::SameLine(0, em());
   if (tab_title(frame, "Mesh", frame.fonts.heading, !player.shown)) frame.emit("lesson hide");
+  command_tooltip("lesson hide");
   gap(0.1f);
   return player.shown;
 }

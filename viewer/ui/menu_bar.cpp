@@ -114,7 +114,7 @@ void color_menu(Frame& frame) {
     command_item(frame, name, line, present == coloring, enabled);
   };
   item("Classification", "color classification", scene::Coloring::Classification);
-  item("Wanted edge length", "color spacing", scene::Coloring::Spacing, surface);
+  item("Spacing", "color spacing", scene::Coloring::Spacing, surface);
   item("Smallest angle", "color quality", scene::Coloring::Quality);
   item("Distance to the original", "color distance", scene::Coloring::Distance, surface);
   item("Curvature", "color curvature", scene::Coloring::Curvature);

@@ -67,8 +67,7 @@ void file_line(Frame& frame) {
 
 void memory_rows(const Frame& frame) {
   const Mesh& mesh = frame.document().mesh();
-  value_row(frame, "Mesh", scene::bytes_text(mesh.entity_bytes()),
-            "Entities, coordinates and classification");
+  value_row(frame, "Mesh", scene::bytes_text(mesh.entity_bytes()), entity_memory_help);
   value_row(frame, "Adjacency", scene::bytes_text(mesh.adjacency_bytes()),
             "Stored relations T(I,J): the panel Adjacencies shows each");
   value_row(frame, "History", scene::bytes_text(frame.document().journal().bytes()),
@@ -156,6 +155,9 @@ void mesh_panel(Frame& frame) {
   if (!frame.has_mesh()) {
     heading(frame, "No mesh yet");
     muted(frame, "Open a file, or drop one here.");
+    gap();
+    command_button(frame, "Open\u2026", "dialog open", -1);
+    command_button(frame, "Lessons", "dialog lessons", -1);
     return;
   }
   file_line(frame);

@@ -70,7 +70,7 @@ void draw_ends(Frame& frame, ImVec2 middle, float reach) {
     ImGui::SetItemAllowOverlap();
     if (ImGui::InvisibleButton(name.c_str(), {2 * half, 2 * half})) frame.emit("camera " + view);
     draw_end(frame, end, middle, at, ImGui::IsItemHovered());
-    tooltip("Look from " + name + ": " + view);
+    tooltip("Looks from the side of " + name + ".", "camera " + view);
   }
 }
 

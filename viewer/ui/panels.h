@@ -8,6 +8,12 @@
 
 namespace aomd::ui {
 
+/// What the memory of entities is, wherever it is shown.
+inline constexpr const char* entity_memory_help =
+    "Entities, coordinates and classification. Ids of deleted entities and their places are kept, for undo "
+    "and for what is made next: so it does not shrink while faces go, and the stacks of free ids grow. Id "
+    "stacks, on the page T(I,J), count the alive and the free ones.";
+
 /// File, counts and their change since loading, memory.
 void mesh_panel(Frame& frame);
 /// The titles of the mesh's panel and the lesson's while a lesson is open. True where the lesson's is up.

@@ -114,7 +114,7 @@ class Writer {
     if (ImGui::InvisibleButton("link", {w, em()})) frame_.emit(piece.span->line);
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    tooltip(piece.span->line);
+    command_tooltip(piece.span->line);
     ImGui::PopID();
     ImGui::PopID();
     ImVec4 line = frame_.colors.accent;

@@ -68,7 +68,14 @@ void add_all(const Mesh& mesh, std::vector<EntityRef>& all) {
       if (mesh.alive({level, id})) all.emplace_back(level, id);
 }
 
-/// What is selected, and what lies around the mouse.
+/// What decides about the collapse that is previewed, where something does.
+EntityRef deciding(const scene::Session& session) {
+  const scene::Judgement* judgement = session.judgement();
+  if (judgement == nullptr || session.previewed_way() >= judgement->ways.size()) return {};
+  return judgement->ways[session.previewed_way()].outlook.verdict.entity;
+}
+
+/// What is selected, what decides about it, and what lies around the mouse.
 std::vector<EntityRef> labelled(const scene::Session& session) {
   const scene::Neighbours* neighbours = session.neighbours();
   if (neighbours && neighbours->known && !session.view.labels_everywhere)
@@ -77,6 +84,7 @@ std::vector<EntityRef> labelled(const scene::Session& session) {
   const auto selected = session.selection.entities();
   const std::size_t count = std::min(selected.size(), most_labels);
   all.assign(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(count));
+  if (const EntityRef e = deciding(session); e.valid()) all.push_back(e);
   if (const auto* inspection = session.inspection())
     for (const scene::AdjacentLevel& level : inspection->adjacent)
       for (const std::uint32_t id : level.ids) all.emplace_back(level.level, id);

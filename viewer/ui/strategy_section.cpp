@@ -45,9 +45,9 @@ void result(const Frame& frame, const scene::StrategyResult& r) {
   }
   gap(0.1f);
   wrapped(frame, (r.same ? "The same mesh either way: " : "Different meshes: ") +
-                     scene::grouped(r.ways[0].counts[2]) +
-                     (r.same ? "" : " and " + scene::grouped(r.ways[1].counts[2])) +
-                     " faces; relations changed places " + scene::grouped(r.ways[1].exchanges) + " times.");
+                     (r.same ? "" : scene::grouped(r.ways[0].counts[2]) + " and ") +
+                     scene::counted(r.ways[1].counts[2], "face") + "; relations changed places " +
+                     scene::counted(r.ways[1].exchanges, "time") + ".");
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ using scene::PlaySpeed;
 
 std::string count_text(std::size_t n) { return grouped(static_cast<std::int64_t>(n)); }
 
+std::string operations(std::size_t n) { return scene::counted(static_cast<std::int64_t>(n), "operation"); }
+
 float x_of(const Frame& frame, std::size_t step, ImVec2 from, ImVec2 to) {
   const auto size = static_cast<float>(frame.document().journal().size());
   return from.x + (to.x - from.x) * std::min(1.0f, static_cast<float>(step) / size);
@@ -63,15 +65,15 @@ void bookmarks(Frame& frame) {
 }
 
 std::string branch_words(const HistoryTree& tree, const HistoryBranch& b) {
-  return "Branch " + std::to_string(b.id) + ": " + count_text(b.size()) + " operations, leaves branch " +
+  return "Branch " + std::to_string(b.id) + ": " + operations(b.size()) + ", leaves branch " +
          std::to_string(b.from == 0 ? tree.present() : b.from) + " at " + count_text(b.fork);
 }
 
 void branches(Frame& frame) {
   const HistoryTree& tree = frame.document().tree();
   row(frame,
-      "Branch " + std::to_string(tree.present()) + ": " + count_text(frame.document().journal().size()) +
-          " operations, the present one",
+      "Branch " + std::to_string(tree.present()) + ": " + operations(frame.document().journal().size()) +
+          ", the present one",
       "", true);
   for (const HistoryBranch& b : tree.branches())
     row(frame, branch_words(tree, b), "branch switch " + std::to_string(b.id));
@@ -93,11 +95,11 @@ void timeline_controls(Frame& frame) {
   const HistoryTree& tree = frame.document().tree();
   const float wide = 12.5f * em(), narrow = 8.5f * em(), space = 0.5f * em();
   const bool branched = !tree.branches().empty();
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.4f * em(), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.5f * em(), 0.12f * em()});
   same_line_right(wide + (branched ? 2 : 1) * (narrow + space));
   const std::size_t marks = tree.bookmarks().size();
   drop_down("##bookmarks",
-            marks == 0 ? "Bookmarks" : count_text(marks) + (marks == 1 ? " bookmark" : " bookmarks"), narrow,
+            marks == 0 ? "Bookmarks" : scene::counted(static_cast<std::int64_t>(marks), "bookmark"), narrow,
             "Named places of the history: go there, or name the present one (Ctrl+B).",
             [&] { bookmarks(frame); });
   ImGui::SameLine(0, space);

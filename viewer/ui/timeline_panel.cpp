@@ -60,8 +60,8 @@ std::string where(const scene::Document& document) {
   const JournalStep& step = journal.step(journal.cursor() - 1);
   result += std::string(": ") + step_name(step.kind);
   if (step.entity.valid())
-    result += std::string(" of ") + entity_name(step.entity.dimension) + " " +
-              grouped(static_cast<std::int64_t>(step.entity.index));
+    result +=
+        std::string(" of ") + entity_name(step.entity.dimension) + " " + std::to_string(step.entity.index);
   return result + ", in " + document.mark_of(journal.cursor() - 1).label;
 }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "viewer/scene/commands.h"
+#include "viewer/scene/line_help.h"
 
 namespace aomd::ui {
 namespace {
@@ -149,24 +150,24 @@ void heading(const Frame& frame, const char* title) {
 
 void gap(float ems) { ImGui::Dummy({0, ems * em()}); }
 
-void tooltip(std::string_view s) {
-  if (s.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+void tooltip(std::string_view s) { tooltip(s, {}); }
+
+void tooltip(std::string_view help, std::string_view line) {
+  if (help.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(22 * em());
-  text(s);
+  text(help);
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  if (!line.empty()) text(line);
+  ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 
 void command_tooltip(std::string_view line) {
-  const std::string_view name = line.substr(0, line.find(' '));
-  for (const scene::Command& command : scene::commands()) {
-    if (command.name != name) continue;
-    std::string help(command.help);
-    if (const auto chord = scene::chord_of_line(line); !chord.empty())
-      help += " (" + std::string(chord) + ")";
-    tooltip(help);
-  }
+  std::string help(scene::line_help(line));
+  if (const auto chord = scene::chord_of_line(line); !chord.empty()) help += " (" + std::string(chord) + ")";
+  tooltip(help, line);
 }
 
 void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
@@ -257,7 +258,7 @@ void copy_button(Frame& frame, const char* table) {
   list.AddRect(back, {back.x + w, back.y + h}, ImGui::GetColorU32(color), 0.1f * em());
   list.AddRectFilled(front, {front.x + w, front.y + h}, ImGui::GetColorU32(frame.colors.panel), 0.1f * em());
   list.AddRect(front, {front.x + w, front.y + h}, ImGui::GetColorU32(color), 0.1f * em());
-  tooltip(std::string("Copy as text: ") + table);
+  command_tooltip(std::string("copy ") + table);
   ImGui::PopID();
 }
 

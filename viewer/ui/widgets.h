@@ -39,7 +39,9 @@ void heading(const Frame& frame, const char* title);
 void gap(float ems = 0.35f);
 /// For the last item, wrapped, also while it is disabled. Empty text shows nothing.
 void tooltip(std::string_view s);
-/// The help of a command and its key.
+/// For the last item: what it is for, then more quietly the command that does the same.
+void tooltip(std::string_view help, std::string_view line);
+/// What the line does, its key, and the line itself, for scripts.
 void command_tooltip(std::string_view line);
 
 /// A button that emits `line`; it fills `width` (0: its text, negative: what is left).

@@ -11,8 +11,6 @@
 namespace aomd::ui {
 namespace {
 
-using scene::grouped;
-
 std::string what_waits(const scene::Session& session) {
   const std::string& line = session.asked;
   if (line.empty() || line.rfind("quit", 0) == 0) return "The program is about to end.";
@@ -35,7 +33,8 @@ void work_row(Frame& frame, const scene::SavedWork& work, std::size_t number) {
   ImGui::AlignTextToFramePadding();
   text(fitted(work.name(), ImGui::GetContentRegionAvail().x));
   tooltip(work.source.file.empty() ? "A built-in sample" : work.source.file.string());
-  muted(frame, grouped(static_cast<std::int64_t>(work.cursor)) + " operations, " + time_text(work.seconds));
+  muted(frame,
+        scene::counted(static_cast<std::int64_t>(work.cursor), "operation") + ", " + time_text(work.seconds));
   ImGui::TableNextColumn();
   const std::string n = std::to_string(number);
   ImGui::PushID(n.c_str());

@@ -1,0 +1,20 @@
+#pragma once
+// What single lines do, for people: tooltips, the palette and the list of keys say it first, then the line.
+
+#include <span>
+#include <string_view>
+
+namespace aomd::scene {
+
+struct LineHelp {
+  std::string_view line;
+  std::string_view help;  ///< a sentence or two that say what happens, with the unit of what is counted
+};
+
+/// All lines that have a sentence of their own, by command.
+[[nodiscard]] std::span<const LineHelp> helped_lines();
+
+/// The sentence of exactly this line, else the help of its command; empty where there is no such command.
+[[nodiscard]] std::string_view line_help(std::string_view line);
+
+}  // namespace aomd::scene
