@@ -139,6 +139,30 @@ TEST(ColorDistance, WaitsWhileSomethingRuns) {
   for (const Face f : s.document.mesh().faces()) EXPECT_FALSE(std::isnan(s.field()->faces[f]));
 }
 
+TEST(ColorDistance, InSlicesComesToTheSame) {
+  Session sliced, whole;
+  for (Session* s : {&sliced, &whole}) drive(*s, {"sample sphere 24", "strategy paper", "factor 3", "sweep"});
+  execute(sliced, "color distance");
+  sliced.tick(std::chrono::microseconds(0), 0.01);
+  sliced.refresh();
+  EXPECT_FALSE(sliced.idle());
+  EXPECT_TRUE(sliced.field()->scale.empty()) << "nothing is coloured before all is known";
+  for (int i = 0; i < 10'000 && !sliced.idle(); ++i) {
+    sliced.tick(std::chrono::microseconds(0), 0.01);
+    sliced.refresh();
+  }
+  drive(whole, {"color distance"});
+  EXPECT_TRUE(sliced.idle());
+  EXPECT_EQ(sliced.field()->scale, whole.field()->scale);
+  for (std::size_t i = 0; i < corners(whole).size(); ++i)
+    ASSERT_EQ(corners(sliced)[i].color, corners(whole)[i].color);
+  execute(sliced, "seek 3");
+  sliced.refresh();
+  execute(sliced, "color none");
+  sliced.refresh();
+  EXPECT_TRUE(sliced.idle()) << "nobody waits for colours that are not shown";
+}
+
 TEST(ColorCurvature, KeepsTheScaleOfTheMeshAsLoaded) {
   Session s;
   drive(s, {"sample torus", "color curvature"});
@@ -267,8 +291,22 @@ TEST(Mark, BrightensFacesEdgesAndVertices) {
   EXPECT_EQ(s.drawing().drawable().highlight_lines.size(), 0u);
   EXPECT_THROW(execute(s, "mark area 1"), CommandError);
   EXPECT_THROW(execute(s, "mark angle"), CommandError);
-  load(s, cubes(1));
-  EXPECT_THROW(execute(s, "mark angle 5"), CommandError);
+}
+
+TEST(Mark, TintsTheRegionsOfAVolume) {
+  Session s;
+  load(s, cubes(2));
+  const auto tinted = [&] { return s.drawing().drawable().selected.faces.size() / 3; };
+  drive(s, {"mark angle 89.9"});
+  EXPECT_EQ(tinted(), 8u * 12) << "two triangles a side";
+  drive(s, {"select region 3"});
+  EXPECT_EQ(tinted(), 9u * 12);
+  drive(s, {"mark angle 5"});
+  EXPECT_EQ(tinted(), 12u);
+  drive(s, {"select none", "mark angle 89.9", "shrink 0.3"});
+  EXPECT_EQ(tinted(), 8u * 24) << "the shrunken ones too";
+  drive(s, {"mark off"});
+  EXPECT_EQ(tinted(), 0u);
 }
 
 TEST(Mark, FollowsTheMesh) {

@@ -196,6 +196,27 @@ TEST(Selecting, LookingChangesNoResult) {
   }
 }
 
+TEST(Selecting, AMenuIsForWhatLiesThereOrForTheSelectionItIsPartOf) {
+  Session s;
+  drive(s, {"sample bracket 4", "pick-level face", "menu 0 0"});
+  ASSERT_EQ(s.selection.size(), 1u);
+  ASSERT_TRUE(s.view.menu.has_value());
+  const EntityRef face = s.selection.single();
+  EXPECT_EQ(face, s.pick({0, 0}));
+  drive(s, {"copy selection"});
+  EXPECT_EQ(s.clipboard.get(), "face " + std::to_string(face.index) + "\n");
+  drive(s, {"select grow", "menu off"});
+  EXPECT_FALSE(s.view.menu.has_value());
+  const std::size_t several = s.selection.size();
+  ASSERT_GT(several, 1u);
+  drive(s, {"menu 0 0"});
+  EXPECT_EQ(s.selection.size(), several) << "it is part of the selection";
+  drive(s, {"menu -0.99 -0.99"});
+  EXPECT_EQ(s.selection.size(), several) << "nothing lies there";
+  drive(s, {"sample sphere 8"});
+  EXPECT_FALSE(s.view.menu.has_value());
+}
+
 TEST(Selecting, WhatIsCopiedNamesFactsAndNeighbours) {
   Session s;
   drive(s, {"sample plane-hole", "select vertex 0", "why"});

@@ -1,6 +1,7 @@
 // The viewer in a real window under the mouse and the keyboard: what is done there is what the recorded
 // commands do without one.
 
+#include <algorithm>
 #include <csignal>
 
 #include "tests/viewer_window.h"
@@ -88,6 +89,54 @@ TEST_F(ViewerWindow, SelectsWhatIsClickedAndOrbitsShiftsAndZooms) {
   EXPECT_GT(orbits, 0) << said();
   EXPECT_GT(pans, 0) << said();
   EXPECT_EQ(zooms, 1) << said();
+  expect_headless_picture();
+}
+
+TEST_F(ViewerWindow, TabCompletesACommandInThePalette) {
+  start({mesh_file("cylinder", 8, "first.ply")});
+  press("Ctrl+Shift+P");
+  screen_->type("fact");
+  settle();
+  press("Tab");
+  screen_->type("7");
+  settle();
+  press("Return");
+  ASSERT_TRUE(carries_out("factor 7")) << said();
+}
+
+TEST_F(ViewerWindow, ARightClickOpensAMenuThatEscapeAndAClickElsewhereClose) {
+  start({mesh_file("bracket", 5, "bracket.ply")});
+  const glm::ivec2 center = middle(layout().viewport);
+  const auto right_click = [&] {
+    screen_->move_mouse(center);
+    settle();
+    for (const bool down : {true, false}) {
+      screen_->button(3, down);
+      settle();
+    }
+  };
+  const auto opened = [&] {
+    const std::vector<std::string> lines = recorded();
+    return std::count_if(lines.begin(), lines.end(),
+                         [](const std::string& l) { return l.starts_with("menu ") && l != "menu off"; });
+  };
+  right_click();
+  ASSERT_TRUE(waits_for([&] { return opened() == 1; })) << said();
+  press("Escape");
+  ASSERT_TRUE(carries_out("menu off")) << said();
+  command("expect selected = 1");
+  right_click();
+  ASSERT_TRUE(waits_for([&] { return opened() == 2; })) << said();
+  click({center.x, static_cast<int>(layout().viewport.position.y) + 5});
+  ASSERT_TRUE(carries_out("menu off", 2)) << said();
+  command("expect selected = 1");
+  right_click();
+  ASSERT_TRUE(waits_for([&] { return opened() == 3; })) << said();
+  click(place_of("fit selection"));
+  ASSERT_TRUE(carries_out("fit selection")) << said();
+  ASSERT_TRUE(carries_out("menu off", 3)) << said();
+  drag(center, center + glm::ivec2(30, 30), 3);  // shifts the picture
+  EXPECT_EQ(opened(), 3) << said();
   expect_headless_picture();
 }
 

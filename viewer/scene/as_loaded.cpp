@@ -7,25 +7,23 @@
 
 namespace aomd::scene {
 
-AsLoaded::AsLoaded(const Mesh& mesh) : mesh_(to_data(mesh)) {
-  needs_ = {mesh_.request(2, 0, "drawing"), mesh_.request(0, 1, "drawing"), mesh_.request(0, 2, "drawing")};
-  mesh_.keep_class_lists(true);
-}
+AsLoaded::AsLoaded(const Mesh& mesh) : copy_(to_data(mesh)) {}
 
 bool AsLoaded::has(const Mesh& mesh, Face face) const {
-  if (face.index >= mesh_.capacity(2)) return false;
+  if (face.index >= this->mesh().capacity(2)) return false;
   const auto now = mesh.triangle(face);
-  if (now != mesh_.triangle(face)) return false;
-  return std::all_of(now.begin(), now.end(), [&](Vertex v) { return mesh.position(v) == mesh_.position(v); });
+  if (now != this->mesh().triangle(face)) return false;
+  return std::all_of(now.begin(), now.end(),
+                     [&](Vertex v) { return mesh.position(v) == this->mesh().position(v); });
 }
 
 const TriangleTree& AsLoaded::tree() {
-  if (!tree_) tree_.emplace(triangles_of(mesh_).corners);
+  if (!tree_) tree_.emplace(triangles_of(mesh()).corners);
   return *tree_;
 }
 
 const Column<Vertex, double>& AsLoaded::curvatures() {
-  if (!curvatures_) curvatures_ = vertex_curvatures(mesh_);
+  if (!curvatures_) curvatures_ = vertex_curvatures(mesh());
   return *curvatures_;
 }
 

@@ -1,13 +1,11 @@
 #pragma once
 // The mesh as it was loaded, kept beside the one that is decimated: what results are held against.
 
-#include <array>
-#include <memory>
 #include <optional>
 
 #include "core/mesh/column.h"
-#include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
+#include "viewer/scene/beside_mesh.h"
 
 namespace aomd::scene {
 
@@ -19,15 +17,14 @@ class AsLoaded {
   explicit AsLoaded(const Mesh& mesh);
 
   /// Stores T(2,0), T(0,1), T(0,2).
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Mesh& mesh() const { return copy_.mesh(); }
   /// Whether a face of a later state is still the one of this id here.
   [[nodiscard]] bool has(const Mesh& mesh, Face face) const;
   [[nodiscard]] const TriangleTree& tree();
   [[nodiscard]] const Column<Vertex, double>& curvatures();
 
  private:
-  Mesh mesh_;
-  std::array<Request, 3> needs_;
+  BesideMesh copy_;
   std::optional<TriangleTree> tree_;
   std::optional<Column<Vertex, double>> curvatures_;
 };

@@ -10,8 +10,17 @@ namespace {
 
 constexpr double most_shrunk = 0.9;
 
+void compare_with(Session& session, Arguments& arguments) {
+  Arguments again = arguments;
+  const bool original = again.word("a run's number, or original") == "original";
+  session.view.reference = original ? 0 : kept_run(session, arguments).number;
+  (original ? again : arguments).end();
+  session.status = "Compared with " + (original ? "the mesh as loaded" : session.reference_name());
+}
+
 void compare(Session& session, Arguments& arguments) {
-  const std::string how = arguments.done() ? "toggle" : arguments.one_of({"side", "off", "toggle"});
+  const std::string how = arguments.done() ? "toggle" : arguments.one_of({"side", "off", "toggle", "with"});
+  if (how == "with") return compare_with(session, arguments);
   arguments.end();
   session.view.side_by_side = how == "toggle" ? !session.view.side_by_side : how == "side";
 }
@@ -56,7 +65,6 @@ void mark(Session& session, Arguments& arguments) {
     return;
   }
   need_mesh(session);
-  if (session.document.content().skin) arguments.fail("only surfaces of triangles have marks");
   session.view.marked = bar_of_histogram(arguments);
 }
 
@@ -77,8 +85,11 @@ MarkedBar bar_of_histogram(Arguments& arguments) {
 std::vector<Command> compare_commands() {
   return {
       {"compare",
-       "side|off|toggle",
-       "side: the mesh as loaded on the left, the present one on the right, seen by one camera.",
+       "side|off|toggle|with N|original",
+       "side: the mesh as loaded on the left, the present one on the right, seen by one camera. with puts "
+       "run "
+       "N (see runs) in the place of the mesh as loaded, there, in show original and in histograms; original "
+       "puts that back.",
        CommandGroup::View,
        compare,
        {{"K", "compare toggle"}}},
@@ -99,7 +110,8 @@ std::vector<Command> compare_commands() {
       {"mark",
        "angle|length|valence|off VALUE",
        "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
-       "edges by their length over the spacing, vertices by their number of edges.",
+       "of a volume regions by their smallest dihedral angle; edges by their length over the spacing, "
+       "vertices by their number of edges.",
        CommandGroup::View,
        mark,
        {}},

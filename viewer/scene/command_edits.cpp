@@ -81,6 +81,7 @@ void cancel(Session& session, Arguments& arguments) {
   session.cancel_loading();
   session.cancel_series();
   session.cancel_comparison();
+  session.cancel_measuring();
   session.play(false);
 }
 
@@ -116,8 +117,8 @@ std::vector<Command> edit_commands() {
        {{"R", "run"}}},
       {"cancel",
        "",
-       "Stops a run between two operations, drops what is being loaded, stops playing, exporting and "
-       "comparing.",
+       "Stops a run between two operations, drops what is being loaded, stops playing, exporting, comparing "
+       "and measuring.",
        CommandGroup::Operations,
        cancel,
        {{"Escape", "cancel"}}},

@@ -23,6 +23,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> history_commands();    // command_history.cpp
 [[nodiscard]] std::vector<Command> playing_commands();    // command_playing.cpp
 [[nodiscard]] std::vector<Command> branch_commands();     // command_branches.cpp
+[[nodiscard]] std::vector<Command> run_commands();        // command_runs.cpp
 [[nodiscard]] std::vector<Command> selection_commands();  // command_selection.cpp
 [[nodiscard]] std::vector<Command> neighbour_commands();  // command_neighbours.cpp
 [[nodiscard]] std::vector<Command> class_commands();      // command_classes.cpp
@@ -44,6 +45,8 @@ void need_mesh(const Session& session);
 void need_decimable(const Session& session);
 /// "angle", "length" or "valence" and a value in the bar. In command_compare.cpp.
 [[nodiscard]] MarkedBar bar_of_histogram(Arguments& arguments);
+/// The number of a kept state. Throws CommandError where there is none. In command_runs.cpp.
+[[nodiscard]] KeptRun kept_run(const Session& session, Arguments& arguments);
 /// "vertex", "edge", "face" or "region" and the ids that follow it. In command_selection.cpp.
 [[nodiscard]] std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments);
 /// The rest of `expect adjacency I J = on|off`; throws ExpectationMissed. In command_adjacency.cpp.

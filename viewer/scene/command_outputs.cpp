@@ -94,7 +94,7 @@ std::vector<Command> output_commands() {
        export_series,
        {}},
       {"copy",
-       "counts|legend|adjacency|hashes|ids|strategies|refusals|sweeps [FILE]",
+       "counts|legend|adjacency|hashes|ids|strategies|refusals|sweeps|runs|selection [FILE]",
        "Copies a table as text, columns separated by tabs, to the clipboard or into a file; strategies into "
        "a file named .json as JSON.",
        CommandGroup::File,

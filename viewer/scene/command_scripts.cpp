@@ -46,7 +46,7 @@ struct Named {
   Quantity value;
 };
 
-constexpr std::array<Named, 32> quantities = {{
+constexpr std::array<Named, 33> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"neighbours", [](const Session& s) { return neighbours(s); }},
     {"adjacency-bytes", [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
@@ -79,6 +79,7 @@ constexpr std::array<Named, 32> quantities = {{
      [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().branches().size()); }},
     {"bookmarks",
      [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().bookmarks().size()); }},
+    {"runs", [](const Session& s) { return signed_count(s.runs.size()); }},
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
     {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
@@ -129,7 +130,8 @@ std::vector<Command> script_commands() {
        "hash-rehashes (of all levels), free-vertices, free-edges, free-faces (on the id stacks), same-result "
        "(1 where both strategies led to the same mesh), outer-faces (of a volume), euler (over used "
        "vertices), boundary, nonmanifold, unused, model-vertices, model-edges, model-faces, model-regions, "
-       "steps, cursor, commands, branches (others than the present one), bookmarks, refused-classification, "
+       "steps, cursor, commands, branches (others than the present one), bookmarks, runs (that are kept), "
+       "refused-classification, "
        "refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = on|off; angle, factor, "
        "feature-angle, stored (relations), decided (the number of the verdict on what is selected), "
        "scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a word: kind, "

@@ -106,6 +106,23 @@ void pick(Session& session, Arguments& arguments) {
   say(session);
 }
 
+/// As file managers do: what is selected already is what the menu is for, with all the rest.
+void menu(Session& session, Arguments& arguments) {
+  Arguments again = arguments;
+  if (!again.done() && again.word("a place, or off") == "off") {
+    again.end();
+    session.view.menu.reset();
+    return;
+  }
+  const glm::dvec2 at = place(arguments);
+  arguments.end();
+  need_mesh(session);
+  const EntityRef found = session.pick(at);
+  if (found.valid() && !session.selection.contains(found)) session.selection.replace({found});
+  session.view.menu = at;
+  say(session);
+}
+
 void pick_level(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, PickLevel>, 5> levels = {
       {{"automatic", PickLevel::Automatic},
@@ -187,6 +204,13 @@ std::vector<Command> selection_commands() {
        "away.",
        CommandGroup::Selection,
        pick,
+       {}},
+      {"menu",
+       "X Y | off",
+       "Opens the menu of a right click at a place (-1..1): for what lies there, which is then selected, or "
+       "for the selection that it is part of.",
+       CommandGroup::Selection,
+       menu,
        {}},
       {"pick-level",
        "automatic|vertex|edge|face|region",

@@ -70,13 +70,14 @@ void theme(Session& session, Arguments& arguments) {
 }
 
 void panel(Session& session, Arguments& arguments) {
-  enum class Which { Mesh, Decimation, Adjacency, Histograms, Selection, Timeline, All };
-  constexpr std::array<std::pair<std::string_view, Which>, 7> choices = {{{"mesh", Which::Mesh},
+  enum class Which { Mesh, Decimation, Adjacency, Histograms, Selection, Timeline, Runs, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 8> choices = {{{"mesh", Which::Mesh},
                                                                           {"decimation", Which::Decimation},
                                                                           {"adjacency", Which::Adjacency},
                                                                           {"histograms", Which::Histograms},
                                                                           {"selection", Which::Selection},
                                                                           {"timeline", Which::Timeline},
+                                                                          {"runs", Which::Runs},
                                                                           {"all", Which::All}}};
   Panels& panels = session.view.panels;
   const Which which = arguments.choice(choices);
@@ -93,7 +94,9 @@ void panel(Session& session, Arguments& arguments) {
   if (which == Which::Selection) turn_page(Page::Selection);
   if (which == Which::Histograms) turn_page(Page::Histograms);
   if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
+  if (which == Which::Runs) panels.runs = arguments.flag(panels.runs);
   if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
+  if (which == Which::All && !panels.mesh) panels.runs = false;
   arguments.end();
 }
 
@@ -136,8 +139,9 @@ std::vector<Command> view_commands() {
        "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|axes|operation "
        "[on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; interior-edges "
-       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded, as glass "
-       "over the present one; axes is where x, y and z point; operation is what the last single step "
+       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded (or what "
+       "compare with says), as glass over the present one; axes is where x, y and z point; operation is what "
+       "the last single step "
        "touched.",
        CommandGroup::View,
        show,
@@ -165,14 +169,16 @@ std::vector<Command> view_commands() {
        theme,
        {{"T", "theme toggle"}}},
       {"panel",
-       "mesh|decimation|adjacency|histograms|selection|timeline|all [on|off|toggle]",
-       "Which panels are there; decimation, adjacency, histograms and selection share the one on the right.",
+       "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
+       "Which panels are there; decimation, adjacency, histograms and selection share the one on the right. "
+       "runs, the table of what runs came to, stands below the picture; all does not open it.",
        CommandGroup::View,
        panel,
        {{"Tab", "panel all toggle"},
         {"D", "panel decimation on"},
         {"A", "panel adjacency on"},
         {"G", "panel histograms on"},
+        {"U", "panel runs toggle"},
         {"P", "panel selection on"}}},
       {"dialog",
        "open|save|screenshot|shortcuts|about|unsaved|recovery|lessons|none",

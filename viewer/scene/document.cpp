@@ -53,17 +53,6 @@ std::optional<std::size_t> Document::focus() const {
   return journal().cursor() - 1;
 }
 
-const SweepStatistics* Document::last_sweep() const {
-  if (!decimation()) return nullptr;
-  const auto& sweeps = decimation()->sweeps();
-  const auto counted = [](const SweepStatistics& s) {
-    return s.collapses > 0 ||
-           std::any_of(s.refused.begin(), s.refused.end(), [](std::uint32_t n) { return n > 0; });
-  };
-  const auto found = std::find_if(sweeps.rbegin(), sweeps.rend(), counted);
-  return found == sweeps.rend() ? nullptr : &*found;
-}
-
 void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   trial_.reset();
   loaded_ = std::move(loaded);
@@ -77,6 +66,7 @@ void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   epoch_at_mark_ = 0;
   running_ = stale_ = focused_ = false;
   adjacency_change_.reset();
+  last_work_ = {};
   mark_saved({});
 }
 
@@ -221,7 +211,12 @@ std::size_t Document::record(std::string label, const std::function<void()>& edi
 /// An edit of the decimation: it may have to put the mesh back on its model first.
 std::size_t Document::operate(std::string label, const std::function<void()>& edit) {
   if (snaps_ && loaded_->model) fit_to(*loaded_->model);
-  return record(std::move(label), edit);
+  const std::size_t made = record(std::move(label), [&] {
+    edit();
+    note_sweeps();
+  });
+  note_last_work();
+  return made;
 }
 
 void Document::restore_file_classes() {
@@ -292,10 +287,16 @@ void Document::start_run() {
   focused_ = false;
 }
 
-void Document::cancel_run() {
-  if (!running_) return;
+void Document::cancel_run() { end_run(); }
+
+/// Returns how many operations it made.
+std::size_t Document::end_run() {
+  if (!running_) return 0;
   running_ = false;
-  close_mark();
+  note_sweeps();
+  const std::size_t made = close_mark();
+  note_last_work();
+  return made;
 }
 
 double Document::run_progress() const {
@@ -311,7 +312,7 @@ void Document::tick(std::optional<std::chrono::microseconds> budget) {
   if (!running_) return;
   const Decimation::Stop stop = prepared().run(budget);
   keep_cut();
-  if (stop == Decimation::Stop::Done) cancel_run();
+  if (stop == Decimation::Stop::Done) note_stop(end_run());
 }
 
 void Document::move_to(std::size_t step, bool single) {

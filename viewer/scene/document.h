@@ -71,8 +71,11 @@ class Document {
   [[nodiscard]] const HistoryMark& mark_of(std::size_t step) const;
   /// The step to point at: the last one applied, when the history was last moved step by step.
   [[nodiscard]] std::optional<std::size_t> focus() const;
-  /// The refusals of the last sweep that counted some; null before.
+  // What was counted on the way to the present place (document_sweeps.cpp).
+  /// By the last sweep that counted something before it; null: there was none.
   [[nodiscard]] const SweepStatistics* last_sweep() const;
+  /// Why the run that ended here stopped, as a sentence; empty where none did.
+  [[nodiscard]] std::string_view stop() const;
 
   /// What the last set_adjacency() on the present mesh came to; null before.
   [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
@@ -163,6 +166,10 @@ class Document {
   bool remove_bookmark(const std::string& name) { return tree_.remove_bookmark(name); }
   /// There, on whichever branch it is. False where there is none.
   bool go_to_bookmark(const std::string& name);
+  /// The same with a number instead of a name: see HistoryTree.
+  void set_place(unsigned number) { tree_.set_place(number, journal().cursor()); }
+  void forget_place(unsigned number) { tree_.forget_place(number); }
+  bool go_to_place(unsigned number);
 
  private:
   Decimation& prepared();
@@ -182,8 +189,13 @@ class Document {
   void restore_file_classes();
   void renew_skin();
   void move_to(std::size_t step, bool single);
+  std::size_t end_run();
+  void note_sweeps();
+  void note_last_work();
+  void note_stop(std::size_t made);
   void keep_cut();
   void exchange(unsigned id);
+  void go_to(TreePlace place, bool single);
 
   std::unique_ptr<LoadedMesh> loaded_;
   std::unique_ptr<AsLoaded> as_loaded_;
@@ -207,6 +219,13 @@ class Document {
   bool focused_ = false;
   std::size_t first_sweep_of_run_ = 0;
   std::optional<AdjacencyChange> adjacency_change_;
+  /// What the decimation counted last, and where: also where it changed nothing.
+  struct LastWork {
+    HistoryPlace place;
+    std::optional<SweepStatistics> sweep;
+    std::string stop;
+  };
+  LastWork last_work_;
   std::filesystem::path saved_file_;
   HistoryTree tree_;
 };

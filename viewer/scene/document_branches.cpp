@@ -40,13 +40,23 @@ bool Document::switch_branch(unsigned id) {
 bool Document::go_to_bookmark(const std::string& name) {
   const Bookmark* found = tree_.find_bookmark(name);
   if (found == nullptr) return false;
-  const Bookmark mark = *found;
-  if (mark.branch != 0) {
-    cancel_run();
-    for (const unsigned each : tree_.way_to(mark.branch)) exchange(each);
-  }
-  move_to(mark.step, true);
+  go_to({found->branch, found->step}, true);
   return true;
+}
+
+bool Document::go_to_place(unsigned number) {
+  const TreePlace* found = tree_.find_place(number);
+  if (found == nullptr) return false;
+  go_to(*found, false);
+  return true;
+}
+
+void Document::go_to(TreePlace place, bool single) {
+  if (place.branch != 0) {
+    cancel_run();
+    for (const unsigned each : tree_.way_to(place.branch)) exchange(each);
+  }
+  move_to(place.step, single);
 }
 
 }  // namespace aomd::scene

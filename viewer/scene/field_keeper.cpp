@@ -56,8 +56,7 @@ void assign(Column<H, float>& column, const Column<H, double>& values) {
 void FieldKeeper::update(Coloring coloring, const FieldSource& source, SurfaceChanges& changes) {
   const std::uint64_t generation = source.document.place().generation;
   if (!has_field(coloring, source.skin)) {
-    field_.reset();
-    shown_.reset();
+    *this = {};
     return;
   }
   const bool anew = !field_ || field_->kind != coloring || generation != generation_;
@@ -66,6 +65,8 @@ void FieldKeeper::update(Coloring coloring, const FieldSource& source, SurfaceCh
     field_->kind = coloring;
     shown_ = field_;
     generation_ = generation;
+    pending_ = false;
+    measured_.clear();
   }
   SurfaceChanges everything;
   everything.everything = true;
@@ -90,6 +91,7 @@ void FieldKeeper::spacing(const FieldSource& source, bool anew) {
   if (!anew && options_ == source.document.options()) return;
   options_ = source.document.options();
   Column<Vertex, double> wanted = source.document.wanted_lengths();
+  if (source.run != nullptr) wanted = values_of(*source.run, wanted);
   FieldScale scale;
   scale.logarithmic = true;
   for (const Vertex v : source.mesh.vertices()) {
@@ -120,32 +122,47 @@ void FieldKeeper::quality(const FieldSource& source, const SurfaceChanges& chang
 
 void FieldKeeper::distance(const FieldSource& source, SurfaceChanges& changes) {
   const Mesh& mesh = source.mesh;
-  if (changes.everything) field_->faces.assign(mesh.capacity(2), source.as_loaded ? 0 : unknown);
+  if (changes.everything) {
+    field_->faces.assign(mesh.capacity(2), source.as_loaded ? 0 : unknown);
+    measured_.clear();
+  }
   if (source.as_loaded) return;
   if (field_->faces.size() < mesh.capacity(2)) field_->faces.resize(mesh.capacity(2), unknown);
   for (const Face f : changes.faces)
     if (f.index < field_->faces.size()) field_->faces[f] = unknown;
-  pending_ = pending_ || !changes.nothing();
-  if (pending_ && source.still) measure_distances(source, changes);
+  if (!changes.nothing()) pending_ = true, next_ = 0;
+  if (pending_ && source.still && measure_distances(source)) take_distances(mesh, changes);
 }
 
-void FieldKeeper::measure_distances(const FieldSource& source, SurfaceChanges& changes) {
+/// Goes on for the budget. True where all are known.
+bool FieldKeeper::measure_distances(const FieldSource& source) {
+  constexpr std::size_t between_checks = 32;
+  const auto start = std::chrono::steady_clock::now();
   AsLoaded& original = source.document.as_loaded();
   const double percent = 100 / source.document.content().bounds.diagonal();
+  std::size_t made = 0;
+  for (; next_ < source.mesh.capacity(2); ++next_) {
+    const Face f(next_);
+    if (!source.mesh.alive(f) || !std::isnan(field_->faces[f])) continue;
+    const bool check = source.budget && ++made % between_checks == 0;
+    if (check && std::chrono::steady_clock::now() - start > *source.budget) return false;
+    const double distance =
+        original.has(source.mesh, f) ? 0 : percent * face_distance(source.mesh, f, original.tree());
+    field_->faces[f] = distance > 100 * rounding ? static_cast<float>(distance) : 0;
+    measured_.push_back(f);
+  }
+  return true;
+}
+
+/// The colours change all at once, with their scale.
+void FieldKeeper::take_distances(const Mesh& mesh, SurfaceChanges& changes) {
   FieldScale scale;
   scale.map = ColorMap::Magma;
   scale.add(0);
-  for (const Face f : source.mesh.faces()) {
-    float& value = field_->faces[f];
-    if (std::isnan(value)) {
-      const double distance =
-          original.has(source.mesh, f) ? 0 : percent * face_distance(source.mesh, f, original.tree());
-      value = distance > 100 * rounding ? static_cast<float>(distance) : 0;
-      if (!changes.everything) changes.faces.push_back(f);
-    }
-    scale.add(value);
-  }
+  for (const Face f : mesh.faces()) scale.add(field_->faces[f]);
   set_scale(scale);
+  if (!changes.everything) changes.faces.insert(changes.faces.end(), measured_.begin(), measured_.end());
+  measured_.clear();
   pending_ = false;
 }
 

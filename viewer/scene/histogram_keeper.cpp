@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "viewer/scene/beside_mesh.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -62,14 +64,15 @@ constexpr std::array kinds = {HistogramKind::Angle, HistogramKind::Length, Histo
 
 }  // namespace
 
-bool HistogramKeeper::update(Document& document, bool wanted, bool still) {
+bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool wanted, bool still) {
   if (!wanted || document.empty()) {
     const bool had = histograms_.has_value();
     histograms_.reset();
     return had;
   }
   const HistoryPlace place = document.place();
-  const bool other = !histograms_ || place.generation != place_.generation;
+  const unsigned number = reference == nullptr ? 0 : reference->number;
+  const bool other = !histograms_ || place.generation != place_.generation || number != reference_;
   const bool reset = other || options_ != document.options();
   if (!reset && place == place_) return false;
   if (!still) return false;
@@ -77,22 +80,29 @@ bool HistogramKeeper::update(Document& document, bool wanted, bool still) {
     options_ = document.options();
     histograms_.emplace();
     histograms_->volume = document.content().volume();
-    measure_before(document);
+    measure_before(document, reference);
   }
   place_ = place;
-  histograms_->changed = place.cursor > 0;
+  reference_ = number;
+  histograms_->changed = place.cursor > 0 || reference != nullptr;
   measure_now(document.mesh());
   return true;
 }
 
-void HistogramKeeper::measure_before(Document& document) {
+void HistogramKeeper::measure_before(Document& document, const KeptRun* reference) {
   const bool skin = document.content().skin.has_value();
   const Mesh& mesh = skin ? document.mesh() : document.as_loaded().mesh();
   lengths_ = document.wanted_lengths();
   histograms_->wanted_lengths = some_wanted(mesh, lengths_);
   if (!histograms_->wanted_lengths) lengths_.assign(mesh.capacity(0), mean_length(mesh));
-  for (const HistogramKind kind : kinds)
-    histograms_->pairs[static_cast<std::size_t>(kind)].earlier = samples_of(kind, mesh, lengths_);
+  const auto measure = [&](const Mesh& earlier, const Column<Vertex, double>& lengths) {
+    for (const HistogramKind kind : kinds)
+      histograms_->pairs[static_cast<std::size_t>(kind)].earlier = samples_of(kind, earlier, lengths);
+  };
+  if (reference == nullptr)
+    measure(mesh, lengths_);
+  else
+    measure(BesideMesh(*reference->data).mesh(), values_of(*reference, lengths_));
 }
 
 void HistogramKeeper::measure_now(const Mesh& mesh) {

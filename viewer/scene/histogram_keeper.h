@@ -1,5 +1,5 @@
 #pragma once
-// Histograms of the present mesh beside those of the mesh as loaded.
+// Histograms of the present mesh beside those of the mesh as loaded, or of a kept state.
 
 #include <array>
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "core/decimate/options.h"
 #include "core/measure/histogram.h"
 #include "viewer/scene/document.h"
+#include "viewer/scene/kept_runs.h"
 #include "viewer/scene/surface_changes.h"
 #include "viewer/scene/view.h"
 
@@ -17,7 +18,7 @@ namespace aomd::scene {
 /// One quantity. Both histograms have the same bins.
 struct HistogramPair {
   std::vector<measure::Sample> samples;  ///< of the present mesh
-  std::vector<measure::Sample> earlier;  ///< of the mesh as loaded
+  std::vector<measure::Sample> earlier;  ///< of the mesh as loaded, or of a kept state
   measure::Histogram before, now;
 };
 
@@ -42,19 +43,21 @@ struct Histograms {
 class HistogramKeeper {
  public:
   /// O(1) where nothing has changed, else O(entities). Lets go of them where they are not `wanted`. True when
-  /// they have changed. While something runs, which is not `still`, those that there are stay.
-  bool update(Document& document, bool wanted, bool still);
+  /// they have changed. While something runs, which is not `still`, those that there are stay. `reference` is
+  /// the kept state to compare with; null: the mesh as loaded.
+  bool update(Document& document, const KeptRun* reference, bool wanted, bool still);
   /// Whether they are of the mesh at this place.
   [[nodiscard]] bool current(const HistoryPlace& place) const { return histograms_ && place == place_; }
   [[nodiscard]] const Histograms* histograms() const { return histograms_ ? &*histograms_ : nullptr; }
 
  private:
   void measure_now(const Mesh& mesh);
-  void measure_before(Document& document);
+  void measure_before(Document& document, const KeptRun* reference);
 
   std::optional<Histograms> histograms_;
   Column<Vertex, double> lengths_;  ///< what edges are held against
   HistoryPlace place_;
+  unsigned reference_ = 0;
   DecimationOptions options_;
 };
 

@@ -32,6 +32,8 @@ void HistoryTree::leave_present(std::size_t fork, unsigned id) {
     if (b.from == 0 && b.fork > fork) b.from = id;
   for (Bookmark& b : bookmarks_)
     if (b.branch == 0 && b.step > fork) b.branch = id;
+  for (auto& [number, place] : places_)
+    if (place.branch == 0 && place.step > fork) place.branch = id;
   if (saved_ && saved_->branch == 0 && saved_->step > fork) saved_->branch = id;
 }
 
@@ -40,6 +42,8 @@ void HistoryTree::arrive(unsigned id) {
     if (b.from == id) b.from = 0;
   for (Bookmark& b : bookmarks_)
     if (b.branch == id) b.branch = 0;
+  for (auto& [number, place] : places_)
+    if (place.branch == id) place.branch = 0;
   if (saved_ && saved_->branch == id) saved_->branch = 0;
 }
 
@@ -94,6 +98,7 @@ std::size_t HistoryTree::remove(unsigned id) {
   std::size_t removed = 1;
   std::erase_if(branches_, [&](const HistoryBranch& b) { return b.id == id; });
   if (std::erase_if(bookmarks_, [&](const Bookmark& b) { return b.branch == id; }) > 0) ++version_;
+  std::erase_if(places_, [&](const auto& each) { return each.second.branch == id; });
   if (saved_ && saved_->branch == id) saved_.reset();
   std::vector<unsigned> leaving;
   for (const HistoryBranch& b : branches_)
@@ -106,6 +111,11 @@ const Bookmark* HistoryTree::find_bookmark(const std::string& name) const {
   const auto found =
       std::find_if(bookmarks_.begin(), bookmarks_.end(), [&](const Bookmark& b) { return b.name == name; });
   return found == bookmarks_.end() ? nullptr : &*found;
+}
+
+const TreePlace* HistoryTree::find_place(unsigned number) const {
+  const auto found = places_.find(number);
+  return found == places_.end() ? nullptr : &found->second;
 }
 
 void HistoryTree::set_bookmark(const std::string& name, std::size_t step) {

@@ -2,18 +2,29 @@
 // What is not on the way from the start of a history to its present end: branches, and named places.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/decimate/options.h"
 #include "core/mesh/journal.h"
 
 namespace aomd::scene {
 
+/// What a sweep had counted when `end` steps were applied: at its end, or where its command stopped.
+struct SweepMark {
+  std::size_t end = 0;
+  SweepStatistics statistics;
+};
+
 /// The steps that one user-visible command made: from `begin` to the next mark, or to the end.
 struct HistoryMark {
   std::size_t begin = 0;
-  std::string label;  ///< "sweep"
+  std::string label;                   ///< "sweep"
+  std::vector<SweepMark> sweeps = {};  ///< the last first; what lies beyond the next mark is another branch's
+  std::string stop = {};               ///< why the run stopped; empty where it did not go to its end
+  std::size_t stopped_at = 0;          ///< where that was
 };
 
 /// Steps that were ahead where something new was done. Branches keep their number while they are the present
@@ -30,6 +41,12 @@ struct HistoryBranch {
 /// A place with a name, where `step` steps are applied: on a branch, or (0) on the present one.
 struct Bookmark {
   std::string name;
+  unsigned branch = 0;
+  std::size_t step = 0;
+};
+
+/// Where `step` steps are applied: on a branch, or (0) on the present one.
+struct TreePlace {
   unsigned branch = 0;
   std::size_t step = 0;
 };
@@ -66,24 +83,26 @@ class HistoryTree {
   /// Changes whenever a bookmark does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
+  // Places under a number, for what is kept about them elsewhere: without a name, and gone with their branch.
+  void set_place(unsigned number, std::size_t step) { places_[number] = {0, step}; }
+  void forget_place(unsigned number) { places_.erase(number); }
+  [[nodiscard]] const TreePlace* find_place(unsigned number) const;
+
   /// The place that was saved last, which goes with its branch.
-  void set_saved(std::size_t step) { saved_ = Place{0, step}; }
+  void set_saved(std::size_t step) { saved_ = TreePlace{0, step}; }
   [[nodiscard]] bool saved_at(std::size_t step) const {
     return saved_ && saved_->branch == 0 && saved_->step == step;
   }
 
  private:
-  struct Place {
-    unsigned branch = 0;
-    std::size_t step = 0;
-  };
   void leave_present(std::size_t fork, unsigned id);
   void arrive(unsigned id);
   void bound();
 
   std::vector<HistoryBranch> branches_;
   std::vector<Bookmark> bookmarks_;
-  std::optional<Place> saved_;
+  std::map<unsigned, TreePlace> places_;
+  std::optional<TreePlace> saved_;
   unsigned present_ = 1;
   unsigned last_id_ = 1;
   std::uint64_t version_ = 0;

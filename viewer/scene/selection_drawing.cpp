@@ -96,6 +96,7 @@ class EntityPainter {
 
 OverlayStyle selected_style() { return {accent, 3.2f, 6.0f, 0.55f}; }
 OverlayStyle hovered_style() { return {accent, 2.0f, 4.8f, 0.28f}; }
+OverlayStyle marked_style() { return {rgb(0xfff3b0), 1.8f, 4.8f, 0.6f}; }
 OverlayStyle deciding_style() { return {rgb(0xe0245e), 2.6f, 6.0f, 0.5f}; }
 
 void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const OverlayStyle& style,

@@ -18,6 +18,8 @@ struct OverlayStyle {
 };
 [[nodiscard]] OverlayStyle selected_style();
 [[nodiscard]] OverlayStyle hovered_style();
+/// What a bar of a histogram counts, of volumes and quads.
+[[nodiscard]] OverlayStyle marked_style();
 /// What decided against an operation.
 [[nodiscard]] OverlayStyle deciding_style();
 

@@ -70,16 +70,22 @@ void Session::take_loaded(Loader::Result result) {
   error.clear();
   comparison_.reset();
   strategies_.reset();
+  measurement_.reset();
+  runs.clear();
+  view.reference = 0;
   if (!result.mesh->source.practice) lesson.leave(*this, false);
   document.replace(std::move(result.mesh));
   view.hidden.clear();
   view.highlighted.reset();
   view.marked.reset();
+  view.menu.reset();
   view.clip.reset();
   view.shrink = 0;
   drawing_.set_bounds(document.content().bounds);
   drawing_.set_face_flags({});
   drawing_.set_marked(document.mesh(), {});
+  marked_cells_.clear();
+  drawn_mark_.reset();
   drawing_.highlight_step(document.mesh(), document.journal(), {});
   drawing_.set_cells({});
   cell_regions_.clear();
@@ -176,11 +182,18 @@ void Session::advance_playing(double frame_s) {
   playing_ = document.can_redo();
 }
 
+/// A run that has come to its end is kept, to be compared with others.
 void Session::run_on(std::optional<std::chrono::microseconds> budget) {
-  const bool was_running = document.running();
+  if (!document.running()) {
+    run_time_s_ = 0;
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
   document.tick(budget);
-  if (was_running && !document.running())
-    status = "Run finished: " + counted(document.mesh().count(2), "face");
+  run_time_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (document.running()) return;
+  status = "Run finished: " + counted(document.mesh().count(2), "face");
+  if (document.journal().cursor() > 0) runs.keep(document, {}, run_time_s_);
 }
 
 void Session::tick(std::chrono::microseconds budget, double frame_s) {
@@ -188,12 +201,14 @@ void Session::tick(std::chrono::microseconds budget, double frame_s) {
   if (auto result = loader_.take(false)) take_loaded(std::move(*result));
   run_on(budget);
   take_comparison(false);
+  take_measurement(false);
   if (playing_) advance_playing(frame_s);
   keep();
   lesson.update(*this);
 }
 
 void Session::finish() {
+  judging_budget_.reset();
   if (auto result = loader_.take(true)) take_loaded(std::move(*result));
   while (recovery && document.running()) {
     run_on(slice_of_kept_run);
@@ -201,6 +216,7 @@ void Session::finish() {
   }
   run_on({});
   take_comparison(true);
+  take_measurement(true);
   if (playing_) document.seek(document.journal().size());
   playing_ = false;
   keep();
@@ -244,8 +260,18 @@ void Session::refresh_skin() {
   refresh_field(skin_surface_->mesh, changes);
   refresh_verdicts(changes);
   drawing_.update(skin_surface_->mesh, view, changes);
-  histograms_.update(document, wants_histograms(view), idle());
-  refresh_selection(changes.everything, moved || recut);
+  const bool marks = refresh_marked_cells();
+  refresh_selection(changes.everything, moved || recut || marks);
+}
+
+/// True where others are marked than before.
+bool Session::refresh_marked_cells() {
+  const bool anew = histograms_.update(document, reference(), wants_histograms(view), idle());
+  if (!anew && view.marked == drawn_mark_) return false;
+  drawn_mark_ = view.marked;
+  const bool known = view.marked && histograms_.current(document.place());
+  marked_cells_ = known ? histograms_.histograms()->counted_in(*view.marked) : std::vector<EntityRef>();
+  return true;
 }
 
 void Session::refresh_cells() {
@@ -263,8 +289,10 @@ void Session::refresh_cells() {
 }
 
 void Session::refresh_field(const Mesh& shown, SurfaceChanges& changes) {
-  const bool still = idle() && document.can_look_back();
-  fields_.update(view.coloring, {shown, document, document.content().skin.has_value(), still}, changes);
+  FieldSource source{shown, document, document.content().skin.has_value()};
+  source.still = at_rest() && document.can_look_back();
+  source.budget = judging_budget_;
+  fields_.update(view.coloring, source, changes);
   drawing_.set_field(fields_.field());
 }
 
@@ -291,32 +319,18 @@ void Session::refresh_surface() {
 }
 
 std::vector<EntityRef> Session::counted_in(const MarkedBar& bar) {
-  histograms_.update(document, true, true);
+  histograms_.update(document, reference(), true, true);
   return histograms_.histograms()->counted_in(bar);
 }
 
 void Session::refresh_marks(bool changed) {
-  const bool anew = histograms_.update(document, wants_histograms(view), idle());
+  const bool anew = histograms_.update(document, reference(), wants_histograms(view), idle());
   if (!anew && !changed && view.marked == drawn_mark_) return;
   if (!view.marked && !drawn_mark_) return;
   std::vector<EntityRef> marked;
   if (view.marked && histograms_.current(document.place()))
     marked = histograms_.histograms()->counted_in(*view.marked);
   drawing_.set_marked(document.mesh(), std::move(marked));
-}
-
-void Session::refresh_original() {
-  const bool wanted = (view.original || view.side_by_side) && !document.content().skin;
-  shows_original_ = wanted && document.can_look_back();
-  if (!shows_original_) return;
-  const Mesh& mesh = document.as_loaded().mesh();
-  SurfaceChanges changes;
-  changes.everything = original_generation_ != document.place().generation;
-  original_generation_ = document.place().generation;
-  original_fields_.update(view.coloring, {mesh, document, false, true, true}, changes);
-  if (fields_.field()) original_fields_.take_scale(*fields_.field());
-  original_drawing_.set_field(original_fields_.field());
-  original_drawing_.update(mesh, view, changes);
 }
 
 }  // namespace aomd::scene

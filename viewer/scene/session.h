@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -17,6 +18,7 @@
 #include "viewer/scene/field_keeper.h"
 #include "viewer/scene/histogram_keeper.h"
 #include "viewer/scene/inspection.h"
+#include "viewer/scene/kept_runs.h"
 #include "viewer/scene/lesson_player.h"
 #include "viewer/scene/loader.h"
 #include "viewer/scene/mesh_facts.h"
@@ -25,6 +27,7 @@
 #include "viewer/scene/picking.h"
 #include "viewer/scene/picture_series.h"
 #include "viewer/scene/recovery.h"
+#include "viewer/scene/run_measurement.h"
 #include "viewer/scene/selection.h"
 #include "viewer/scene/skin_surface.h"
 #include "viewer/scene/strategy_comparison.h"
@@ -40,6 +43,7 @@ class Session {
   Document document;
   View view;
   Selection selection;
+  KeptRuns runs;                              ///< of the present mesh; see the members below
   std::deque<ScreenshotRequest> screenshots;  ///< whoever draws fulfils them
   std::string status;                         ///< one line: what the last command did
   std::string error;                          ///< stays until it is dismissed
@@ -60,10 +64,8 @@ class Session {
 
   void play(bool on);
   [[nodiscard]] bool playing() const { return playing_; }
-  /// Nothing is loaded, running, played, exported or judged.
-  [[nodiscard]] bool idle() const {
-    return !loading() && !busy() && !series_ && !comparison_ && !(verdicts_ && verdicts_->pending());
-  }
+  /// Nothing is loaded, running, played, exported, measured or judged.
+  [[nodiscard]] bool idle() const { return at_rest() && !fields_.pending(); }
 
   /// Measures the paper's two ways to store adjacencies on a copy of the present mesh, which must be there
   /// and can be decimated, in the background. Ends a run.
@@ -73,6 +75,21 @@ class Session {
   [[nodiscard]] const StrategyComparison* comparison() const { return comparison_.get(); }
   /// The last one on the present mesh; null before.
   [[nodiscard]] const StrategyResult* strategies() const { return strategies_ ? &*strategies_ : nullptr; }
+
+  // States that are kept (session_runs.cpp). A mesh that can be decimated must be there.
+  /// Keeps the present one; without a name it gets one, or keeps the one that it has.
+  void keep_run(const std::string& name);
+  void remove_run(unsigned number);
+  /// Measures in the background how far they are from the mesh as loaded, where that is not known yet. Ends a
+  /// run.
+  void start_measuring();
+  void cancel_measuring();
+  [[nodiscard]] bool measuring() const { return measurement_ != nullptr; }
+  /// What the present mesh is compared with, in pictures and histograms; null: the mesh as loaded.
+  [[nodiscard]] const KeptRun* reference() const;
+  /// "as loaded", "Run 1"
+  [[nodiscard]] std::string reference_name() const;
+  [[nodiscard]] std::int64_t reference_faces() const;
 
   /// Keeps unsaved work in a folder from now on, and looks for what others have left there.
   void keep_work(const std::filesystem::path& folder);
@@ -102,10 +119,10 @@ class Session {
   /// Null unless somebody looks at them.
   [[nodiscard]] const Histograms* histograms() const { return histograms_.histograms(); }
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
-  /// The mesh as loaded, in the same colours; null where it is not shown.
+  /// The reference (above), in the same colours; null where it is not shown.
   [[nodiscard]] SurfaceDrawing* original_drawing() { return shows_original_ ? &original_drawing_ : nullptr; }
   [[nodiscard]] bool shows_original() const { return shows_original_; }
-  /// The mesh as loaded has the left half of the picture, the present one the right. Volumes stay as loaded.
+  /// The reference has the left half of the picture, the present one the right. Volumes stay as loaded.
   [[nodiscard]] bool side_by_side() const {
     return view.side_by_side && !document.empty() && !document.content().skin;
   }
@@ -166,12 +183,20 @@ class Session {
   void refresh_model_entity();
   /// The mesh is on its way: looking would be in the way of that.
   [[nodiscard]] bool busy() const { return document.running() || playing_; }
+  /// The same as idle(), but for what the colours wait for.
+  [[nodiscard]] bool at_rest() const {
+    return !loading() && !busy() && !series_ && !comparison_ && !measurement_ &&
+           !(verdicts_ && verdicts_->pending());
+  }
   void refresh_verdicts(const SurfaceChanges& changes);
   void judge_edges();
   void forget_selection();
   void refresh_cells();
   void refresh_original();
+  void take_measurement(bool wait);
+  [[nodiscard]] const Mesh& reference_mesh();
   void refresh_marks(bool changed);
+  [[nodiscard]] bool refresh_marked_cells();
 
   Loader loader_;
   std::unique_ptr<StrategyComparison> comparison_;
@@ -186,11 +211,16 @@ class Session {
   FieldKeeper fields_, original_fields_;
   HistogramKeeper histograms_;
   std::optional<MarkedBar> drawn_mark_;
+  std::vector<EntityRef> marked_cells_;  ///< of a mesh that is drawn by its skin
   SurfaceDrawing original_drawing_;
   bool shows_original_ = false;
-  std::uint64_t original_generation_ = 0;  ///< of the mesh that original_drawing_ has; 0: none
-  std::unique_ptr<SkinCutter> cutter_;     ///< of the present skin's mesh, once a plane was there
-  std::optional<Skin> clipped_skin_;       ///< of the regions before the plane, where it takes whole ones
+  std::pair<std::uint64_t, unsigned> drawn_original_;  ///< mesh and reference that original_drawing_ has
+  std::unique_ptr<BesideMesh> beside_;                 ///< the reference, where it is a kept state
+  unsigned beside_number_ = 0;
+  std::unique_ptr<RunMeasurement> measurement_;
+  double run_time_s_ = 0;               ///< of the run that goes on
+  std::unique_ptr<SkinCutter> cutter_;  ///< of the present skin's mesh, once a plane was there
+  std::optional<Skin> clipped_skin_;    ///< of the regions before the plane, where it takes whole ones
   std::optional<glm::dvec4> skin_plane_;
   std::optional<CellStyle> cells_;           ///< what is drawn of the inside; none: nothing
   std::vector<Region> cell_regions_;         ///< of each triangle of the drawing's cells

@@ -117,6 +117,8 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
   if (mesh_changed || cells_changed || points_anew_ || selection.revision() != drawn_selection_) {
     points_anew_ = false;
     drawable.selected.clear();
+    draw_entities(mesh, marked_cells_, marked_style(), drawable.origin, drawable.selected);
+    draw_cells(drawable, cell_regions_, marked_cells_, marked_style(), drawable.selected);
     draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
     draw_cells(drawable, cell_regions_, selection.entities(), selected_style(), drawable.selected);
     draw_entities(mesh, pointed_out_, deciding_style(), drawable.origin, drawable.selected);

@@ -150,19 +150,31 @@ std::string sweeps(const Session& session) {
   return text;
 }
 
+std::string runs(const Session& session) { return runs_table(session.runs); }
+
+/// As `select` takes them.
+std::string selection(const Session& session) {
+  std::string text;
+  for (const EntityRef e : session.selection.entities())
+    text += std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) + "\n";
+  return text;
+}
+
 struct Table {
   std::string_view name;
   std::string (*text)(const Session&);
 };
 
-constexpr std::array<Table, 8> tables = {{{"counts", counts},
-                                          {"legend", legend},
-                                          {"adjacency", adjacency},
-                                          {"hashes", hashes},
-                                          {"ids", ids},
-                                          {"strategies", strategies},
-                                          {"refusals", refusals},
-                                          {"sweeps", sweeps}}};
+constexpr std::array<Table, 10> tables = {{{"counts", counts},
+                                           {"legend", legend},
+                                           {"adjacency", adjacency},
+                                           {"hashes", hashes},
+                                           {"ids", ids},
+                                           {"strategies", strategies},
+                                           {"refusals", refusals},
+                                           {"sweeps", sweeps},
+                                           {"runs", runs},
+                                           {"selection", selection}}};
 
 }  // namespace
 

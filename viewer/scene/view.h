@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include "core/mesh/model_ref.h"
@@ -40,6 +41,7 @@ struct Panels {
   bool mesh = true;
   bool side = true;  ///< the one on the right
   bool timeline = true;
+  bool runs = false;  ///< the table of kept states, below the picture
   Page page = Page::Decimation;
   float mesh_ems = 0;  ///< widths in units of the font's size; 0: the usual ones
   float side_ems = 0;
@@ -97,8 +99,9 @@ struct View {
   bool operation = true;   ///< what the last single step touched
   StepSides step_sides;
   PlaySpeed play_speed;
-  bool original = false;        ///< the mesh as loaded, as glass over the present one
-  bool side_by_side = false;    ///< the mesh as loaded on the left, the present one on the right
+  bool original = false;        ///< the reference as glass over the present mesh
+  bool side_by_side = false;    ///< the reference on the left, the present mesh on the right
+  unsigned reference = 0;       ///< number of the kept state to compare with; 0: the mesh as loaded
   bool interior_edges = false;  ///< of a volume, through a surface of glass
   std::optional<Clip> clip;
   double shrink = 0;  ///< how far faces and regions are pulled towards their centres, 0..0.9
@@ -112,6 +115,7 @@ struct View {
   std::optional<int> neighbours;   ///< the level whose entities around the selected one light up
   TensorSections sections;
   std::optional<MarkedBar> marked;
+  std::optional<glm::dvec2> menu;  ///< where a menu for what is selected is open in the picture, -1..1
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;

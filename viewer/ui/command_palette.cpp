@@ -13,10 +13,21 @@ namespace {
 
 constexpr std::size_t longest_text = 1024;
 
+/// What the field is told while it is edited.
+struct FieldWishes {
+  bool& caret_to_end;
+  std::string completion;  ///< what Tab makes of the text
+};
+
 /// Emptied, or completed, from outside: ImGui would select it all, so that the next key replaced it.
-int place_caret(ImGuiInputTextCallbackData* data) {
-  bool& wanted = *static_cast<bool*>(data->UserData);
-  if (!std::exchange(wanted, false)) return 0;
+int edit_field(ImGuiInputTextCallbackData* data) {
+  FieldWishes& wishes = *static_cast<FieldWishes*>(data->UserData);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, wishes.completion.c_str());
+    return 0;
+  }
+  if (!std::exchange(wishes.caret_to_end, false)) return 0;
   data->CursorPos = data->BufTextLen;
   data->SelectionStart = data->SelectionEnd = data->CursorPos;
   return 0;
@@ -76,9 +87,11 @@ void CommandPalette::draw_field(const Frame& frame) {
   std::strncpy(buffer.data(), text_.c_str(), buffer.size() - 1);
   if (frame.interactive && std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways;
+  const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
+                     ImGuiInputTextFlags_CallbackCompletion;
+  FieldWishes wishes{caret_to_end_, chosen_ < matches_.size() ? matches_[chosen_].line : text_};
   entered_ = ImGui::InputTextWithHint("##text", "Type a command, or what it is to do", buffer.data(),
-                                      buffer.size(), flags, place_caret, &caret_to_end_);
+                                      buffer.size(), flags, edit_field, &wishes);
   text_ = buffer.data();
   if (text_ == searched_) return;
   matches_ = scene::find_commands(text_, recent);
@@ -139,7 +152,9 @@ void CommandPalette::draw_footer(const Frame& frame) const {
     ImGui::PopStyleColor();
     return tooltip(frame.session.error);
   }
-  muted(frame, "Enter runs it, up and down choose, Escape closes. What it needs follows its name.");
+  muted(
+      frame,
+      "Enter runs it, Tab completes it, up and down choose, Escape closes.");
 }
 
 void CommandPalette::draw(Frame& frame) {

@@ -5,6 +5,7 @@
 #include "core/decimate/explanation.h"
 #include "viewer/scene/text.h"
 #include "viewer/scene/verdict_field.h"
+#include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -74,6 +75,18 @@ void refusal_table(Frame& frame, const SweepStatistics& sweep) {
   ImGui::EndTable();
 }
 
+/// Why the run that ended here stopped, and where its figures stand.
+void stop_section(Frame& frame) {
+  const std::string_view stop = frame.document().stop();
+  if (stop.empty()) return;
+  gap();
+  text(broken_at_blanks(stop, ImGui::GetContentRegionAvail().x));
+  const std::size_t runs = frame.session.runs.size();
+  if (frame.session.view.panels.runs || runs == 0) return;
+  LinkFlow(frame).add(runs == 1 ? "1 run is kept" : std::to_string(runs) + " runs are kept: compare",
+                      "panel runs on", "The table of what runs came to, to go back to and to compare.");
+}
+
 void last_sweep_section(Frame& frame) {
   const SweepStatistics* sweep = frame.document().last_sweep();
   if (sweep == nullptr) return;
@@ -108,6 +121,7 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts) {
   operation_buttons(frame);
   run_controls(frame);
   ImGui::EndDisabled();
+  stop_section(frame);
   last_sweep_section(frame);
   ImGui::PopStyleVar();
 }

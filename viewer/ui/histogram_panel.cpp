@@ -178,7 +178,7 @@ void numbers_line(const Frame& frame, const Words& words, const Histogram& h, bo
     list.AddRectFilled({at.x, y - 0.06f * em()}, {at.x + side, y + 0.06f * em()}, before_color(frame));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.1f * em());
   const double worst = words.worst_is_least ? h.least : h.largest;
-  std::string line = now ? "now: " : "as loaded: ";
+  std::string line = (now ? "now" : frame.session.reference_name()) + ": ";
   if (h.total == 0)
     line += "none";
   else
@@ -201,13 +201,12 @@ bool point_at(Frame& frame, const Words& words, const scene::Histograms& all, co
   const auto bin = static_cast<std::size_t>(
       std::clamp(part * static_cast<float>(chart.bins), 0.0f, static_cast<float>(chart.bins - 1)));
   std::string text = bin_text(words, pair.now, bin) + "\nnow: " + count_text(words, pair.now, bin);
-  if (all.changed) text += "\nas loaded: " + count_text(words, pair.before, bin);
+  if (all.changed) text += "\n" + frame.session.reference_name() + ": " + count_text(words, pair.before, bin);
   tooltip(text + "\nClick to select them.");
   const double middle = 0.5 * (pair.now.bound(bin) + pair.now.bound(bin + 1));
   const std::string bar = std::string(words.command) + " " + scene::short_number(middle, 4);
   if (ImGui::IsItemClicked() && !frame.document().running()) frame.emit("select bar " + bar);
-  const bool can_mark = !frame.document().content().skin;
-  if (can_mark && marked_bin(frame, words, pair.now) != bin) frame.emit("mark " + bar);
+  if (marked_bin(frame, words, pair.now) != bin) frame.emit("mark " + bar);
   return true;
 }
 

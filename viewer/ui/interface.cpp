@@ -45,6 +45,12 @@ std::string number(double value) { return scene::short_number(value, 5); }
 
 constexpr ImGuiPopupFlags any_popup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
 
+/// What the hand moves by without meaning to.
+bool still(ImVec2 from, ImVec2 to) {
+  constexpr float still_px = 4;
+  return std::abs(to.x - from.x) + std::abs(to.y - from.y) <= still_px;
+}
+
 constexpr double degrees_per_window = 180;  // what a drag across the shorter side turns
 
 }  // namespace
@@ -68,6 +74,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
     draw_dialogs(frame, dialogs_);
     draw_series_progress(frame);
   }
+  picture_menu(frame, present_, picture_menu_);
   handle_mouse(frame);
   return std::move(frame.lines);
 }
@@ -94,6 +101,7 @@ void Interface::draw_panels(Frame& frame) {
   });
   docked("##side", layout_.side, ImGuiWindowFlags_None,
          [&] { side_panel(frame, drafts_, histogram_drafts_); });
+  docked("##runs", layout_.runs, ImGuiWindowFlags_NoScrollbar, [&] { runs_panel(frame); });
   docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
@@ -119,7 +127,6 @@ std::string Interface::place_words(ImVec2 mouse) const {
 /// present one, is only looked at.
 void Interface::handle_click(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
-  constexpr float still_px = 4;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && dragging_) {
     began_ = io.MousePos;
     moved_ = false;
@@ -127,7 +134,7 @@ void Interface::handle_click(Frame& frame) {
     boxing_ = io.KeyCtrl && holds(present_, io.MousePos);
   }
   if (!dragging_) return;
-  moved_ = moved_ || std::abs(io.MousePos.x - began_.x) + std::abs(io.MousePos.y - began_.y) > still_px;
+  moved_ = moved_ || !still(began_, io.MousePos);
   if (boxing_ && moved_) selection_box(frame, began_, io.MousePos);
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
   const char* adds = io.KeyShift ? " add" : "";
@@ -135,6 +142,19 @@ void Interface::handle_click(Frame& frame) {
     frame.emit("pick " + place_words(io.MousePos) + adds);
   if (moved_ && boxing_)
     frame.emit("select box " + place_words(began_) + " " + place_words(io.MousePos) + adds);
+}
+
+/// A press that stays where it is opens the menu; a drag shifts the picture.
+void Interface::handle_right_click(Frame& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    right_began_ = io.MousePos;
+    right_still_ = !io.WantCaptureMouse && holds(present_, io.MousePos);
+  }
+  right_still_ = right_still_ && still(right_began_, io.MousePos);
+  if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right) || !right_still_) return;
+  right_still_ = false;
+  frame.emit("menu " + place_words(io.MousePos));
 }
 
 void Interface::handle_hover(Frame& frame) {
@@ -172,6 +192,7 @@ void Interface::handle_mouse(Frame& frame) {
     }
   }
   handle_click(frame);
+  handle_right_click(frame);
   handle_hover(frame);
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
   if (!dragging_ || !moved || (!left && !other) || (left && (boxing_ || !moved_))) return;

@@ -9,6 +9,7 @@
 #include "viewer/ui/dialogs.h"
 #include "viewer/ui/layout.h"
 #include "viewer/ui/panels.h"
+#include "viewer/ui/picture_menu.h"
 #include "viewer/ui/recent_files.h"
 #include "viewer/ui/theme.h"
 
@@ -35,6 +36,7 @@ class Interface {
   void draw_panels(Frame& frame);
   void handle_mouse(Frame& frame);
   void handle_click(Frame& frame);
+  void handle_right_click(Frame& frame);
   void handle_hover(Frame& frame);
   /// Where the mouse is on the picture of the present mesh, from -1 to 1.
   [[nodiscard]] std::string place_words(ImVec2 mouse) const;
@@ -49,6 +51,9 @@ class Interface {
   bool again_ = false;     ///< the second press of a double click: it has moved the picture below the mouse
   bool boxing_ = false;    ///< a drag with Ctrl
   ImVec2 began_;
+  bool right_still_ = false;  ///< the right button is down on the picture, where it was pressed
+  ImVec2 right_began_;
+  PictureMenuState picture_menu_;
   ImVec2 hovered_at_{-1, -1};
 };
 

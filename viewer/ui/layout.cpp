@@ -9,6 +9,8 @@ namespace {
 constexpr float menu_ems = 1.66f;
 constexpr float status_ems = 1.9f;
 constexpr float timeline_ems = 6.6f;
+constexpr float runs_ems = 10.5f;
+constexpr float runs_share = 0.4f;  // of the height that is left, at most
 constexpr float mesh_ems = 17.5f;
 constexpr float side_ems = 18.5f;
 constexpr float usual_share = 0.3f;  // of the window's width, at most
@@ -44,7 +46,10 @@ Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float
   layout.side = {{display.x - right, menu}, {right, height}};
   layout.timeline = {{0, menu + height}, {display.x, timeline}};
   layout.status = {{0, display.y - status}, {display.x, status}};
-  layout.viewport = {{left, menu}, {std::max(1.0f, display.x - left - right), height}};
+  const float width = std::max(1.0f, display.x - left - right);
+  const float runs = bars && panels.runs ? std::round(std::min(runs_ems * em, runs_share * height)) : 0;
+  layout.viewport = {{left, menu}, {width, height - runs}};
+  layout.runs = {{left, menu + height - runs}, {width, runs}};
   return layout;
 }
 

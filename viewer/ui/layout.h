@@ -18,6 +18,7 @@ struct Layout {
   Area mesh;      ///< left
   Area side;      ///< right
   Area timeline;  ///< bottom, from side to side
+  Area runs;      ///< between the side panels, above the timeline
   Area status;
   Area viewport;  ///< what is left
 };

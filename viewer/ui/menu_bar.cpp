@@ -43,6 +43,7 @@ void copy_menu(Frame& frame) {
   command_item(frame, "Adjacencies", "copy adjacency");
   command_item(frame, "Refusals of the last sweep", "copy refusals");
   command_item(frame, "All sweeps", "copy sweeps");
+  command_item(frame, "Runs", "copy runs");
   ImGui::EndMenu();
 }
 
@@ -178,6 +179,7 @@ void view_menu(Frame& frame) {
   command_item(frame, "Selection", up(scene::Page::Selection) ? "panel selection off" : "panel selection on",
                up(scene::Page::Selection));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
+  command_item(frame, "Runs", "panel runs toggle", view.panels.runs);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();
   command_item(frame, "Dark theme", "theme toggle", view.theme == scene::Theme::Dark);

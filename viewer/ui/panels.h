@@ -67,6 +67,9 @@ void neighbour_legend(const Frame& frame, const Area& viewport);
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);
 
+/// What runs came to, a row each: a click leads back to one, another one puts it beside the present mesh.
+void runs_panel(Frame& frame);
+
 /// One line about what happened last and what there is.
 void status_bar(Frame& frame);
 

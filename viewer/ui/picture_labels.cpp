@@ -26,7 +26,8 @@ void label(const Frame& frame, const Area& area, const std::string& words) {
 
 void picture_labels(const Frame& frame, const Area& viewport) {
   if (!frame.session.shows_original()) return;
-  const std::string before = "as loaded: " + scene::counted(frame.session.loaded_facts().faces, "face");
+  const std::string before =
+      frame.session.reference_name() + ": " + scene::counted(frame.session.reference_faces(), "face");
   const std::string now = "now: " + scene::counted(frame.session.facts().faces, "face");
   if (!frame.session.side_by_side()) {
     label(frame, viewport, now + "; glass: " + before);

@@ -61,6 +61,7 @@ void take(const std::string& name, const std::string& value, Settings& settings)
   flag("mesh-panel", panels.mesh);
   flag("side-panel", panels.side);
   flag("timeline", panels.timeline);
+  flag("runs", panels.runs);
   if (name == "page") take_page(value, panels.page);
   if (name == "mesh-width") take_width(value, panels.mesh_ems);
   if (name == "side-width") take_width(value, panels.side_ems);
@@ -93,6 +94,7 @@ std::string settings_text(const Settings& settings) {
   add("mesh-panel", on_off(panels.mesh));
   add("side-panel", on_off(panels.side));
   add("timeline", on_off(panels.timeline));
+  add("runs", on_off(panels.runs));
   add("page", page_names[static_cast<std::size_t>(panels.page)]);
   add("mesh-width", scene::short_number(panels.mesh_ems, 2));
   add("side-width", scene::short_number(panels.side_ems, 2));

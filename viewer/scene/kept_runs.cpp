@@ -1,0 +1,119 @@
+#include "viewer/scene/kept_runs.h"
+
+#include <algorithm>
+
+#include "core/mesh/mesh.h"
+#include "viewer/scene/text.h"
+
+namespace aomd::scene {
+namespace {
+
+KeptRun copy_of(const Mesh& mesh) {
+  KeptRun run;
+  run.faces = mesh.count(2);
+  run.angles = measure::measure_quality(mesh);
+  run.data = std::make_shared<const MeshData>(to_data(mesh));
+  auto ids = std::make_shared<std::vector<Vertex>>();
+  ids->reserve(mesh.count(0));
+  for (const Vertex v : mesh.vertices()) ids->push_back(v);
+  run.ids = std::move(ids);
+  return run;
+}
+
+std::string optional_text(const std::optional<double>& value) {
+  return value ? std::to_string(*value) : std::string();
+}
+
+std::string row_text(const KeptRun& run) {
+  const auto distance = [&](double RunDistance::*part) {
+    return run.distance ? std::to_string(*run.distance.*part) : std::string();
+  };
+  return run.name + '\t' + run.strategy + '\t' + run.aim + '\t' + optional_text(run.angle_deg) + '\t' +
+         std::to_string(run.faces) + '\t' + std::to_string(run.angles.min_angle_worst_deg) + '\t' +
+         std::to_string(run.angles.min_angle_mean_deg) + '\t' + distance(&RunDistance::rms_pct) + '\t' +
+         distance(&RunDistance::max_pct) + '\t' + optional_text(run.seconds) + '\n';
+}
+
+}  // namespace
+
+Column<Vertex, double> values_of(const KeptRun& run, const Column<Vertex, double>& values) {
+  Column<Vertex, double> result(run.ids->size());
+  std::uint32_t next = 0;
+  for (const Vertex v : *run.ids) result[Vertex(next++)] = v.index < values.size() ? values[v] : 0;
+  return result;
+}
+
+std::string aim_words(const Document& document) {
+  const DecimationOptions& options = document.options();
+  if (options.spacing) return "spacing " + std::string(document.spacing_source());
+  if (options.coarsest) return "coarsest";
+  if (options.target_faces > 0) return grouped(options.target_faces) + " faces";
+  return "factor " + short_number(options.factor, 2);
+}
+
+const KeptRun& KeptRuns::keep(Document& document, const std::string& name, std::optional<double> seconds) {
+  if (const KeptRun* known = shown(document); known != nullptr && known->number > 0) {
+    KeptRun& row = rows_[static_cast<std::size_t>(known - rows_.data())];
+    if (!name.empty()) row.name = name;
+    return row;
+  }
+  KeptRun run = copy_of(document.mesh());
+  run.number = ++last_;
+  run.name = name.empty() ? "Run " + std::to_string(run.number) : name;
+  const DecimationOptions& options = document.options();
+  run.strategy = options.strategy == Strategy::Paper ? "paper" : "quality";
+  run.aim = aim_words(document);
+  run.angle_deg = options.angle_deg;
+  run.seconds = seconds;
+  document.set_place(run.number);
+  rows_.push_back(std::move(run));
+  if (size() > most) remove(document, rows_[has_original() ? 1 : 0].number);
+  return rows_.back();
+}
+
+void KeptRuns::keep_original(Document& document) {
+  if (has_original()) return;
+  KeptRun row;
+  const Mesh& mesh = document.as_loaded().mesh();
+  row.name = "As loaded";
+  row.faces = mesh.count(2);
+  row.angles = measure::measure_quality(mesh);
+  rows_.insert(rows_.begin(), std::move(row));
+}
+
+const KeptRun* KeptRuns::find(unsigned number) const {
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& r) { return r.number == number; });
+  return found == rows_.end() ? nullptr : &*found;
+}
+
+const KeptRun* KeptRuns::shown(const Document& document) const {
+  if (document.empty()) return nullptr;
+  const std::size_t cursor = document.journal().cursor();
+  for (const KeptRun& run : rows_) {
+    if (run.number == 0 && cursor == 0) return &run;
+    const TreePlace* place = document.tree().find_place(run.number);
+    if (place != nullptr && place->branch == 0 && place->step == cursor) return &run;
+  }
+  return nullptr;
+}
+
+void KeptRuns::remove(Document& document, unsigned number) {
+  document.forget_place(number);
+  std::erase_if(rows_, [&](const KeptRun& r) { return r.number == number; });
+}
+
+void KeptRuns::set_distance(unsigned number, const RunDistance& distance) {
+  for (KeptRun& run : rows_)
+    if (run.number == number) run.distance = distance;
+}
+
+std::string runs_table(const KeptRuns& runs) {
+  std::string text =
+      "Run\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest angle, degrees\t"
+      "RMS distance, % of the diagonal\tLargest distance, % of the diagonal\tSeconds\n";
+  for (const KeptRun& run : runs.rows()) text += row_text(run);
+  return text;
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,143 @@
+// The table of what runs came to.
+
+#include <array>
+#include <string>
+
+#include "viewer/scene/text.h"
+#include "viewer/ui/panels.h"
+#include "viewer/ui/widgets.h"
+
+namespace aomd::ui {
+namespace {
+
+using scene::KeptRun;
+using scene::short_number;
+
+struct Column {
+  const char* title;
+  float ems;
+  const char* help;
+};
+constexpr std::array<Column, 9> columns = {
+    {{"Run", 0, "A click leads back to it, on whichever branch it is."},
+     {"Beside", 3.2f, "Puts it beside the present mesh, and into the histograms."},
+     {"Strategy", 3.8f, "The strategy that it was made with."},
+     {"Aim", 6.2f, "How far it was to go."},
+     {"Angle", 3.0f, "How far the normal of a face could turn in one operation, degrees."},
+     {"Faces", 4.0f, "How many are left."},
+     {"Angles", 5.6f,
+      "The smallest angle of all faces, and the mean of the smallest angles of each, degrees."},
+     {"Distance %", 6.4f,
+      "To the mesh as loaded: root mean square, and the largest; percent of the diagonal of its box."},
+     {"Time", 3.4f, "That the run took, seconds."}}};
+
+std::string degrees_text(double deg) { return short_number(deg, 1) + "\u00b0"; }
+
+void header(const Frame& frame) {
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (const Column& column : columns)
+    ImGui::TableSetupColumn(
+        column.title, column.ems > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+        column.ems * em());
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    ImGui::TableNextColumn();
+    if (i < 4)
+      muted(frame, columns[i].title);
+    else
+      ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted), text_right(columns[i].title),
+          ImGui::PopStyleColor();
+    tooltip(columns[i].help);
+  }
+}
+
+/// Only one is beside the present mesh: pressed again, nothing is.
+void beside_cell(Frame& frame, const KeptRun& run) {
+  const scene::View& view = frame.session.view;
+  const bool on = view.side_by_side && view.reference == run.number;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
+  if (ImGui::RadioButton("##beside", on)) {
+    frame.emit("compare with " + (on || run.number == 0 ? "original" : std::to_string(run.number)));
+    frame.emit(on ? "compare off" : "compare side");
+  }
+  ImGui::PopStyleVar();
+  tooltip(on ? "Beside the present mesh. Click to end that." : columns[1].help);
+}
+
+void cell(const std::string& words) {
+  ImGui::TableNextColumn();
+  text_right(words);
+}
+
+void row_menu(Frame& frame, const KeptRun& run) {
+  if (!ImGui::BeginPopupContextItem("menu")) return;
+  const std::string number = std::to_string(run.number);
+  command_item(frame, "Go back to it", "runs go " + number);
+  command_item(frame, "Name it\u2026", "palette runs keep " + run.name, false,
+               frame.session.runs.shown(frame.document()) == &run);
+  command_item(frame, "Remove", "runs remove " + number);
+  ImGui::EndPopup();
+}
+
+void run_row(Frame& frame, const KeptRun& run, bool here) {
+  ImGui::PushID(static_cast<int>(run.number));
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (ImGui::Selectable(run.name.c_str(), here)) frame.emit("runs go " + std::to_string(run.number));
+  if (run.number > 0) row_menu(frame, run);
+  tooltip(here ? "What is shown now." : columns[0].help);
+  ImGui::TableNextColumn();
+  beside_cell(frame, run);
+  ImGui::TableNextColumn();
+  text(run.strategy);
+  ImGui::TableNextColumn();
+  text(fitted(run.aim, ImGui::GetContentRegionAvail().x));
+  tooltip(run.aim);
+  cell(run.angle_deg ? degrees_text(*run.angle_deg) : "");
+  cell(scene::grouped(run.faces));
+  cell(degrees_text(run.angles.min_angle_worst_deg) + ", " + degrees_text(run.angles.min_angle_mean_deg));
+  cell(run.distance
+           ? scene::significant(run.distance->rms_pct) + ", " + scene::significant(run.distance->max_pct)
+           : "");
+  cell(run.seconds && frame.interactive ? short_number(*run.seconds, 1) + " s" : "");
+  ImGui::PopID();
+}
+
+void buttons(Frame& frame) {
+  heading(frame, "Runs");
+  const bool ready = frame.can_decimate() && !frame.document().running();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.6f * em(), 0.05f * em()});
+  ImGui::SameLine(0, em());
+  command_button(frame, "Keep this state", "runs keep", 0, ready);
+  ImGui::SameLine();
+  if (frame.session.measuring())
+    command_button(frame, "Stop measuring", "cancel", 0);
+  else
+    command_button(frame, "Measure distances", "runs measure", 0, ready && frame.session.runs.size() > 0);
+  ImGui::PopStyleVar();
+  copy_button(frame, "runs");
+}
+
+}  // namespace
+
+void runs_panel(Frame& frame) {
+  buttons(frame);
+  ImGui::PushFont(frame.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.3f * em(), 0.1f * em()));
+  const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH;
+  if (ImGui::BeginTable("runs", static_cast<int>(columns.size()), flags, ImGui::GetContentRegionAvail())) {
+    header(frame);
+    const KeptRun* shown = frame.has_mesh() ? frame.session.runs.shown(frame.document()) : nullptr;
+    for (const KeptRun& run : frame.session.runs.rows()) run_row(frame, run, &run == shown);
+    if (frame.session.runs.size() == 0) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      muted(frame, "Each run that ends stands here.");
+    }
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+}  // namespace aomd::ui
