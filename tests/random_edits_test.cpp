@@ -208,7 +208,8 @@ TEST(RandomEditsTest, AFarMoveLeadsWhereSingleStepsLead) {
       const std::string stored = stored_relations(mesh);
       Random random(7);
       for (int i = 0; i < 6; ++i) {
-        const std::size_t to = random(static_cast<std::uint32_t>(journal.size() + 1)), from = journal.cursor();
+        const std::size_t to = random(static_cast<std::uint32_t>(journal.size() + 1)),
+                          from = journal.cursor();
         journal.seek(mesh, to);
         const std::string far = zoo::fingerprint(mesh);
         ASSERT_TRUE(verify(mesh).empty()) << animal.name << " to " << to;

@@ -19,10 +19,10 @@ TEST(StopWords, NameTheNumbersAndWhatDecided) {
   edges[static_cast<std::size_t>(Reason::Spacing)] = 7030;
   edges[static_cast<std::size_t>(Reason::Angle)] = 1950;
   edges[static_cast<std::size_t>(Reason::Kept)] = 1;
-  EXPECT_EQ(
-      stop_words(edges, {}, 6000),
-      "Stopped, mostly by length: of 8,981 edges left, 7,030 are long enough, 1,950 would turn a face by "
-      "more than 10 degrees and 1 is to stay.");
+  EXPECT_EQ(stop_words(edges, {}, 6000),
+            "Stopped, mostly by length: of 8,981 edges left, 7,030 are long enough for the spacing, 1,950 "
+            "would turn a face by "
+            "more than 10 degrees and 1 is to stay.");
   edges[static_cast<std::size_t>(Reason::Angle)] = 9000;
   DecimationOptions options;
   options.target_faces = 2000;
@@ -30,7 +30,7 @@ TEST(StopWords, NameTheNumbersAndWhatDecided) {
   EXPECT_EQ(
       stop_words(edges, options, 6000),
       "Stopped above the aim of 2,000 faces, mostly by the angle: of 16,031 edges left, 9,000 would turn "
-      "a face by more than 12.5 degrees, 7,030 are long enough and 1 is to stay.");
+      "a face by more than 12.5 degrees, 7,030 are long enough for the spacing and 1 is to stay.");
   EXPECT_EQ(stop_words(edges, options, 2000), "Stopped at the aim of 2,000 faces.");
   EXPECT_EQ(stop_words({}, {}, 1), "Stopped: no edge is left.");
 }

@@ -14,7 +14,7 @@ void go_to(Session& session, const KeptRun& run, Arguments& arguments) {
     session.document.seek(0);
   else if (!session.document.go_to_place(run.number))
     arguments.fail("the branch of " + run.name + " is gone");
-  session.status = run.name + ": " + grouped(run.faces) + " faces";
+  session.status = run.name + ": " + counted(run.faces, "face");
 }
 
 void remove(Session& session, Arguments& arguments) {

@@ -47,7 +47,7 @@ std::string aim_words(const Document& document) {
   const DecimationOptions& options = document.options();
   if (options.spacing) return "spacing " + std::string(document.spacing_source());
   if (options.coarsest) return "coarsest";
-  if (options.target_faces > 0) return grouped(options.target_faces) + " faces";
+  if (options.target_faces > 0) return counted(options.target_faces, "face");
   return "factor " + short_number(options.factor, 2);
 }
 

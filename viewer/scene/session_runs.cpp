@@ -7,7 +7,7 @@ namespace aomd::scene {
 
 void Session::keep_run(const std::string& name) {
   const KeptRun& run = runs.keep(document, name, {});
-  status = "Kept as " + run.name + ": " + grouped(run.faces) + " faces";
+  status = "Kept as " + run.name + ": " + counted(run.faces, "face");
 }
 
 void Session::remove_run(unsigned number) {

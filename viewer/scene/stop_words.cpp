@@ -25,7 +25,7 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
     case Reason::None:
       return "could go now that all is fitted";
     case Reason::Spacing:
-      return one ? "is long enough" : "are long enough";
+      return one ? "is long enough for the spacing" : "are long enough for the spacing";
     case Reason::Classification:
       return "would cut a corner off the model";
     case Reason::Topology:
@@ -84,7 +84,7 @@ EdgesByReason edges_left(Decimation& decimation, const Mesh& mesh) {
 }
 
 std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options, std::int64_t faces) {
-  const std::string target = grouped(options.target_faces) + " faces";
+  const std::string target = counted(options.target_faces, "face");
   if (options.target_faces > 0 && faces <= options.target_faces)
     return "Stopped at the aim of " + target + ".";
   const std::vector<Count> counts = by_number(edges);
@@ -95,7 +95,7 @@ std::string stop_words(const EdgesByReason& edges, const DecimationOptions& opti
   if (reason != Reason::None && 2 * most > all) text += std::string(", mostly by ") + decider(reason);
   std::vector<std::string> parts;
   for (const auto& [n, why] : counts) parts.push_back(grouped(n) + " " + said_of(why, n == 1, options));
-  return text + ": of " + grouped(all) + (all == 1 ? " edge left, " : " edges left, ") + listed(parts) + ".";
+  return text + ": of " + counted(all, "edge") + " left, " + listed(parts) + ".";
 }
 
 }  // namespace aomd::scene

@@ -152,9 +152,7 @@ void CommandPalette::draw_footer(const Frame& frame) const {
     ImGui::PopStyleColor();
     return tooltip(frame.session.error);
   }
-  muted(
-      frame,
-      "Enter runs it, Tab completes it, up and down choose, Escape closes.");
+  muted(frame, "Enter runs it, Tab completes it, up and down choose, Escape closes.");
 }
 
 void CommandPalette::draw(Frame& frame) {

@@ -42,11 +42,12 @@ void header(const Frame& frame) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
     if (i < 4)
-      muted(frame, columns[i].title);
+      text(columns[i].title);
     else
-      ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted), text_right(columns[i].title),
-          ImGui::PopStyleColor();
+      text_right(columns[i].title);
+    ImGui::PopStyleColor();
     tooltip(columns[i].help);
   }
 }
