@@ -50,6 +50,8 @@ class Twin {
 
   bool click_emits(glm::ivec2 at, std::string_view line) {
     bool found = false;
+    // A click beside it has closed the picture's menu: it opens again.
+    for (int i = 0; i < 3 && session_.view.menu; ++i) (void)frame(at, false);
     for (const bool down : {false, true, false}) {
       const std::vector<std::string> lines = frame(at, down);
       found = found || std::find(lines.begin(), lines.end(), line) != lines.end();

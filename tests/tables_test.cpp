@@ -39,7 +39,7 @@ std::string cell(const std::vector<std::vector<std::string>>& rows, const std::s
 
 TEST(Tables, EveryOneHasTitlesAndRowsAsWideAsThem) {
   Session s;
-  drive(s, {"sample bracket 6", "sweep"});
+  drive(s, {"sample bracket 6", "sweep", "runs keep", "select class face:1"});
   for (const std::string_view name : table_names()) {
     const auto rows = rows_of(table_text(s, name));
     ASSERT_GT(rows.size(), 1u) << name;
