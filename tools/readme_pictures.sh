@@ -35,3 +35,13 @@ adjacency 0 3 on
 adjacency 3 2 on
 wait-idle
 END
+
+picture why light <<'END'
+sample scan 4000
+run
+wait-idle
+panel selection on
+select edge 4759
+fit selection
+wait-idle
+END
