@@ -100,7 +100,7 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   cell(run.distance
            ? scene::significant(run.distance->rms_pct) + ", " + scene::significant(run.distance->max_pct)
            : "");
-  cell(run.seconds && frame.interactive ? short_number(*run.seconds, 1) + " s" : "");
+  cell(run.seconds && frame.interactive ? scene::significant(*run.seconds) + " s" : "");
   ImGui::PopID();
 }
 
