@@ -28,6 +28,20 @@ std::size_t ClassLists::bytes() const {
   return sum;
 }
 
+// Neighbours are mostly on the same model entity: its list is not looked up for each.
+void ClassLists::insert_all(int dim, const IdPool& ids, std::span<const ModelRef> classes) {
+  Level& l = level(dim);
+  l.place.resize(ids.capacity());
+  ModelRef recent;
+  std::vector<std::uint32_t>* list = nullptr;
+  for (std::uint32_t id = ids.next_alive(0); id < ids.capacity(); id = ids.next_alive(id + 1)) {
+    if (!list || classes[id] != recent) list = &l.lists[(recent = classes[id]).bits()];
+    l.place[id] = static_cast<std::uint32_t>(list->size());
+    list->push_back(id);
+  }
+  l.used = l.lists.size();
+}
+
 void ClassLists::insert(int dim, std::uint32_t id, ModelRef model) {
   Level& l = level(dim);
   std::vector<std::uint32_t>& list = l.lists[model.bits()];

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/mesh/id_pool.h"
 #include "core/mesh/model_ref.h"
 
 namespace aomd {
@@ -23,6 +24,8 @@ class ClassLists {
   [[nodiscard]] std::size_t model_count(int dim) const { return level(dim).used; }
   [[nodiscard]] std::size_t bytes() const;
 
+  /// All entities of a level, which has no lists yet; `classes` by id. O(ids).
+  void insert_all(int dim, const IdPool& ids, std::span<const ModelRef> classes);
   void insert(int dim, std::uint32_t id, ModelRef model);
   void erase(int dim, std::uint32_t id, ModelRef model);
 

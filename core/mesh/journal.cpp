@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "core/mesh/check.h"
+#include "core/mesh/journal_replay.h"
+#include "core/mesh/parallel.h"
 
 namespace aomd {
 namespace {
@@ -13,10 +15,6 @@ namespace {
 /// derived and builds it anew afterwards: building costs about as much as keeping relations up to date for a
 /// twelfth of the entities.
 constexpr std::size_t far_words_per_entity = 1;
-/// How many steps before its turn the memory of a step is asked for.
-constexpr std::size_t steps_ahead = 6;
-
-void prefetch(const void* address) { __builtin_prefetch(address, 1); }
 
 }  // namespace
 
@@ -98,8 +96,6 @@ void Journal::push_position(const glm::dvec3& p) {
   }
 }
 
-glm::dvec3 Journal::read_position(std::uint64_t at) const { return unpack_position(words_.data() + at); }
-
 void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fresh) {
   open_record();
   VertexBuffer buffer;
@@ -148,83 +144,17 @@ void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
   close_record();
 }
 
-void Journal::apply_entity(Mesh& mesh, std::uint64_t at, bool create) const {
-  const RecordHead head = RecordHead::unpack(words_[at]);
-  const std::uint32_t id = words_[at + 1];
-  IdPool& ids = mesh.level(head.dim).ids;
-  const bool recorded_create = head.kind == RecordKind::Create;
-  std::size_t& creations = mesh.recorded_creations_[static_cast<std::size_t>(head.dim)];
-  if (!create) {
-    mesh.detach_entity(head.dim, id);
-    if (recorded_create) mesh.attached_.uncover(head.dim, id, --creations);
-    if (recorded_create)
-      ids.undo_create(id, head.fresh);
-    else
-      ids.destroy(id);
-    if (recorded_create && head.fresh) mesh.grow_level(head.dim);
-    return;
-  }
-  if (recorded_create) {
-    const auto again = ids.create();
-    AOMD_CHECK(again.id == id && again.fresh == head.fresh);
-  } else {
-    ids.undo_destroy(id);
-  }
-  if (mesh.level(head.dim).classes.size() < ids.capacity()) mesh.grow_level(head.dim);
-  const ModelRef model = ModelRef::from_bits(words_[at + 2]);
-  if (head.dim == 0)
-    mesh.attach_vertex(id, read_position(at + 3), model);
-  else
-    mesh.attach_entity(head.dim, id, head.shape, std::span(words_).subspan(at + 3, head.count), model);
-  if (recorded_create) mesh.attached_.cover_again(head.dim, id, creations++);
-}
-
-void Journal::apply(Mesh& mesh, std::uint64_t at, bool forward) {
-  const RecordHead head = RecordHead::unpack(words_[at]);
-  const std::uint32_t id = words_[at + 1];
-  switch (head.kind) {
-    case RecordKind::Create:
-      return apply_entity(mesh, at, forward);
-    case RecordKind::Destroy:
-      return apply_entity(mesh, at, !forward);
-    case RecordKind::Move:
-      mesh.positions_[id] = read_position(forward ? at + 8 : at + 2);
-      return;
-    case RecordKind::Classify:
-      mesh.classify(head.dim, id, ModelRef::from_bits(words_[forward ? at + 3 : at + 2]));
-      return;
-    case RecordKind::Rebind:
-      break;
-  }
-  rebindings_.resize(head.count);
-  for (std::uint32_t i = 0; i < head.count; ++i) {
-    const std::uint32_t* w = words_.data() + at + 1 + 4 * std::size_t{i};
-    const Vertex from(w[2]), to(w[3]);
-    rebindings_[i] = {EntityRef(static_cast<int>(w[0] >> 8), w[1]), w[0] & 255u, forward ? from : to,
-                      forward ? to : from};
-  }
-  mesh.apply_rebindings(rebindings_);
-}
-
 bool Journal::undo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == 0) return false;
-  --cursor_;
-  places_.clear();
-  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_);
-       at += RecordHead::unpack(words_[at]).length())
-    places_.push_back(at);
-  for (auto it = places_.rbegin(); it != places_.rend(); ++it) apply(mesh, *it, false);
+  JournalReplay(mesh).undo(records(--cursor_));
   return true;
 }
 
 bool Journal::redo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == steps_.size()) return false;
-  for (std::uint64_t at = steps_[cursor_].begin; at < step_end(cursor_);
-       at += RecordHead::unpack(words_[at]).length())
-    apply(mesh, at, true);
-  ++cursor_;
+  JournalReplay(mesh).redo(records(cursor_++));
   return true;
 }
 
@@ -235,43 +165,23 @@ bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
 }
 
 void Journal::seek(Mesh& mesh, std::size_t step) {
+  AOMD_CHECK(!in_step_);
   step = std::min(step, steps_.size());
-  if (is_far(mesh, step)) return seek_far(mesh, step);
-  while (cursor_ > step) undo(mesh);
-  while (cursor_ < step) redo(mesh);
+  const Mesh::Derived derived = is_far(mesh, step) ? mesh.release_derived() : Mesh::Derived();
+  if (derived.bare)
+    // No level knows of another now.
+    parallel_for(2, 2, 1, [&](std::size_t begin, std::size_t end) {
+      walk(JournalReplay(mesh, 2 * static_cast<int>(begin), 2 * static_cast<int>(end) - 1), step);
+    });
+  else
+    walk(JournalReplay(mesh), step);
+  cursor_ = step;
+  if (derived.bare) mesh.build_again(derived);
 }
 
-void Journal::seek_far(Mesh& mesh, std::size_t step) {
-  const Mesh::Derived derived = mesh.release_derived();
-  while (cursor_ > step) {
-    if (cursor_ > step + steps_ahead) fetch(mesh, cursor_ - 1 - steps_ahead);
-    undo(mesh);
-  }
-  while (cursor_ < step) {
-    if (cursor_ + steps_ahead < step) fetch(mesh, cursor_ + steps_ahead);
-    redo(mesh);
-  }
-  mesh.build_again(derived);
-}
-
-/// Asks for the memory that a step will touch: on a large mesh waiting for it is most of the work.
-void Journal::fetch(const Mesh& mesh, std::size_t step) const {
-  const auto row = [&](int dim, std::uint32_t id) {
-    if (id >= mesh.capacity(dim)) return;
-    prefetch(dim == 0 ? static_cast<const void*>(&mesh.positions_[id])
-                      : mesh.representation_.down(dim, 0).row(id));
-  };
-  for (std::uint64_t at = steps_[step].begin; at < step_end(step);) {
-    const RecordHead head = RecordHead::unpack(words_[at]);
-    const std::uint32_t* w = words_.data() + at + 1;
-    if (head.kind == RecordKind::Rebind) {
-      for (std::uint32_t i = 0; i < head.count; ++i) row(static_cast<int>(w[4 * i] >> 8), w[4 * i + 1]);
-    } else {
-      row(head.dim, w[0]);
-      if (w[0] < mesh.capacity(head.dim)) prefetch(&mesh.level(head.dim).classes[w[0]]);
-    }
-    at += head.length();
-  }
+void Journal::walk(JournalReplay replay, std::size_t step) const {
+  for (std::size_t i = cursor_; i > step; --i) replay.undo(records(i - 1));
+  for (std::size_t i = cursor_; i < step; ++i) replay.redo(records(i));
 }
 
 void Journal::clear() {

@@ -16,6 +16,8 @@
 
 namespace aomd {
 
+class JournalReplay;
+
 /// What a step was for. Edit: elementary edits made outside any operator.
 enum class StepKind : std::uint8_t { Edit, Collapse, Swap, Smooth, Classify };
 
@@ -69,8 +71,8 @@ class Journal {
   bool undo(Mesh& mesh);
   bool redo(Mesh& mesh);
   /// Undoes or redoes until `step` steps are applied (clamped to the history). O(records in between); far
-  /// away, only what defines the entities follows each record, and what T stores besides is built anew at the
-  /// end, O(size).
+  /// away, only what defines the entities follows each record, on two threads where T allows it, and what T
+  /// stores besides is built anew at the end, O(size).
   void seek(Mesh& mesh, std::size_t step);
   void clear();
 
@@ -111,11 +113,7 @@ class Journal {
     return i + 1 < steps_.size() ? steps_[i + 1].begin : words_.size();
   }
   [[nodiscard]] bool is_far(const Mesh& mesh, std::size_t step) const;
-  void seek_far(Mesh& mesh, std::size_t step);
-  void fetch(const Mesh& mesh, std::size_t step) const;
-  void apply(Mesh& mesh, std::uint64_t at, bool forward);
-  void apply_entity(Mesh& mesh, std::uint64_t at, bool create) const;
-  [[nodiscard]] glm::dvec3 read_position(std::uint64_t at) const;
+  void walk(JournalReplay replay, std::size_t step) const;
 
   std::vector<std::uint32_t> words_;
   std::vector<JournalStep> steps_;
@@ -126,9 +124,6 @@ class Journal {
   bool keeps_cut_ = false;
   bool in_step_ = false;
   bool implicit_step_ = false;
-  // Scratch of undo and redo
-  std::vector<std::uint64_t> places_;
-  std::vector<Rebinding> rebindings_;
 };
 
 template <typename Visit>

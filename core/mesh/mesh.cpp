@@ -100,9 +100,7 @@ void Mesh::keep_class_lists(bool keep) {
   class_lists_.reset();
   if (!keep) return;
   class_lists_ = std::make_unique<ClassLists>();
-  for (int dim = 0; dim < 4; ++dim)
-    for (std::uint32_t id = 0; id < capacity(dim); ++id)
-      if (ids(dim).alive(id)) class_lists_->insert(dim, id, level(dim).classes[id]);
+  for (int dim = 0; dim < 4; ++dim) class_lists_->insert_all(dim, ids(dim), level(dim).classes);
 }
 
 void Mesh::attach(Journal* journal) {

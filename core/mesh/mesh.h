@@ -215,6 +215,7 @@ class Mesh {
 
  private:
   friend class Journal;
+  friend class JournalReplay;
   friend class Request;
   struct Level {
     IdPool ids;
@@ -241,7 +242,9 @@ class Mesh {
   [[nodiscard]] std::vector<std::uint8_t> edges_to_keep();
   /// What release_derived() let go of.
   struct Derived {
+    bool bare = false;  ///< not where other relations than T(I,0) define a level
     std::vector<std::array<int, 2>> relations;
+    std::array<bool, 4> hashes{};
     bool class_lists = false;
   };
   [[nodiscard]] Derived release_derived();

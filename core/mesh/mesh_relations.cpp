@@ -127,13 +127,14 @@ void Mesh::build_up(int i, int j) {
   if (i == 0) hash_of(j).release();
 }
 
-/// Lets go of all relations but those of higher levels to vertices, which define the entities, and of the
-/// lists of model entities; of none where other relations define a level. For changes of large parts, which
-/// build_again() ends; for those who look T stays what it was.
+/// Makes the mesh bare: lets go of all relations but those of higher levels to vertices, which define the
+/// entities, of hash sets and of the lists of model entities; of nothing where other relations define a
+/// level. For changes of large parts, which build_again() ends; for those who look T stays what it was.
 Mesh::Derived Mesh::release_derived() {
   Derived released;
   for (int i = 1; i < 4; ++i)
     if (representation_.has_level(i) && !stored(i, 0)) return released;
+  released.bare = true;
   for (int i = 0; i < 4; ++i)
     for (int j = 1; j < 4; ++j) {
       if (i == j || !stored(i, j)) continue;
@@ -143,6 +144,10 @@ Mesh::Derived Mesh::release_derived() {
       else
         representation_.up(i, j).release();
     }
+  for (int dim = 1; dim < 4; ++dim) {
+    released.hashes[static_cast<std::size_t>(dim)] = hash(dim).built();
+    drop_hash(dim);
+  }
   released.class_lists = class_lists_ != nullptr;
   keep_class_lists(false);
   return released;
@@ -172,6 +177,8 @@ void Mesh::build_again(const Derived& derived) {
     build_upward(*this, i, j, representation_.up(i, j));
     if (lent) sides.release();
   }
+  for (int dim = 1; dim < 4; ++dim)
+    if (derived.hashes[static_cast<std::size_t>(dim)]) build_hash(dim);
 }
 
 void Mesh::build_vertices(int i) {
