@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 
@@ -24,11 +23,12 @@ FaceNormal face_normal(const Mesh& mesh, Face face) {
   const glm::dvec3 p = mesh.position(t[0]), q = mesh.position(t[1]), r = mesh.position(t[2]);
   const glm::dvec3 normal = glm::cross(q - p, r - p);
   const double length = glm::length(normal);
-  const double at_p = std::atan2(length, glm::dot(q - p, r - p));
-  const double at_q = std::atan2(length, glm::dot(r - q, p - q));
-  const double at_r = std::max(0.0, std::numbers::pi - at_p - at_q);
-  return {length > 0 ? glm::vec3(normal / length) : glm::vec3(0),
-          {static_cast<float>(at_p), static_cast<float>(at_q), static_cast<float>(at_r)}};
+  const auto angle = [&](double cosine) {
+    return std::atan2(static_cast<float>(length), static_cast<float>(cosine));
+  };
+  return {t,
+          length > 0 ? glm::vec3(normal / length) : glm::vec3(0),
+          {angle(glm::dot(q - p, r - p)), angle(glm::dot(r - q, p - q))}};
 }
 
 std::span<const CornerNormals::Corner> CornerNormals::at(const Mesh& mesh, Vertex v) {
@@ -50,13 +50,23 @@ void CornerNormals::gather(const Mesh& mesh, Vertex v) {
   normals_.clear();
   weights_.clear();
   for (const Face f : mesh.row<2>(v)) {
-    const auto t = mesh.triangle(f);
-    const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-    corners_.push_back({f, slot, t[slot == 2 ? 0 : slot + 1], t[slot == 0 ? 2 : slot - 1]});
-    const FaceNormal normal = faces_ ? (*faces_)[f] : face_normal(mesh, f);
-    weights_.push_back(normal.angles[slot]);
-    normals_.push_back(normal.unit);
+    if (faces_)
+      add(f, v, (*faces_)[f]);
+    else
+      add(f, v, face_normal(mesh, f));
   }
+}
+
+void CornerNormals::add(Face f, Vertex v, const FaceNormal& normal) {
+  const auto& t = normal.vertices;
+  const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
+  Corner& corner = corners_.emplace_back();
+  corner.face = f;
+  corner.slot = slot;
+  corner.next = t[slot == 2 ? 0 : slot + 1];
+  corner.previous = t[slot == 0 ? 2 : slot - 1];
+  weights_.push_back(normal.angle(slot));
+  normals_.push_back(normal.unit);
 }
 
 void CornerNormals::find_sharp_ones(const Mesh& mesh, Vertex v) {

@@ -1,8 +1,10 @@
 #pragma once
 // Normals of triangle corners: smooth within a model face, split where an edge is to look sharp.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -13,10 +15,14 @@
 
 namespace aomd::scene {
 
-/// What a triangle brings to the normals of its corners; small, since there are many.
-struct FaceNormal {
+/// What a triangle brings to the normals of its corners: all that is read of it, in half a line of the cache.
+struct alignas(32) FaceNormal {
+  std::array<Vertex, 3> vertices;
   glm::vec3 unit{0};              ///< zero where the face has no area
-  std::array<float, 3> angles{};  ///< at its vertices, radians
+  std::array<float, 2> angles{};  ///< at the first two vertices, radians
+  [[nodiscard]] float angle(std::uint32_t slot) const {
+    return slot < 2 ? angles[slot] : std::max(0.0f, std::numbers::pi_v<float> - angles[0] - angles[1]);
+  }
 };
 [[nodiscard]] FaceNormal face_normal(const Mesh& mesh, Face face);
 
@@ -47,6 +53,7 @@ class CornerNormals {
     std::uint32_t corner = 0;
   };
   void gather(const Mesh& mesh, Vertex v);
+  void add(Face f, Vertex v, const FaceNormal& normal);
   void find_sharp_ones(const Mesh& mesh, Vertex v);
   [[nodiscard]] bool share_one();
   void join_smooth_ones();

@@ -1,6 +1,7 @@
 #include "viewer/scene/mesh_facts.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/mesh/parallel.h"
 
@@ -25,6 +26,10 @@ int faces_at(const Mesh& mesh, Edge edge) {
 
 void count_shapes(const Mesh& mesh, int dim, MeshFacts& facts) {
   facts.shapes.fill(0);
+  if (mesh.uniform_shape(dim)) {
+    facts.shapes[static_cast<std::size_t>(mesh.shape({dim, 0}))] = mesh.count(dim);
+    return;
+  }
   for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id)
     if (mesh.alive({dim, id})) ++facts.shapes[static_cast<std::size_t>(mesh.shape({dim, id}))];
 }
@@ -70,22 +75,32 @@ void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {
 }
 
 void FactsKeeper::look_at_all(const Mesh& mesh) {
-  constexpr std::size_t edges_a_piece = 8192;
+  constexpr std::size_t a_piece = 8192;
   facts_ = {};
   edges_.assign(mesh.capacity(1), EdgeKind::Dead);
-  parallel_for(mesh.capacity(1), thread_count(0), edges_a_piece, [&](std::size_t begin, std::size_t end) {
-    each_alive(mesh.ids(1), begin, end,
-               [&](std::uint32_t id) { edges_[Edge(id)] = kind_of(mesh, Edge(id)); });
-  });
-  for (const Edge e : mesh.edges()) count(edges_[e], +1);
   unused_.assign(mesh.capacity(0), 0);
-  for (const Vertex v : mesh.vertices()) look_at(mesh, v);
+  std::atomic<std::int64_t> boundary = 0, nonmanifold = 0, unused = 0;
+  parallel_for(mesh.capacity(1), thread_count(0), a_piece, [&](std::size_t begin, std::size_t end) {
+    MeshFacts here;
+    each_alive(mesh.ids(1), begin, end,
+               [&](std::uint32_t id) { count(edges_[Edge(id)] = kind_of(mesh, Edge(id)), +1, here); });
+    boundary += here.boundary;
+    nonmanifold += here.nonmanifold;
+  });
+  parallel_for(mesh.capacity(0), thread_count(0), a_piece, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
+      unused += unused_[Vertex(id)] = mesh.row<2>(Vertex(id)).empty() ? 1 : 0;
+    });
+  });
+  facts_.boundary = boundary;
+  facts_.nonmanifold = nonmanifold;
+  facts_.unused = unused;
   count_shapes(mesh, 2, facts_);
 }
 
-void FactsKeeper::count(EdgeKind kind, std::int64_t by) {
-  if (kind == EdgeKind::Boundary) facts_.boundary += by;
-  if (kind == EdgeKind::NonManifold) facts_.nonmanifold += by;
+void FactsKeeper::count(EdgeKind kind, std::int64_t by, MeshFacts& facts) {
+  if (kind == EdgeKind::Boundary) facts.boundary += by;
+  if (kind == EdgeKind::NonManifold) facts.nonmanifold += by;
 }
 
 FactsKeeper::EdgeKind FactsKeeper::kind_of(const Mesh& mesh, Edge edge) {
@@ -97,8 +112,8 @@ FactsKeeper::EdgeKind FactsKeeper::kind_of(const Mesh& mesh, Edge edge) {
 void FactsKeeper::look_at(const Mesh& mesh, Edge edge) {
   if (edge.index >= edges_.size()) return;
   const EdgeKind now = kind_of(mesh, edge);
-  count(edges_[edge], -1);
-  count(now, +1);
+  count(edges_[edge], -1, facts_);
+  count(now, +1, facts_);
   edges_[edge] = now;
 }
 

@@ -47,7 +47,7 @@ class FactsKeeper {
   void look_at_all(const Mesh& mesh);
   void look_at(const Mesh& mesh, Edge edge);
   void look_at(const Mesh& mesh, Vertex vertex);
-  void count(EdgeKind kind, std::int64_t by);
+  static void count(EdgeKind kind, std::int64_t by, MeshFacts& facts);
 
   MeshFacts facts_;
   Column<Edge, EdgeKind> edges_;

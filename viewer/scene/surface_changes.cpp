@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/mesh/parallel.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -75,8 +77,11 @@ void ChangeReader::add_stars(const Mesh& mesh, SurfaceChanges& changes) {
 }
 
 void ChangeReader::remember(const Mesh& mesh) {
+  constexpr std::size_t faces_a_piece = 16384;
   triangles_.assign(mesh.capacity(2), {});
-  for (const Face f : mesh.faces()) triangles_[f.index] = mesh.triangle(f);
+  parallel_for(mesh.capacity(2), thread_count(0), faces_a_piece, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) { triangles_[id] = mesh.triangle(Face(id)); });
+  });
 }
 
 void ChangeReader::remember(const Mesh& mesh, Face face) {

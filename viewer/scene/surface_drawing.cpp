@@ -121,23 +121,40 @@ Color SurfaceDrawing::color(ModelRef ref) const {
   return ref.dimension() < 2 ? plain_line_color() : plain_face_color();
 }
 
-/// All corners, in pieces that write to places of their own.
+/// Of all corners, face by face. In pieces that write to places of their own.
+std::vector<std::uint32_t> SurfaceDrawing::pack_normals(const Mesh& mesh) {
+  Column<Face, FaceNormal> faces(mesh.capacity(2));
+  parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(2), begin, end,
+               [&](std::uint32_t id) { faces[Face(id)] = face_normal(mesh, Face(id)); });
+  });
+  std::vector<std::uint32_t> packed(3 * std::size_t{mesh.capacity(2)});
+  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
+    CornerNormals normals(faces);
+    each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
+      for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
+        packed[3 * std::size_t{c.face.index} + c.slot] = pack_normal(c.normal);
+    });
+  });
+  return packed;
+}
+
+/// All corners, likewise.
 void SurfaceDrawing::draw_faces(const Mesh& mesh, std::span<Corner> corners) const {
-  Column<Face, FaceNormal> face_normals(mesh.capacity(2));
+  const std::vector<std::uint32_t> normals = pack_normals(mesh);
   parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
     std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
               corners.begin() + static_cast<std::ptrdiff_t>(3 * end), Corner());
+    ModelRef known;
+    Color of_known = color(known);
     each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
-      const auto drawn = corners_of(mesh, Face(id));
-      std::copy(drawn.begin(), drawn.end(), corners.begin() + 3 * static_cast<std::ptrdiff_t>(id));
-      face_normals[Face(id)] = face_normal(mesh, Face(id));
-    });
-  });
-  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-    CornerNormals normals(face_normals);
-    each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
-      for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
-        corners[3 * std::size_t{c.face.index} + c.slot].normal = pack_normal(c.normal);
+      if (const ModelRef model = mesh.classification(Face(id)); model != known)
+        of_known = color(known = model);
+      const auto drawn = corners_of(mesh, Face(id), of_known);
+      for (std::size_t i = 0, to = 3 * std::size_t{id}; i < 3; ++i, ++to) {
+        corners[to] = drawn[i];
+        corners[to].normal = normals[to];
+      }
     });
   });
 }
@@ -150,8 +167,10 @@ void SurfaceDrawing::rebuild(const Mesh& mesh) {
   drawable_.model_vertices.assign({});
   edge_slots_.clear(mesh.capacity(1));
   vertex_slots_.clear(mesh.capacity(0));
-  for (const Edge e : mesh.edges()) draw_edge(mesh, e);
-  for (const Vertex v : mesh.vertices()) draw_vertex(mesh, v);
+  for (const Edge e : mesh.edges())
+    if (mesh.classification(e).dimension() == 1) draw_edge(mesh, e);
+  for (const Vertex v : mesh.vertices())
+    if (mesh.classification(v).dimension() == 0) draw_vertex(mesh, v);
 }
 
 void SurfaceDrawing::recolor(const Mesh& mesh) {
@@ -172,7 +191,7 @@ void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
 }
 
 /// Of a face that is alive, but for the normals, which depend on its neighbours.
-std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face) const {
+std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face, Color of_model) const {
   std::array<Corner, 3> corners;
   const ModelRef model = mesh.classification(face);
   const glm::dvec3 center = center_of(mesh, face);
@@ -182,7 +201,6 @@ std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face) co
   if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
   if (style_.edge_codes) flags |= code_flags(mesh, face);
   const auto vertices = mesh.triangle(face);
-  const Color of_model = style_.field ? Color() : color(model);
   for (std::size_t i = 0; i < 3; ++i) {
     glm::vec3 position = place(mesh, vertices[i]);
     if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
@@ -195,7 +213,8 @@ void SurfaceDrawing::draw_face(const Mesh& mesh, Face face) {
   const std::size_t first = 3 * std::size_t{face.index};
   if (first >= drawable_.corners.size()) return;  // came and went between two looks
   const bool alive = mesh.alive(face);
-  const auto corners = alive ? corners_of(mesh, face) : std::array<Corner, 3>();
+  const auto corners =
+      alive ? corners_of(mesh, face, color(mesh.classification(face))) : std::array<Corner, 3>();
   for (std::size_t i = 0; i < 3; ++i) {
     Corner corner = corners[i];
     if (alive) corner.normal = drawable_.corners[first + i].normal;

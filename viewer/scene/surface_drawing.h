@@ -106,7 +106,8 @@ class SurfaceDrawing {
   void recolor(const Mesh& mesh);
   [[nodiscard]] Style style_of(const Mesh& mesh, const View& view, bool changed) const;
   void patch(const Mesh& mesh, const SurfaceChanges& changes);
-  [[nodiscard]] std::array<Corner, 3> corners_of(const Mesh& mesh, Face face) const;
+  [[nodiscard]] std::array<Corner, 3> corners_of(const Mesh& mesh, Face face, Color of_model) const;
+  [[nodiscard]] static std::vector<std::uint32_t> pack_normals(const Mesh& mesh);
   void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
