@@ -102,7 +102,7 @@ TEST(Runs, AreMeasuredAsTheirMeshesWouldBe) {
   drive(s, {"runs measure"});
   const Mesh original(to_data(s.document.as_loaded().mesh())), result(*s.runs.find(2)->data);
   const auto expected =
-      measure::mutual_distance(measure::Surface(original), measure::Surface(result), RunMeasurement::samples);
+      measure::mutual_distance(measure::Surface(original), measure::Surface(result), run_samples);
   const double percent = 100 / s.document.content().bounds.diagonal();
   ASSERT_TRUE(s.runs.find(2)->distance.has_value());
   EXPECT_DOUBLE_EQ(s.runs.find(2)->distance->max_pct, percent * expected.max());

@@ -1,6 +1,8 @@
 #pragma once
 // Data attached to entities: an array that only its own kind of handle can index.
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/mesh/handle.h"
@@ -24,5 +26,15 @@ class Column {
  private:
   std::vector<T> values_;
 };
+
+/// The values of some entities, one after the other: for a copy in which these are all. T() where an entity
+/// came after the column was made.
+template <typename H, typename T>
+[[nodiscard]] Column<H, T> closed_up(const Column<H, T>& column, std::span<const H> entities) {
+  Column<H, T> result(entities.size());
+  for (std::uint32_t i = 0; i < entities.size(); ++i)
+    if (entities[i].index < column.size()) result[H(i)] = column[entities[i]];
+  return result;
+}
 
 }  // namespace aomd

@@ -1,6 +1,8 @@
 #pragma once
 // Iteration over the entities of one level.
 
+#include <vector>
+
 #include "core/mesh/handle.h"
 #include "core/mesh/id_pool.h"
 
@@ -26,6 +28,13 @@ class EntityRange {
   explicit EntityRange(const IdPool& ids) : ids_(&ids) {}
   [[nodiscard]] Iterator begin() const { return {ids_, 0}; }
   [[nodiscard]] Sentinel end() const { return {}; }
+  /// All of them. O(capacity).
+  [[nodiscard]] std::vector<Handle<Dim>> list() const {
+    std::vector<Handle<Dim>> all;
+    all.reserve(ids_->size());
+    for (const Handle<Dim> h : *this) all.push_back(h);
+    return all;
+  }
 
  private:
   const IdPool* ids_;

@@ -19,14 +19,6 @@ std::optional<T> parse(std::string_view word) {
   return value;
 }
 
-/// "a, b or c" where the last two are joined by " or ".
-std::string joined(const std::vector<std::string_view>& words, const char* last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? last : ", ") + std::string(words[i]);
-  return text;
-}
-
 }  // namespace
 
 Arguments::Arguments(std::string_view command, std::string_view usage, std::string_view text)

@@ -1,9 +1,7 @@
 #pragma once
 // A mesh that is looked at beside the present one.
 
-#include <array>
-
-#include "core/mesh/mesh.h"
+#include "viewer/scene/drawing_needs.h"
 
 namespace aomd::scene {
 
@@ -13,7 +11,7 @@ class BesideMesh {
  public:
   /// O(size).
   explicit BesideMesh(const MeshData& data) : mesh_(data) {
-    needs_ = {mesh_.request(2, 0, "drawing"), mesh_.request(0, 1, "drawing"), mesh_.request(0, 2, "drawing")};
+    needs_ = request_for_drawing(mesh_);
     mesh_.keep_class_lists(true);
   }
   BesideMesh(const BesideMesh&) = delete;
@@ -23,7 +21,7 @@ class BesideMesh {
 
  private:
   Mesh mesh_;
-  std::array<Request, 3> needs_;
+  DrawingNeeds needs_;
 };
 
 }  // namespace aomd::scene

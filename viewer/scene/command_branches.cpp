@@ -8,10 +8,6 @@
 namespace aomd::scene {
 namespace {
 
-std::string count_text(std::size_t n) { return grouped(static_cast<std::int64_t>(n)); }
-
-std::string operations(std::size_t n) { return counted(static_cast<std::int64_t>(n), "operation"); }
-
 std::string free_name(const HistoryTree& tree) {
   std::size_t n = tree.bookmarks().size() + 1;
   while (tree.find_bookmark("Place " + std::to_string(n)) != nullptr) ++n;
@@ -30,7 +26,7 @@ void bookmark(Session& session, Arguments& arguments) {
   }
   const std::string name = arguments.done() ? free_name(document.tree()) : arguments.rest("a name");
   document.set_bookmark(name);
-  session.status = "Bookmark " + name + ": operation " + count_text(document.journal().cursor());
+  session.status = "Bookmark " + name + ": operation " + grouped(document.journal().cursor());
 }
 
 unsigned number_of(const HistoryTree& tree, Arguments& arguments) {
@@ -45,10 +41,10 @@ unsigned number_of(const HistoryTree& tree, Arguments& arguments) {
 std::string branch_list(const Document& document) {
   const HistoryTree& tree = document.tree();
   std::string text = "Branch " + std::to_string(tree.present()) +
-                     " (the present one): " + operations(document.journal().size());
+                     " (the present one): " + counted(document.journal().size(), "operation");
   for (const HistoryBranch& b : tree.branches())
-    text += "\nBranch " + std::to_string(b.id) + ": " + operations(b.size()) + ", leaves branch " +
-            std::to_string(b.from == 0 ? tree.present() : b.from) + " at operation " + count_text(b.fork) +
+    text += "\nBranch " + std::to_string(b.id) + ": " + counted(b.size(), "operation") + ", leaves branch " +
+            std::to_string(b.from == 0 ? tree.present() : b.from) + " at operation " + grouped(b.fork) +
             ", " + bytes_text(b.part.bytes());
   return text;
 }
@@ -60,20 +56,20 @@ void branch(Session& session, Arguments& arguments) {
   if (what == "list") {
     arguments.end();
     session.log = branch_list(document);
-    session.status = counted(static_cast<std::int64_t>(document.tree().branches().size()), "branch") +
-                     " besides the present one, " + bytes_text(document.tree().bytes());
+    session.status = counted(document.tree().branches().size(), "branch") + " besides the present one, " +
+                     bytes_text(document.tree().bytes());
   } else if (what == "switch") {
     const unsigned id = number_of(document.tree(), arguments);
     session.play(false);
     document.switch_branch(id);
-    session.status = "Branch " + std::to_string(id) + ": operation " +
-                     count_text(document.journal().cursor()) + " of " + count_text(document.journal().size());
+    session.status = "Branch " + std::to_string(id) + ": operation " + grouped(document.journal().cursor()) +
+                     " of " + grouped(document.journal().size());
   } else {
     const unsigned id = number_of(document.tree(), arguments);
     if (id == document.tree().present()) arguments.fail("the present branch cannot be removed");
     const std::size_t removed = document.remove_branch(id);
     session.status = "Branch " + std::to_string(id) + " is removed" +
-                     (removed > 1 ? ", and " + count_text(removed - 1) + " that left it" : "");
+                     (removed > 1 ? ", and " + grouped(removed - 1) + " that left it" : "");
   }
 }
 

@@ -114,7 +114,7 @@ void feature_preview(Session& session, Arguments& arguments) {
   const FeaturePreview& preview = session.document.try_feature_angle(angle).preview;
   session.point_out({preview.edges.begin(), preview.edges.end()});
   session.status = short_number(angle) + " deg would make " + counted(preview.model_edges, "model edge") +
-                   " of " + counted(static_cast<std::int64_t>(preview.edges.size()), "edge") + ", " +
+                   " of " + counted(preview.edges.size(), "edge") + ", " +
                    counted(preview.model_vertices, "model vertex");
 }
 
@@ -126,8 +126,7 @@ void export_selection(Session& session, Arguments& arguments) {
   io::write(expanded(file), part);
   const std::size_t regions = part.regions.size();
   session.status = "Saved " +
-                   counted(static_cast<std::int64_t>(regions > 0 ? regions : part.faces.size()),
-                           regions > 0 ? "region" : "face") +
+                   counted(regions > 0 ? regions : part.faces.size(), regions > 0 ? "region" : "face") +
                    " in " + file;
 }
 

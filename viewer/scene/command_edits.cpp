@@ -20,7 +20,7 @@ void say(Session& session, const std::string& name, std::size_t made) {
   if (made == 0)
     session.status = name + ": nothing left to do with these settings, " + faces;
   else
-    session.status = name + ": " + counted(static_cast<std::int64_t>(made), "operation") + ", " + faces;
+    session.status = name + ": " + counted(made, "operation") + ", " + faces;
 }
 
 void start(Session& session, Arguments& arguments) {
@@ -43,8 +43,8 @@ void step(Session& session, Arguments& arguments) {
   const auto back = static_cast<std::size_t>(-count);
   const std::size_t cursor = document.journal().cursor();
   document.seek(back < cursor ? cursor - back : 0);
-  session.status = "Step back: operation " + grouped(static_cast<std::int64_t>(document.journal().cursor())) +
-                   " of " + grouped(static_cast<std::int64_t>(document.journal().size()));
+  session.status = "Step back: operation " + grouped(document.journal().cursor()) + " of " +
+                   grouped(document.journal().size());
 }
 
 void sweep(Session& session, Arguments& arguments) {

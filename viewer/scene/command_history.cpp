@@ -18,8 +18,8 @@ void start(Session& session, Arguments& arguments) {
 
 void say_where(Session& session, const char* what) {
   const Journal& journal = session.document.journal();
-  session.status = std::string(what) + ": operation " + grouped(static_cast<std::int64_t>(journal.cursor())) +
-                   " of " + grouped(static_cast<std::int64_t>(journal.size()));
+  session.status =
+      std::string(what) + ": operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
 }
 
 void undo(Session& session, Arguments& arguments) {

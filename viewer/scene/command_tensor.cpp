@@ -31,9 +31,8 @@ void build_set(Session& session, Arguments& arguments) {
   need_mesh(session);
   session.document.build_hash(level, static_cast<std::uint32_t>(buckets));
   const HashFacts facts = hash_facts(session.document.mesh(), level);
-  session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " +
-                   grouped(static_cast<std::int64_t>(facts.entities)) + " in " +
-                   grouped(facts.statistics.buckets) + " buckets, " + bytes_text(facts.bytes);
+  session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " + grouped(facts.entities) +
+                   " in " + grouped(facts.statistics.buckets) + " buckets, " + bytes_text(facts.bytes);
 }
 
 void release_set(Session& session, Arguments& arguments) {

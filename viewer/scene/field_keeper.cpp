@@ -91,7 +91,7 @@ void FieldKeeper::spacing(const FieldSource& source, bool anew) {
   if (!anew && options_ == source.document.options()) return;
   options_ = source.document.options();
   Column<Vertex, double> wanted = source.document.wanted_lengths();
-  if (source.run != nullptr) wanted = values_of(*source.run, wanted);
+  if (source.run != nullptr) wanted = closed_up(wanted, std::span<const Vertex>(*source.run->vertices));
   FieldScale scale;
   scale.logarithmic = true;
   for (const Vertex v : source.mesh.vertices()) {

@@ -102,7 +102,8 @@ void HistogramKeeper::measure_before(Document& document, const KeptRun* referenc
   if (reference == nullptr)
     measure(mesh, lengths_);
   else
-    measure(BesideMesh(*reference->data).mesh(), values_of(*reference, lengths_));
+    measure(BesideMesh(*reference->data).mesh(),
+            closed_up(lengths_, std::span<const Vertex>(*reference->vertices)));
 }
 
 void HistogramKeeper::measure_now(const Mesh& mesh) {

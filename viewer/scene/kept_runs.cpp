@@ -13,11 +13,15 @@ KeptRun copy_of(const Mesh& mesh) {
   run.faces = mesh.count(2);
   run.angles = measure::measure_quality(mesh);
   run.data = std::make_shared<const MeshData>(to_data(mesh));
-  auto ids = std::make_shared<std::vector<Vertex>>();
-  ids->reserve(mesh.count(0));
-  for (const Vertex v : mesh.vertices()) ids->push_back(v);
-  run.ids = std::move(ids);
+  run.vertices = std::make_shared<const std::vector<Vertex>>(mesh.vertices().list());
   return run;
+}
+
+bool is_shown(const KeptRun& run, const Document& document) {
+  const std::size_t cursor = document.journal().cursor();
+  if (run.number == 0) return cursor == 0;
+  const TreePlace* place = document.tree().find_place(run.number);
+  return place != nullptr && place->branch == 0 && place->step == cursor;
 }
 
 std::string optional_text(const std::optional<double>& value) {
@@ -36,13 +40,6 @@ std::string row_text(const KeptRun& run) {
 
 }  // namespace
 
-Column<Vertex, double> values_of(const KeptRun& run, const Column<Vertex, double>& values) {
-  Column<Vertex, double> result(run.ids->size());
-  std::uint32_t next = 0;
-  for (const Vertex v : *run.ids) result[Vertex(next++)] = v.index < values.size() ? values[v] : 0;
-  return result;
-}
-
 std::string aim_words(const Document& document) {
   const DecimationOptions& options = document.options();
   if (options.spacing) return "spacing " + std::string(document.spacing_source());
@@ -52,10 +49,12 @@ std::string aim_words(const Document& document) {
 }
 
 const KeptRun& KeptRuns::keep(Document& document, const std::string& name, std::optional<double> seconds) {
-  if (const KeptRun* known = shown(document); known != nullptr && known->number > 0) {
-    KeptRun& row = rows_[static_cast<std::size_t>(known - rows_.data())];
-    if (!name.empty()) row.name = name;
-    return row;
+  const auto known = std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& row) {
+    return row.number > 0 && is_shown(row, document);
+  });
+  if (known != rows_.end()) {
+    if (!name.empty()) known->name = name;
+    return *known;
   }
   KeptRun run = copy_of(document.mesh());
   run.number = ++last_;
@@ -89,13 +88,9 @@ const KeptRun* KeptRuns::find(unsigned number) const {
 
 const KeptRun* KeptRuns::shown(const Document& document) const {
   if (document.empty()) return nullptr;
-  const std::size_t cursor = document.journal().cursor();
-  for (const KeptRun& run : rows_) {
-    if (run.number == 0 && cursor == 0) return &run;
-    const TreePlace* place = document.tree().find_place(run.number);
-    if (place != nullptr && place->branch == 0 && place->step == cursor) return &run;
-  }
-  return nullptr;
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& run) { return is_shown(run, document); });
+  return found == rows_.end() ? nullptr : &*found;
 }
 
 void KeptRuns::remove(Document& document, unsigned number) {

@@ -29,11 +29,8 @@ struct KeptRun {
   std::optional<double> seconds;        ///< that the run took; none for what was kept by hand
   std::optional<RunDistance> distance;  ///< none: not measured
   std::shared_ptr<const MeshData> data;
-  std::shared_ptr<const std::vector<Vertex>> ids;  ///< which vertex of the document each of data's is
+  std::shared_ptr<const std::vector<Vertex>> vertices;  ///< which vertex of the document each of data's is
 };
-
-/// A column of the document's vertices for those of a copy.
-[[nodiscard]] Column<Vertex, double> values_of(const KeptRun& run, const Column<Vertex, double>& values);
 
 /// "factor 4", "3,000 faces", "coarsest", "spacing curvature"
 [[nodiscard]] std::string aim_words(const Document& document);

@@ -47,8 +47,7 @@ bool needs_skin(const Mesh& mesh) {
 
 void prepare_surface(LoadedMesh& loaded) {
   loaded.classified = classify(loaded.mesh, loaded.classify_options);
-  loaded.needs = {loaded.mesh.request(2, 0, "drawing"), loaded.mesh.request(0, 1, "drawing"),
-                  loaded.mesh.request(0, 2, "drawing")};
+  loaded.needs = request_for_drawing(loaded.mesh);
 }
 
 }  // namespace

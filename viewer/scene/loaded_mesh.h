@@ -18,6 +18,7 @@
 #include "core/model/discrete_model.h"
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
+#include "viewer/scene/drawing_needs.h"
 #include "viewer/scene/skin.h"
 
 namespace aomd::scene {
@@ -69,10 +70,8 @@ struct LoadedMesh {
   std::array<std::vector<ModelRef>, 3> file_classes;
   /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they are.
   std::optional<Skin> skin;
-  /// T(2,0), T(0,1), T(0,2) of a surface: what drawing and counting need; decimation needs the same. A volume
-  /// stores what its file lists and nothing else.
-  std::array<Request, 3> needs;
-  std::optional<GivenModel> model;          ///< none until one is given
+  DrawingNeeds needs;               ///< a volume has none: it stores what its file lists and nothing else
+  std::optional<GivenModel> model;  ///< none until one is given
   std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
   std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model
 

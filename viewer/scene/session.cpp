@@ -112,14 +112,13 @@ void Session::restore(const SavedWork& work) {
   std::erase(found_work, shared);
   if (recovery) recovery->take_over(shared);
   document.restore(work);
-  status = "Restored " + work.name() + ": " + counted(static_cast<std::int64_t>(work.cursor), "operation") +
-           ", " + counted(document.mesh().count(2), "face");
+  status = "Restored " + work.name() + ": " + counted(work.cursor, "operation") + ", " +
+           counted(document.mesh().count(2), "face");
 }
 
 void Session::start_series(PictureSeries::Kind kind, const std::filesystem::path& folder, int count,
                            std::optional<glm::ivec2> size) {
-  play(false);
-  document.cancel_run();
+  come_to_rest();
   series_.emplace(kind, folder, count, size, document, view);
   status = "Exporting " + std::to_string(series_->count()) + " pictures ...";
 }
@@ -144,10 +143,9 @@ void Session::cancel_series() {
 }
 
 void Session::start_comparison() {
-  play(false);
-  document.cancel_run();
+  come_to_rest();
   strategies_.reset();
-  comparison_ = std::make_unique<StrategyComparison>(document.mesh(), document.options());
+  comparison_ = start_comparing(document.mesh(), document.options());
   status = "Comparing strategies ...";
 }
 
@@ -158,13 +156,16 @@ void Session::cancel_comparison() {
 }
 
 void Session::take_comparison(bool wait) {
-  if (!comparison_) return;
-  if (wait) comparison_->wait();
-  if (!comparison_->finished()) return;
-  const std::unique_ptr<StrategyComparison> done = std::move(comparison_);
-  strategies_ = done->result();
+  auto result = take(comparison_, wait);
+  if (!result) return;
+  strategies_ = std::move(result);
   status =
       strategies_->same ? "Both strategies lead to the same mesh" : "The strategies lead to different meshes";
+}
+
+void Session::come_to_rest() {
+  play(false);
+  document.cancel_run();
 }
 
 void Session::play(bool on) {
@@ -264,13 +265,20 @@ void Session::refresh_skin() {
   refresh_selection(changes.everything, moved || recut || marks);
 }
 
+/// What the marked bar counts, of a mesh that has `changed` or not; none where that is as it was.
+std::optional<std::vector<EntityRef>> Session::newly_marked(bool changed) {
+  const bool anew = histograms_.update(document, reference(), wants_histograms(view), idle());
+  if (!anew && !changed && view.marked == drawn_mark_) return {};
+  const bool known = view.marked && histograms_.current(document.place());
+  return known ? histograms_.histograms()->counted_in(*view.marked) : std::vector<EntityRef>();
+}
+
 /// True where others are marked than before.
 bool Session::refresh_marked_cells() {
-  const bool anew = histograms_.update(document, reference(), wants_histograms(view), idle());
-  if (!anew && view.marked == drawn_mark_) return false;
+  auto marked = newly_marked(false);
+  if (!marked) return false;
   drawn_mark_ = view.marked;
-  const bool known = view.marked && histograms_.current(document.place());
-  marked_cells_ = known ? histograms_.histograms()->counted_in(*view.marked) : std::vector<EntityRef>();
+  marked_cells_ = std::move(*marked);
   return true;
 }
 
@@ -324,13 +332,8 @@ std::vector<EntityRef> Session::counted_in(const MarkedBar& bar) {
 }
 
 void Session::refresh_marks(bool changed) {
-  const bool anew = histograms_.update(document, reference(), wants_histograms(view), idle());
-  if (!anew && !changed && view.marked == drawn_mark_) return;
-  if (!view.marked && !drawn_mark_) return;
-  std::vector<EntityRef> marked;
-  if (view.marked && histograms_.current(document.place()))
-    marked = histograms_.histograms()->counted_in(*view.marked);
-  drawing_.set_marked(document.mesh(), std::move(marked));
+  auto marked = newly_marked(changed);
+  if (marked && (view.marked || drawn_mark_)) drawing_.set_marked(document.mesh(), std::move(*marked));
 }
 
 }  // namespace aomd::scene

@@ -72,7 +72,7 @@ class Session {
   void start_comparison();
   void cancel_comparison();
   /// While it goes on; else null.
-  [[nodiscard]] const StrategyComparison* comparison() const { return comparison_.get(); }
+  [[nodiscard]] const Background<StrategyResult>* comparison() const { return comparison_.get(); }
   /// The last one on the present mesh; null before.
   [[nodiscard]] const StrategyResult* strategies() const { return strategies_ ? &*strategies_ : nullptr; }
 
@@ -170,6 +170,7 @@ class Session {
   void take_comparison(bool wait);
   void restore(const SavedWork& work);
   void keep();
+  void come_to_rest();
   void advance_playing(double frame_s);
   void run_on(std::optional<std::chrono::microseconds> budget);
   void refresh_surface();
@@ -197,9 +198,10 @@ class Session {
   [[nodiscard]] const Mesh& reference_mesh();
   void refresh_marks(bool changed);
   [[nodiscard]] bool refresh_marked_cells();
+  [[nodiscard]] std::optional<std::vector<EntityRef>> newly_marked(bool changed);
 
   Loader loader_;
-  std::unique_ptr<StrategyComparison> comparison_;
+  std::unique_ptr<Background<StrategyResult>> comparison_;
   std::optional<StrategyResult> strategies_;
   std::optional<PictureSeries> series_;
   bool playing_ = false;
@@ -217,7 +219,7 @@ class Session {
   std::pair<std::uint64_t, unsigned> drawn_original_;  ///< mesh and reference that original_drawing_ has
   std::unique_ptr<BesideMesh> beside_;                 ///< the reference, where it is a kept state
   unsigned beside_number_ = 0;
-  std::unique_ptr<RunMeasurement> measurement_;
+  std::unique_ptr<Background<std::vector<MeasuredRun>>> measurement_;
   double run_time_s_ = 0;               ///< of the run that goes on
   std::unique_ptr<SkinCutter> cutter_;  ///< of the present skin's mesh, once a plane was there
   std::optional<Skin> clipped_skin_;    ///< of the regions before the plane, where it takes whole ones

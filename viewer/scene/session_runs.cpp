@@ -16,8 +16,7 @@ void Session::remove_run(unsigned number) {
 }
 
 void Session::start_measuring() {
-  play(false);
-  document.cancel_run();
+  come_to_rest();
   std::vector<MeasuredRun> wanted;
   for (const KeptRun& run : runs.rows())
     if (run.number > 0 && !run.distance) wanted.push_back({run.number, run.data, {}});
@@ -25,8 +24,8 @@ void Session::start_measuring() {
     status = "All distances are measured";
     return;
   }
-  measurement_ = std::make_unique<RunMeasurement>(to_data(document.as_loaded().mesh()),
-                                                  document.content().bounds.diagonal(), std::move(wanted));
+  measurement_ = scene::start_measuring(to_data(document.as_loaded().mesh()),
+                                        document.content().bounds.diagonal(), std::move(wanted));
   status = "Measuring distances ...";
 }
 
@@ -37,11 +36,9 @@ void Session::cancel_measuring() {
 }
 
 void Session::take_measurement(bool wait) {
-  if (!measurement_) return;
-  if (wait) measurement_->wait();
-  if (!measurement_->finished()) return;
-  const std::unique_ptr<RunMeasurement> done = std::move(measurement_);
-  for (const MeasuredRun& each : done->results()) runs.set_distance(each.number, each.distance);
+  const auto measured = take(measurement_, wait);
+  if (!measured) return;
+  for (const MeasuredRun& each : *measured) runs.set_distance(each.number, each.distance);
   status = "Distances are measured";
 }
 

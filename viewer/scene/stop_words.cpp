@@ -48,14 +48,6 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
   return "would cut the surface with itself";
 }
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
-}
-
 using Count = std::pair<std::int64_t, Reason>;
 
 /// What keeps any, the most first.
@@ -95,7 +87,7 @@ std::string stop_words(const EdgesByReason& edges, const DecimationOptions& opti
   if (reason != Reason::None && 2 * most > all) text += std::string(", mostly by ") + decider(reason);
   std::vector<std::string> parts;
   for (const auto& [n, why] : counts) parts.push_back(grouped(n) + " " + said_of(why, n == 1, options));
-  return text + ": of " + counted(all, "edge") + " left, " + listed(parts) + ".";
+  return text + ": of " + counted(all, "edge") + " left, " + joined(parts, " and ") + ".";
 }
 
 }  // namespace aomd::scene

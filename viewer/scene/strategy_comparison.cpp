@@ -63,16 +63,13 @@ bool same(const Mesh& a, const Mesh& b) {
   return true;
 }
 
-/// A column for a mesh whose vertices have been made consecutive.
+/// A column for a copy of the mesh.
 template <typename T>
 std::shared_ptr<const Column<Vertex, T>> closed_up(const Mesh& mesh,
                                                    const std::shared_ptr<const Column<Vertex, T>>& column) {
   if (!column) return {};
-  auto result = std::make_shared<Column<Vertex, T>>(mesh.count(0));
-  std::uint32_t next = 0;
-  for (const Vertex v : mesh.vertices())
-    (*result)[Vertex(next++)] = v.index < column->size() ? (*column)[v] : T();
-  return result;
+  return std::make_shared<Column<Vertex, T>>(
+      aomd::closed_up(*column, std::span<const Vertex>(mesh.vertices().list())));
 }
 
 nlohmann::ordered_json json_of(const StrategyPart& part) {
@@ -104,26 +101,18 @@ StrategyResult compare_strategies(const MeshData& data, const DecimationOptions&
   return result;
 }
 
-StrategyComparison::StrategyComparison(const Mesh& mesh, const DecimationOptions& options) {
+std::unique_ptr<Background<StrategyResult>> start_comparing(const Mesh& mesh,
+                                                            const DecimationOptions& options) {
   DecimationOptions each = options;
   each.spacing = closed_up(mesh, options.spacing);
   each.keep = closed_up(mesh, options.keep);
-  thread_ = std::jthread([state = state_, data = to_data(mesh), each](const std::stop_token& stop) {
-    try {
-      state->result = compare_strategies(data, each, [&](double progress) {
-        state->progress = progress;
-        return !stop.stop_requested();
+  return std::make_unique<Background<StrategyResult>>(
+      [data = to_data(mesh), each](const std::stop_token& stop, std::atomic<double>& progress) {
+        return compare_strategies(data, each, [&](double part) {
+          progress = part;
+          return !stop.stop_requested();
+        });
       });
-    } catch (...) {
-      state->error = std::current_exception();
-    }
-    state->finished = true;
-  });
-}
-
-const StrategyResult& StrategyComparison::result() const {
-  if (state_->error) std::rethrow_exception(state_->error);
-  return state_->result;
 }
 
 std::string strategies_table(const StrategyResult& result) {

@@ -5,17 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "core/decimate/options.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/mesh_data.h"
+#include "viewer/scene/background.h"
 
 namespace aomd::scene {
 
@@ -48,35 +46,10 @@ inline constexpr std::array<const char*, 2> way_names = {"Keep T(0,2)", "Exchang
 [[nodiscard]] StrategyResult compare_strategies(const MeshData& data, const DecimationOptions& options,
                                                 const std::function<bool(double)>& going_on = {});
 
-/// Runs both ways, one after the other, on copies in a thread of its own.
-class StrategyComparison {
- public:
-  /// With these options by the paper's strategy; no model is snapped to. Copies the mesh. O(size).
-  StrategyComparison(const Mesh& mesh, const DecimationOptions& options);
-  /// Stops what is running.
-  ~StrategyComparison() = default;
-  StrategyComparison(const StrategyComparison&) = delete;
-  StrategyComparison& operator=(const StrategyComparison&) = delete;
-
-  [[nodiscard]] bool finished() const { return state_->finished; }
-  /// 0..1
-  [[nodiscard]] double progress() const { return state_->progress; }
-  void wait() {
-    if (thread_.joinable()) thread_.join();
-  }
-  /// Once finished. Throws what the run threw.
-  [[nodiscard]] const StrategyResult& result() const;
-
- private:
-  struct State {
-    std::atomic<bool> finished = false;
-    std::atomic<double> progress = 0;
-    StrategyResult result;
-    std::exception_ptr error;
-  };
-  std::shared_ptr<State> state_ = std::make_shared<State>();
-  std::jthread thread_;  ///< last: stopped and joined before the rest goes
-};
+/// Both ways on copies of the mesh, in the background, with these options by the paper's strategy; no model
+/// is snapped to. O(size) on the calling thread.
+[[nodiscard]] std::unique_ptr<Background<StrategyResult>> start_comparing(const Mesh& mesh,
+                                                                          const DecimationOptions& options);
 
 /// A line of titles, then one line a way and part; columns separated by tabs.
 [[nodiscard]] std::string strategies_table(const StrategyResult& result);

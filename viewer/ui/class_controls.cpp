@@ -14,9 +14,7 @@ namespace {
 
 constexpr std::size_t most_ids = 24, most_neighbours = 12, most_choices = 40;
 
-std::string more(std::size_t count) {
-  return "\u2026 and " + scene::grouped(static_cast<std::int64_t>(count)) + " more";
-}
+std::string more(std::size_t count) { return "\u2026 and " + scene::grouped(count) + " more"; }
 
 void links(Frame& frame, const char* title, const std::vector<ModelRef>& refs, const char* help) {
   if (refs.empty()) return;
@@ -34,7 +32,7 @@ void counts(const Frame& frame, const scene::ModelEntityFacts& facts) {
   for (std::size_t level = 0; level < 4; ++level)
     if (facts.counts[level] > 0)
       value_row(frame, capitalized(entity_plural(static_cast<int>(level))).c_str(),
-                scene::grouped(static_cast<std::int64_t>(facts.counts[level])),
+                scene::grouped(facts.counts[level]),
                 "Mesh entities of this kind that lie on it; not those that only bound it.");
   for (const auto& [name, value] : facts.facts)
     value_row(frame, name.c_str(), value, "Of all its mesh entities together, in units of the mesh.");

@@ -77,8 +77,7 @@ double share(const Histogram& h, std::size_t bin) {
 }
 
 std::string count_text(const Words& words, const Histogram& h, std::size_t bin) {
-  return grouped(static_cast<std::int64_t>(h.counts[bin])) + " of " +
-         grouped(static_cast<std::int64_t>(h.total)) + " " + words.things + " (" +
+  return grouped(h.counts[bin]) + " of " + grouped(h.total) + " " + words.things + " (" +
          scene::short_number(100 * share(h, bin), 1) + " %)";
 }
 

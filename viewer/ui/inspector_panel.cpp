@@ -229,7 +229,7 @@ void many_entities(Frame& frame, const scene::Selection& selection) {
     flow.add(scene::entity_label(e), e, "Select it alone");
   }
   if (selection.size() > most_links)
-    muted(frame, "and " + scene::grouped(static_cast<std::int64_t>(selection.size() - most_links)) + " more");
+    muted(frame, "and " + scene::grouped(selection.size() - most_links) + " more");
 }
 
 }  // namespace

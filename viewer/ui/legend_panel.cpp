@@ -45,7 +45,7 @@ void title_row(const Frame& frame, const Item& item) {
   ImGui::PopFont();
   ImGui::TableNextColumn();
   ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
-  text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
+  text_right(scene::grouped(item.count));
   ImGui::PopStyleColor();
 }
 
@@ -92,7 +92,7 @@ void entity_row(Frame& frame, const Item& item) {
   tooltip(on ? "Highlighted. Click to end that."
              : "Click to highlight what lies on it; right click for more.");
   ImGui::TableNextColumn();
-  text_right(scene::grouped(static_cast<std::int64_t>(item.count)));
+  text_right(scene::grouped(item.count));
   tooltip("Mesh entities of the same dimension on it");
   ImGui::PopID();
   ImGui::PopID();

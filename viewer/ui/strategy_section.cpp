@@ -58,7 +58,7 @@ void strategy_section(Frame& frame) {
       "Either T(0,1) and T(0,2) stay stored; or, to save memory, T(0,2) makes way for T(0,1) and T(1,2) "
       "whenever edges are swapped and vertices smoothed, and collapses find edges by hash set. Decimates two "
       "copies of this mesh by the paper's strategy with the present options.");
-  if (const scene::StrategyComparison* going = frame.session.comparison()) {
+  if (const auto* going = frame.session.comparison()) {
     bar(frame.interactive ? going->progress() : 0, ImGui::GetColorU32(frame.colors.accent), 0.5f);
     command_button(frame, "Cancel", "cancel", -1);
     return;

@@ -39,7 +39,7 @@ bool section(Frame& frame, const char* title, bool open, const char* line, const
   return open;
 }
 
-std::string count(std::uint64_t n) { return scene::grouped(static_cast<std::int64_t>(n)); }
+std::string count(std::uint64_t n) { return scene::grouped(n); }
 
 /// A button of the small font at the right end of the present line.
 void small_button(Frame& frame, const char* label, const std::string& line, const char* help) {

@@ -16,10 +16,6 @@ using scene::HistoryBranch;
 using scene::HistoryTree;
 using scene::PlaySpeed;
 
-std::string count_text(std::size_t n) { return grouped(static_cast<std::int64_t>(n)); }
-
-std::string operations(std::size_t n) { return scene::counted(static_cast<std::int64_t>(n), "operation"); }
-
 float x_of(const Frame& frame, std::size_t step, ImVec2 from, ImVec2 to) {
   const auto size = static_cast<float>(frame.document().journal().size());
   return from.x + (to.x - from.x) * std::min(1.0f, static_cast<float>(step) / size);
@@ -58,22 +54,23 @@ void bookmarks(Frame& frame) {
   ImGui::Separator();
   for (const Bookmark& b : tree.bookmarks()) {
     const std::string where = b.branch == 0 ? "" : ", branch " + std::to_string(b.branch);
-    row(frame, b.name + ": operation " + count_text(b.step) + where, "seek bookmark " + b.name);
+    row(frame, b.name + ": operation " + grouped(b.step) + where, "seek bookmark " + b.name);
   }
   ImGui::Separator();
   for (const Bookmark& b : tree.bookmarks()) row(frame, "Remove " + b.name, "bookmark remove " + b.name);
 }
 
 std::string branch_words(const HistoryTree& tree, const HistoryBranch& b) {
-  return "Branch " + std::to_string(b.id) + ": " + operations(b.size()) + ", leaves branch " +
-         std::to_string(b.from == 0 ? tree.present() : b.from) + " at " + count_text(b.fork);
+  return "Branch " + std::to_string(b.id) + ": " + scene::counted(b.size(), "operation") +
+         ", leaves branch " + std::to_string(b.from == 0 ? tree.present() : b.from) + " at " +
+         grouped(b.fork);
 }
 
 void branches(Frame& frame) {
   const HistoryTree& tree = frame.document().tree();
   row(frame,
-      "Branch " + std::to_string(tree.present()) + ": " + operations(frame.document().journal().size()) +
-          ", the present one",
+      "Branch " + std::to_string(tree.present()) + ": " +
+          scene::counted(frame.document().journal().size(), "operation") + ", the present one",
       "", true);
   for (const HistoryBranch& b : tree.branches())
     row(frame, branch_words(tree, b), "branch switch " + std::to_string(b.id));
@@ -98,13 +95,12 @@ void timeline_controls(Frame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.5f * em(), 0.12f * em()});
   same_line_right(wide + (branched ? 2 : 1) * (narrow + space));
   const std::size_t marks = tree.bookmarks().size();
-  drop_down("##bookmarks",
-            marks == 0 ? "Bookmarks" : scene::counted(static_cast<std::int64_t>(marks), "bookmark"), narrow,
+  drop_down("##bookmarks", marks == 0 ? "Bookmarks" : scene::counted(marks, "bookmark"), narrow,
             "Named places of the history: go there, or name the present one (Ctrl+B).",
             [&] { bookmarks(frame); });
   ImGui::SameLine(0, space);
   if (branched) {
-    drop_down("##branches", count_text(tree.branches().size() + 1) + " branches", narrow,
+    drop_down("##branches", grouped(tree.branches().size() + 1) + " branches", narrow,
               "What was ahead where something new was done is kept. Choosing a branch goes back to where it "
               "leaves and forward to its end.",
               [&] { branches(frame); });
@@ -143,7 +139,7 @@ std::string place_tooltip(const Frame& frame, ImVec2 from, ImVec2 to) {
   for (const Bookmark& b : tree.bookmarks()) {
     const float x = x_of(frame, b.step, from, to);
     if (b.branch == 0 && mouse.y < from.y && mouse.x > x - 0.3f * em() && mouse.x < x + 0.7f * em())
-      return "Bookmark " + b.name + ": operation " + count_text(b.step);
+      return "Bookmark " + b.name + ": operation " + grouped(b.step);
   }
   for (const HistoryBranch& b : tree.branches())
     if (b.from == 0 && mouse.y > to.y && mouse.x > x_of(frame, b.fork, from, to) - 2 &&

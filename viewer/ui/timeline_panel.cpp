@@ -54,8 +54,7 @@ void transport(Frame& frame) {
 /// "Operation 12 of 345: collapse of edge 678, in sweep"
 std::string where(const scene::Document& document) {
   const Journal& journal = document.journal();
-  std::string result = "Operation " + grouped(static_cast<std::int64_t>(journal.cursor())) + " of " +
-                       grouped(static_cast<std::int64_t>(journal.size()));
+  std::string result = "Operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
   if (journal.cursor() == 0) return result + (journal.size() == 0 ? "" : ": as loaded");
   const JournalStep& step = journal.step(journal.cursor() - 1);
   result += std::string(": ") + step_name(step.kind);
@@ -122,9 +121,8 @@ void draw_handle(const Frame& frame, ImVec2 from, ImVec2 to) {
 
 std::string strip_tooltip(const scene::Document& document, std::size_t step) {
   if (step >= document.journal().size()) return {};
-  return "Operation " + grouped(static_cast<std::int64_t>(step + 1)) + ": " +
-         step_name(document.journal().step(step).kind) + ", in " + document.mark_of(step).label +
-         ". Drag to scrub.";
+  return "Operation " + grouped(step + 1) + ": " + step_name(document.journal().step(step).kind) + ", in " +
+         document.mark_of(step).label + ". Drag to scrub.";
 }
 
 void strip(Frame& frame) {

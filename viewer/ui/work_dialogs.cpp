@@ -33,8 +33,7 @@ void work_row(Frame& frame, const scene::SavedWork& work, std::size_t number) {
   ImGui::AlignTextToFramePadding();
   text(fitted(work.name(), ImGui::GetContentRegionAvail().x));
   tooltip(work.source.file.empty() ? "A built-in sample" : work.source.file.string());
-  muted(frame,
-        scene::counted(static_cast<std::int64_t>(work.cursor), "operation") + ", " + time_text(work.seconds));
+  muted(frame, scene::counted(work.cursor, "operation") + ", " + time_text(work.seconds));
   ImGui::TableNextColumn();
   const std::string n = std::to_string(number);
   ImGui::PushID(n.c_str());
