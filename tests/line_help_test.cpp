@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "viewer/scene/command_search.h"
 #include "viewer/scene/commands.h"
 #include "viewer/scene/line_help.h"
 #include "viewer/scene/text.h"
@@ -49,6 +50,18 @@ TEST(LineHelp, TabsAndTransportButtonsDiffer) {
                                                          "seek end"};
   for (const std::string_view line : lines) helps.insert(line_help(line));
   EXPECT_EQ(helps.size(), lines.size());
+}
+
+// What the palette lists by the words that a command names says what that word does, not what all of them do.
+TEST(LineHelp, ChoicesOfThePaletteSayWhatTheyDo) {
+  std::size_t choices = 0;
+  for (const Command& command : commands())
+    for (const CommandMatch& match : find_commands(command.name, {}))
+      if (match.complete && match.command == &command && match.line != command.name) {
+        ++choices;
+        EXPECT_NE(line_help(match.line), command.help) << match.line;
+      }
+  EXPECT_GT(choices, 80u);
 }
 
 TEST(LineHelp, OtherLinesHaveTheHelpOfTheirCommand) {

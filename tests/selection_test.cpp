@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "session_helpers.h"
+#include "viewer/scene/picking.h"
+#include "viewer/scene/selection_drawing.h"
 
 namespace aomd::scene {
 namespace {
@@ -129,6 +131,39 @@ TEST(Selecting, AnEdgeIsJudgedAsTheLoopWould) {
   drive(s, {"preview best", "angle 90"});
   EXPECT_NE(s.judgement()->ways[s.judgement()->best].outlook.verdict.reason, Reason::Angle)
       << "new options are followed";
+}
+
+// The middle of an edge of the scan that is near the middle of the picture.
+TEST(Selecting, ThePreviewIsOfTheEdgeThatTheMousePointsAt) {
+  Session s;
+  drive(s, {"sample scan 2000", "strategy paper"});
+  const Mesh& mesh = s.document.mesh();
+  const Projector project(s.view, s.document.content().bounds);
+  const EntityRef under_middle = s.pick({0, 0});
+  ASSERT_EQ(under_middle.dimension, 2);
+  const auto [a, b, c] = mesh.triangle(Face(under_middle.index));
+  const Edge edge = mesh.find_edge(a, b), other = mesh.find_edge(b, c);
+  const auto point_at = [&](Edge e) {
+    s.hover(project(middle_of(mesh, e)));
+    s.refresh();
+    ASSERT_TRUE(s.hovered() && s.hovered()->entity == EntityRef(e));
+  };
+  const auto& faces = s.drawing().drawable().preview.faces;
+  point_at(edge);
+  const std::vector<Corner> of_edge(faces.values().begin(), faces.values().end());
+  EXPECT_FALSE(of_edge.empty());
+  EXPECT_FALSE(s.hovered_words().empty());
+  s.hover({});
+  s.refresh();
+  EXPECT_TRUE(faces.empty());
+  drive(s, {"select edge " + std::to_string(edge.index)});
+  point_at(other);
+  EXPECT_EQ(faces.size(), of_edge.size()) << "what is selected comes first";
+  drive(s, {"select none"});
+  point_at(other);
+  EXPECT_FALSE(faces.empty());
+  drive(s, {"preview off"});
+  EXPECT_TRUE(faces.empty());
 }
 
 TEST(Selecting, ThePreviewOfASwapIsTheOtherDiagonal) {

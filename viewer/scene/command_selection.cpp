@@ -108,10 +108,16 @@ void pick(Session& session, Arguments& arguments) {
 
 /// As file managers do: what is selected already is what the menu is for, with all the rest.
 void menu(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 5> bar = {
+      {{"off", ""}, {"file", "File"}, {"edit", "Edit"}, {"view", "View"}, {"help", "Help"}}};
   Arguments again = arguments;
-  if (!again.done() && again.word("a place, or off") == "off") {
+  const std::string word = again.done() ? "" : again.word("a place, off or the name of a menu");
+  const auto named =
+      std::find_if(bar.begin(), bar.end(), [&](const auto& each) { return each.first == word; });
+  if (named != bar.end()) {
     again.end();
     session.view.menu.reset();
+    session.view.bar_menu = named->second;
     return;
   }
   const glm::dvec2 at = place(arguments);
@@ -206,9 +212,9 @@ std::vector<Command> selection_commands() {
        pick,
        {}},
       {"menu",
-       "X Y | off",
+       "X Y | file | edit | view | help | off",
        "Opens the menu of a right click at a place (-1..1): for what lies there, which is then selected, or "
-       "for the selection that it is part of.",
+       "for the selection that it is part of; or one of the menu bar.",
        CommandGroup::Selection,
        menu,
        {}},
@@ -234,7 +240,9 @@ std::vector<Command> selection_commands() {
       {"preview",
        "on|off|best|1|2|swap",
        "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
-       "way, or the first or second end. swap draws the faces that swapping the edge would make.",
+       "way, or the first or second end. swap draws the faces that swapping the edge would make. While "
+       "neither "
+       "is selected, the best way of the edge that the mouse points at.",
        CommandGroup::Selection,
        preview,
        {}},

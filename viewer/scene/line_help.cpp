@@ -16,6 +16,8 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"dialog about", "Says what this program is."},
     {"dialog recovery", "Lists the work that a program left that ended before it was saved."},
     {"dialog lessons", "Lists the lessons: a few minutes each, on small meshes."},
+    {"dialog unsaved", "Asks what is to become of unsaved work."},
+    {"dialog none", "Closes the dialog that is open."},
     {"palette", "Finds a command by its name or by what it does, and runs it."},
     {"copy counts", "Copies the counts and the memory as text."},
     {"copy legend", "Copies what the mesh lies on as text, with the number of mesh entities on each."},
@@ -25,6 +27,7 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"copy strategies", "Copies what both strategies cost as text."},
     {"copy refusals", "Copies how many edges the last sweep refused for each reason as text."},
     {"copy sweeps", "Copies a row for each sweep as text: what it did and refused."},
+    {"copy selection", "Copies what is known of each selected entity as text."},
     {"adjacency 0 3 on", "Stores T(0,3): the regions around each vertex."},
     {"strategies run", "Runs both strategies on copies of this mesh and measures memory and time."},
     {"hash-sets toggle", "Opens or closes the section on hash sets."},
@@ -41,6 +44,14 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"swap", "One pass of edge swaps, where that makes the smallest angle larger."},
     {"smooth", "One pass of smoothing: vertices move to the middle of their neighbours."},
     {"cancel", "Stops what goes on: a run, loading, playing, exporting or comparing."},
+    {"strategy paper",
+     "Decimates by the loop of the paper: what is too short for the spacing collapses, sweep by sweep."},
+    {"strategy quality", "Decimates what costs least first, and fits the mesh to the original."},
+    {"topology safe", "Refuses collapses that would change the topology: pinch, tear or close a hole."},
+    {"topology paper", "Leaves the check of the topology out, as the paper does."},
+    {"snap none", "Smoothed vertices stay where smoothing puts them."},
+    {"snap model",
+     "Puts smoothed vertices back onto the model, or onto the mesh as loaded where no model is given."},
     {"reset", "Back to the mesh as loaded; redo brings all of it again."},
     {"seek 0", "Goes back to the mesh as loaded."},
     {"seek end", "Goes to the end of the history, the last operation."},
@@ -52,8 +63,28 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"play-speed slower", "Plays slower, operations a second."},
     {"play toggle", "Plays the history on from here, or pauses it."},
     {"bookmark", "Gives the present place of the history a name, to come back to."},
+    {"operation before", "Points out what stood there before the last single operation, in blue."},
+    {"operation after", "Points out what the last single operation made, in pink."},
+    {"operation both", "Points out what stood there before the last single operation and what it made."},
     {"select none", "Lets go of everything that is selected."},
     {"select grow", "Selects what lies around the selection as well."},
+    {"pick-level automatic",
+     "A click takes the vertex or edge that is near, else the face, else the region."},
+    {"pick-level vertex", "A click takes vertices alone."},
+    {"pick-level edge", "A click takes edges alone."},
+    {"pick-level face", "A click takes faces alone."},
+    {"pick-level region", "A click takes regions alone."},
+    {"neighbours vertex",
+     "Lights up the vertices around what is selected: stored ones solid, derived ones dashed."},
+    {"neighbours edge",
+     "Lights up the edges around what is selected: stored ones solid, derived ones dashed."},
+    {"neighbours face",
+     "Lights up the faces around what is selected: stored ones solid, derived ones dashed."},
+    {"neighbours region",
+     "Lights up the regions around what is selected: stored ones solid, derived ones dashed."},
+    {"neighbours off", "No neighbours light up."},
+    {"preview on", "Draws what an operation on what is selected or pointed at would lead to."},
+    {"preview off", "Draws no previews."},
     {"assign", "Puts the selection on a model entity that you choose."},
     {"fit", "Shows the whole mesh, from the present direction."},
     {"fit selection", "Shows what is selected, with its surroundings."},
@@ -83,11 +114,22 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"show model-vertices toggle", "Shows the dots at model vertices, or hides them."},
     {"show operation toggle", "Points out what the last single step touched, or does not."},
     {"show original toggle", "Draws the mesh as loaded over the present one, as glass, or does not."},
+    {"show surface", "Draws the faces."},
+    {"show edges", "Draws the edges of the mesh."},
+    {"show model-edges", "Draws the lines where model faces meet."},
+    {"show model-vertices", "Draws the dots at model vertices."},
+    {"show interfaces", "Draws the faces between two model regions, where something is hidden."},
+    {"show interior-edges", "Draws the edges inside a volume, whose surface turns to glass."},
+    {"show original", "Draws the mesh as loaded over the present one, as glass."},
+    {"show axes", "Draws in the corner of the picture where x, y and z point."},
+    {"show operation", "Points out what the last single step touched."},
     {"compare toggle", "Shows the mesh as loaded beside the present one, or ends that."},
     {"clip x 0.5", "Cuts the picture open across x, in the middle of the mesh as loaded."},
     {"clip off", "Ends clipping: all of the mesh shows again."},
     {"hide", "Shows everything that was hidden."},
     {"theme toggle", "Changes between light and dark."},
+    {"theme light", "Dark text on light panels."},
+    {"theme dark", "Light text on dark panels."},
     {"panel all toggle", "Hides all panels, so that the picture has the whole window, or shows them."},
     {"panel decimation on", "How to coarsen this surface: what to aim at, the limits, and Run."},
     {"panel adjacency on",
@@ -100,6 +142,14 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"compare with original", "Puts the mesh as loaded back in the place of the run that stood there."},
     {"panel timeline toggle", "Shows the history along the bottom, or hides it."},
     {"panel mesh toggle", "Shows the counts and the classification on the left, or hides them."},
+    {"panel mesh", "Shows the counts and the classification on the left."},
+    {"panel decimation", "Turns to how to coarsen this surface."},
+    {"panel adjacency", "Turns to T(I,J): which neighbours are stored."},
+    {"panel histograms", "Turns to how angles, edge lengths and valences are spread."},
+    {"panel selection", "Turns to what is selected, and why it stays."},
+    {"panel timeline", "Shows the history along the bottom."},
+    {"panel runs", "Shows the table of runs below the picture."},
+    {"panel all", "Shows all panels but the table of runs."},
     {"dismiss", "Closes this message."},
     {"lesson next", "Turns to the lesson's next page."},
     {"lesson back", "Turns to the lesson's page before."},
@@ -114,18 +164,25 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"unsaved cancel", "Goes back to the mesh; nothing is lost."},
 });
 
+std::string_view command_help(std::string_view name) {
+  for (const Command& command : commands())
+    if (command.name == name) return command.help;
+  return {};
+}
+
 }  // namespace
 
 std::span<const LineHelp> helped_lines() { return lines; }
 
-std::string_view line_help(std::string_view line) {
+std::string_view own_help(std::string_view line) {
   const auto known =
       std::find_if(lines.begin(), lines.end(), [&](const LineHelp& each) { return each.line == line; });
-  if (known != lines.end()) return known->help;
-  const std::string_view name = line.substr(0, line.find(' '));
-  for (const Command& command : commands())
-    if (command.name == name) return command.help;
-  return {};
+  return known != lines.end() ? known->help : command_help(line);
+}
+
+std::string_view line_help(std::string_view line) {
+  const std::string_view own = own_help(line);
+  return own.empty() ? command_help(line.substr(0, line.find(' '))) : own;
 }
 
 }  // namespace aomd::scene

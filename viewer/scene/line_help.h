@@ -14,7 +14,11 @@ struct LineHelp {
 /// All lines that have a sentence of their own, by command.
 [[nodiscard]] std::span<const LineHelp> helped_lines();
 
-/// The sentence of exactly this line, else the help of its command; empty where there is no such command.
+/// What exactly this line does: its own sentence, or the help of a command that is the whole line. Else
+/// empty.
+[[nodiscard]] std::string_view own_help(std::string_view line);
+
+/// The same, else the help of its command; empty where there is no such command.
 [[nodiscard]] std::string_view line_help(std::string_view line);
 
 }  // namespace aomd::scene

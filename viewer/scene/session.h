@@ -180,6 +180,7 @@ class Session {
   void refresh_selection(bool mesh_changed, bool cells_changed = false);
   void refresh_inspection(bool mesh_changed);
   void refresh_neighbours(bool anew);
+  [[nodiscard]] const Judgement* previewed() const;
   void refresh_preview();
   void refresh_model_entity();
   /// The mesh is on its way: looking would be in the way of that.
@@ -240,6 +241,7 @@ class Session {
       judging_budget_;  ///< of a frame; none: all at once, without a window
   std::string hovered_words_;
   EntityRef hovered_words_of_;
+  std::optional<Judgement> hovered_judgement_;
   std::optional<Inspection> inspection_;
   std::optional<Judgement> judgement_;
   std::optional<Neighbours> neighbours_;
@@ -247,7 +249,7 @@ class Session {
   std::uint32_t seen_relations_ = 0;  ///< stored_bits() when inspection and neighbours were found
   DecimationOptions judged_options_;
   bool judged_busy_ = false;
-  std::optional<std::size_t> drawn_way_;
+  std::optional<std::pair<EntityRef, std::size_t>> drawn_preview_;  ///< of which entity, which way
   std::uint64_t inspected_selection_ = 0;
   std::uint64_t drawn_selection_ = 0;
   std::vector<EntityRef> pointed_out_;

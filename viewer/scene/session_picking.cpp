@@ -35,9 +35,10 @@ void Session::hover(std::optional<glm::dvec2> ndc) {
   if (known) return;
   hovered_words_.clear();
   hovered_words_of_ = e;
+  hovered_judgement_.reset();
   if (e.dimension != 1 || busy() || !document.judges_at_once()) return;
-  if (const auto judged = judge(*document.for_judging(), document.mesh(), e))
-    hovered_words_ = short_words(*judged);
+  hovered_judgement_ = judge(*document.for_judging(), document.mesh(), e);
+  if (hovered_judgement_) hovered_words_ = short_words(*hovered_judgement_);
 }
 
 std::size_t Session::previewed_way() const {
@@ -68,9 +69,10 @@ void Session::refresh_inspection(bool mesh_changed) {
   judged_options_ = document.options();
   judged_busy_ = at_work;
   hovered_words_of_ = {};
+  hovered_judgement_.reset();
   inspection_.reset();
   judgement_.reset();
-  drawn_way_.reset();
+  drawn_preview_.reset();
   const EntityRef e = selection.single();
   if (!e.valid()) return;
   const bool judges = e.dimension < 2 && !at_work;
@@ -83,27 +85,36 @@ void Session::refresh_neighbours(bool anew) {
   if (!anew && neighbours_level_ == view.neighbours) return;
   neighbours_level_ = view.neighbours;
   neighbours_.reset();
-  drawn_way_.reset();
+  drawn_preview_.reset();
   if (const EntityRef e = selection.single(); view.neighbours && e.valid())
     neighbours_ = find_neighbours(document.mesh(), e, *view.neighbours);
 }
 
-/// Neighbours take the place of what an operation would lead to: both at once would be too much.
+/// What is selected comes before what the mouse points at; neighbours take the place of what an operation
+/// would lead to: both at once would be too much.
+const Judgement* Session::previewed() const {
+  if (!view.preview || neighbours_) return nullptr;
+  if (judgement_) return &*judgement_;
+  const bool points = hovered_ && hovered_judgement_ && hovered_judgement_->entity == hovered_->entity;
+  return points ? &*hovered_judgement_ : nullptr;
+}
+
 void Session::refresh_preview() {
-  const bool previews = view.preview && judgement_ && !neighbours_;
-  const std::size_t wanted = previews ? previewed_way() + 1 : 0;
-  if (drawn_way_ == wanted) return;
-  drawn_way_ = wanted;
+  const Judgement* judged = previewed();
+  const std::size_t way = judged == nullptr ? 0 : judgement_ ? previewed_way() : judged->best;
+  const std::pair wanted(judged == nullptr ? EntityRef() : judged->entity, way);
+  if (drawn_preview_ == wanted) return;
+  drawn_preview_ = wanted;
   Drawable& drawable = drawing_.drawable();
   drawable.preview.clear();
   if (neighbours_) draw_neighbours(document.mesh(), *neighbours_, drawable.origin, drawable.preview);
-  if (wanted == 0) return;
-  if (wanted <= judgement_->ways.size())
-    draw_preview(document.mesh(), judgement_->ways[wanted - 1], drawable.origin, drawable.preview);
-  else if (judgement_->swap)
-    draw_preview(document.mesh(), *judgement_->swap, drawable.origin, drawable.preview);
-  else if (judgement_->move)
-    draw_preview(document.mesh(), *judgement_->move, drawable.origin, drawable.preview);
+  if (judged == nullptr) return;
+  if (way < judged->ways.size())
+    draw_preview(document.mesh(), judged->ways[way], drawable.origin, drawable.preview);
+  else if (judged->swap)
+    draw_preview(document.mesh(), *judged->swap, drawable.origin, drawable.preview);
+  else if (judged->move)
+    draw_preview(document.mesh(), *judged->move, drawable.origin, drawable.preview);
 }
 
 void Session::refresh_selection(bool mesh_changed, bool cells_changed) {

@@ -108,7 +108,8 @@ struct View {
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
   PickLevel pick_level = PickLevel::Automatic;
-  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to
+  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to, or a collapse
+                        ///< of the edge that the mouse points at
   PreviewedWay previewed = PreviewedWay::Best;
   bool labels = false;             ///< ids at what is selected and around the cursor
   bool labels_everywhere = false;  ///< also at all else, as far as there is room
@@ -116,6 +117,7 @@ struct View {
   TensorSections sections;
   std::optional<MarkedBar> marked;
   std::optional<glm::dvec2> menu;  ///< where a menu for what is selected is open in the picture, -1..1
+  std::string bar_menu;            ///< which menu of the menu bar is open: "File"; empty: none by a command
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;

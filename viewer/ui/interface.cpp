@@ -86,7 +86,7 @@ void Interface::draw_panels(Frame& frame) {
     if (!ImGui::BeginMenuBar()) return;
     // Menus that drop down have the usual distance to their border.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, usual);
-    menu_bar(frame, recent);
+    menu_bar(frame, recent, menu_bar_);
     ImGui::PopStyleVar();
     ImGui::EndMenuBar();
   });

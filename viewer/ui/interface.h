@@ -8,6 +8,7 @@
 #include "viewer/scene/session.h"
 #include "viewer/ui/dialogs.h"
 #include "viewer/ui/layout.h"
+#include "viewer/ui/menu_bar.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/picture_menu.h"
 #include "viewer/ui/recent_files.h"
@@ -54,6 +55,7 @@ class Interface {
   bool right_still_ = false;  ///< the right button is down on the picture, where it was pressed
   ImVec2 right_began_;
   PictureMenuState picture_menu_;
+  MenuBarState menu_bar_;
   ImVec2 hovered_at_{-1, -1};
 };
 

@@ -198,11 +198,16 @@ void help_menu(Frame& frame) {
 
 }  // namespace
 
-void menu_bar(Frame& frame, const RecentFiles& recent) {
+void menu_bar(Frame& frame, const RecentFiles& recent, MenuBarState& state) {
+  const std::string& wanted = frame.session.view.bar_menu;
+  if (!wanted.empty() && state.shown != wanted) ImGui::OpenPopup(wanted.c_str());
+  const bool closed = !wanted.empty() && !ImGui::IsPopupOpen(wanted.c_str());
+  state.shown = wanted;
   file_menu(frame, recent);
   edit_menu(frame);
   view_menu(frame);
   help_menu(frame);
+  if (closed) frame.emit("menu off");
 }
 
 }  // namespace aomd::ui

@@ -216,6 +216,7 @@ bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up) {
 void command_item(Frame& frame, const char* label, const std::string& line, bool selected, bool enabled) {
   const std::string chord(scene::chord_of_line(line));
   if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled)) frame.emit(line);
+  tooltip(scene::own_help(line));
 }
 
 bool icon_button(const char* id, Icon icon, bool enabled) {
