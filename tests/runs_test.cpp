@@ -43,6 +43,17 @@ TEST(Runs, ThatEndAreKeptWithWhatTheyCameTo) {
   EXPECT_GT(s.runs.rows()[0].faces, now.faces);
 }
 
+TEST(Runs, SayWhereTheyBegan) {
+  Session s;
+  two_runs(s);
+  EXPECT_EQ(s.runs.find(1)->from, "");
+  EXPECT_EQ(s.runs.find(2)->from, "");
+  drive(s, {"angle 60", "run"});
+  EXPECT_EQ(s.runs.find(3)->from, "Run 2");
+  drive(s, {"seek 7", "angle 50", "run", "runs go 3"});
+  EXPECT_EQ(s.runs.find(4)->from, "operation 7");
+}
+
 TEST(Runs, LeadBackToTheSameBits) {
   Session s;
   const auto hashes = two_runs(s);
@@ -154,7 +165,7 @@ TEST(Runs, AsATable) {
   two_runs(s);
   const std::string text = table_text(s, "runs");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
-  EXPECT_NE(text.find("Run 1\tpaper\tfactor 4\t5."), std::string::npos) << text;
+  EXPECT_NE(text.find("Run 1\tthe mesh as loaded\tpaper\tfactor 4\t5."), std::string::npos) << text;
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ KeptRun copy_of(const Mesh& mesh) {
   return run;
 }
 
-bool is_shown(const KeptRun& run, const Document& document) {
-  const std::size_t cursor = document.journal().cursor();
-  if (run.number == 0) return cursor == 0;
+/// Whether a step of the present branch leads to it.
+bool is_at(const KeptRun& run, const Document& document, std::size_t step) {
+  if (run.number == 0) return step == 0;
   const TreePlace* place = document.tree().find_place(run.number);
-  return place != nullptr && place->branch == 0 && place->step == cursor;
+  return place != nullptr && place->branch == 0 && place->step == step;
 }
 
 std::string optional_text(const std::optional<double>& value) {
@@ -32,8 +32,9 @@ std::string row_text(const KeptRun& run) {
   const auto distance = [&](double RunDistance::*part) {
     return run.distance ? std::to_string(*run.distance.*part) : std::string();
   };
-  return run.name + '\t' + run.strategy + '\t' + run.aim + '\t' + optional_text(run.angle_deg) + '\t' +
-         std::to_string(run.faces) + '\t' + std::to_string(run.angles.min_angle_worst_deg) + '\t' +
+  const std::string from = run.number == 0 ? "" : run.from.empty() ? "the mesh as loaded" : run.from;
+  return run.name + '\t' + from + '\t' + run.strategy + '\t' + run.aim + '\t' + optional_text(run.angle_deg) +
+         '\t' + std::to_string(run.faces) + '\t' + std::to_string(run.angles.min_angle_worst_deg) + '\t' +
          std::to_string(run.angles.min_angle_mean_deg) + '\t' + distance(&RunDistance::rms_pct) + '\t' +
          distance(&RunDistance::max_pct) + '\t' + optional_text(run.seconds) + '\n';
 }
@@ -50,7 +51,7 @@ std::string aim_words(const Document& document) {
 
 const KeptRun& KeptRuns::keep(Document& document, const std::string& name, std::optional<double> seconds) {
   const auto known = std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& row) {
-    return row.number > 0 && is_shown(row, document);
+    return row.number > 0 && is_at(row, document, document.journal().cursor());
   });
   if (known != rows_.end()) {
     if (!name.empty()) known->name = name;
@@ -64,6 +65,7 @@ const KeptRun& KeptRuns::keep(Document& document, const std::string& name, std::
   run.aim = aim_words(document);
   run.angle_deg = options.angle_deg;
   run.seconds = seconds;
+  if (seconds) run.from = start_of_run(document);
   document.set_place(run.number);
   rows_.push_back(std::move(run));
   if (size() > most) remove(document, rows_[has_original() ? 1 : 0].number);
@@ -86,11 +88,22 @@ const KeptRun* KeptRuns::find(unsigned number) const {
   return found == rows_.end() ? nullptr : &*found;
 }
 
-const KeptRun* KeptRuns::shown(const Document& document) const {
-  if (document.empty()) return nullptr;
-  const auto found =
-      std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& run) { return is_shown(run, document); });
+const KeptRun* KeptRuns::at(const Document& document, std::size_t step) const {
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const KeptRun& run) { return is_at(run, document, step); });
   return found == rows_.end() ? nullptr : &*found;
+}
+
+/// Of the one that has just ended.
+std::string KeptRuns::start_of_run(const Document& document) const {
+  const std::size_t step = document.mark_of(document.journal().cursor() - 1).begin;
+  if (step == 0) return {};
+  const KeptRun* run = at(document, step);
+  return run == nullptr ? "operation " + grouped(step) : run->name;
+}
+
+const KeptRun* KeptRuns::shown(const Document& document) const {
+  return document.empty() ? nullptr : at(document, document.journal().cursor());
 }
 
 void KeptRuns::remove(Document& document, unsigned number) {
@@ -105,7 +118,8 @@ void KeptRuns::set_distance(unsigned number, const RunDistance& distance) {
 
 std::string runs_table(const KeptRuns& runs) {
   std::string text =
-      "Run\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest angle, degrees\t"
+      "Run\tFrom\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest angle, "
+      "degrees\t"
       "RMS distance, % of the diagonal\tLargest distance, % of the diagonal\tSeconds\n";
   for (const KeptRun& run : runs.rows()) text += row_text(run);
   return text;

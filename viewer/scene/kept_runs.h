@@ -21,6 +21,7 @@ namespace aomd::scene {
 struct KeptRun {
   unsigned number = 0;   ///< in the order in which they were kept, from 1; 0: the mesh as loaded
   std::string name;      ///< "Run 1"
+  std::string from;      ///< where it began: "Run 1", "operation 12"; empty: at the mesh as loaded
   std::string strategy;  ///< "paper"; this and the next two are empty for the mesh as loaded
   std::string aim;       ///< "factor 4"
   std::optional<double> angle_deg;
@@ -59,6 +60,9 @@ class KeptRuns {
   [[nodiscard]] bool has_original() const { return !rows_.empty() && rows_.front().number == 0; }
 
  private:
+  [[nodiscard]] const KeptRun* at(const Document& document, std::size_t step) const;
+  [[nodiscard]] std::string start_of_run(const Document& document) const;
+
   std::vector<KeptRun> rows_;
   unsigned last_ = 0;
 };

@@ -84,7 +84,8 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   ImGui::PushID(static_cast<int>(run.number));
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(run.name.c_str(), here)) frame.emit("runs go " + std::to_string(run.number));
+  const std::string title = run.from.empty() ? run.name : run.name + ", from " + run.from;
+  if (ImGui::Selectable(title.c_str(), here)) frame.emit("runs go " + std::to_string(run.number));
   if (run.number > 0) row_menu(frame, run);
   tooltip(here ? "What is shown now." : columns[0].help);
   ImGui::TableNextColumn();
