@@ -42,10 +42,7 @@ void page_titles(Frame& frame) {
   }
 }
 
-}  // namespace
-
-void side_panel(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histograms) {
-  page_titles(frame);
+void page(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histograms) {
   switch (frame.session.view.panels.page) {
     case scene::Page::Decimation:
       return decimation_panel(frame, drafts);
@@ -56,6 +53,16 @@ void side_panel(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histogr
     case scene::Page::Selection:
       return inspector_panel(frame);
   }
+}
+
+}  // namespace
+
+/// The titles stay where the page scrolls.
+void side_panel(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histograms) {
+  page_titles(frame);
+  ImGui::BeginChild("page");
+  page(frame, drafts, histograms);
+  ImGui::EndChild();
 }
 
 }  // namespace aomd::ui
