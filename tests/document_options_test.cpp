@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/measure/distance.h"
 #include "message.h"
 #include "session_helpers.h"
 
@@ -161,14 +162,42 @@ TEST(Options, WrongOnesChangeNothingAndSayWhy) {
   EXPECT_THROW(execute(s, "spacing h"), CommandError) << "without a mesh";
   drive(s, {"sample sphere 8", "spacing 3 * h"});
   const DecimationOptions before = s.document.options();
-  for (const char* line : {"strategy", "strategy best", "strategy paper now", "regularity 1.5", "regularity",
-                           "target-faces 0", "target-faces many", "target-faces 5 6", "min-angle 61",
-                           "min-angle -1", "spacing", "spacing 2 *", "spacing x"})
+  for (const char* line :
+       {"strategy", "strategy best", "strategy paper now", "regularity 1.5", "regularity", "target-faces 0",
+        "target-faces many", "target-faces 5 6", "min-angle 61", "min-angle -1", "max-distance -1",
+        "max-distance 101", "no-intersections maybe", "spacing", "spacing 2 *", "spacing x"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   EXPECT_TRUE(s.document.options() == before);
   EXPECT_EQ(s.document.spacing_source(), "3 * h");
   EXPECT_EQ(aomd::test::message([&] { execute(s, "spacing 2 *"); }),
             "spacing \"2 *\", character 4: something is missing at the end (and there is no such file)");
+}
+
+TEST(Options, ADistanceIsToTheMeshAsLoadedWheneverItIsSet) {
+  Session s;
+  drive(s, {"sample sphere 24", "strategy paper", "angle 60", "sweep"});
+  const Mesh original(to_data(s.document.as_loaded().mesh()));
+  const measure::Surface as_loaded(original);
+  const auto distance = [&] {
+    return measure::distance_from(measure::Surface(s.document.mesh()), as_loaded, 20'000).max;
+  };
+  const double percent = 120 * distance() / s.document.content().bounds.diagonal();
+  drive(s, {"max-distance " + std::to_string(percent), "run"});
+  EXPECT_LE(distance(), s.document.options().max_distance);
+  const auto faces = s.document.mesh().count(2);
+  drive(s, {"max-distance 0", "run"});
+  EXPECT_LT(s.document.mesh().count(2), faces);
+  EXPECT_GT(distance(), 2 * percent / 100 * s.document.content().bounds.diagonal());
+  drive(s, {"max-distance 1", "sample sphere 8"});
+  EXPECT_EQ(s.document.options().max_distance, 0) << "its unit was another mesh's";
+}
+
+TEST(Options, NoIntersectionsIsAnOption) {
+  Session s;
+  drive(s, {"sample sphere 12", "no-intersections on"});
+  EXPECT_TRUE(s.document.options().no_intersections);
+  drive(s, {"run", "no-intersections toggle"});
+  EXPECT_FALSE(s.document.options().no_intersections);
 }
 
 TEST(Options, AMinAngleIsCounted) {

@@ -21,6 +21,23 @@ void min_angle(Session& session, Arguments& arguments) {
   session.document.set_options(options);
 }
 
+/// In units of the mesh from here on: those of the mesh that is there.
+void max_distance(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  DecimationOptions options = session.document.options();
+  const double percent = arguments.number("percent of the diagonal", 0, 100);
+  arguments.end();
+  options.max_distance = percent / 100 * session.document.content().bounds.diagonal();
+  session.document.set_options(options);
+}
+
+void no_intersections(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document.options();
+  options.no_intersections = arguments.flag(options.no_intersections);
+  arguments.end();
+  session.document.set_options(options);
+}
+
 void feature_angle(Session& session, Arguments& arguments) {
   ClassifyOptions options = session.document.classify_options();
   const std::string text = arguments.word("an angle in degrees, or off");
@@ -81,6 +98,19 @@ std::vector<Command> option_commands() {
        "No collapse gives a face a smaller angle, degrees, unless it had one; 0 at first.",
        CommandGroup::Options,
        min_angle,
+       {}},
+      {"max-distance",
+       "PCT",
+       "No operation takes the surface farther than this from the mesh as loaded, percent of the diagonal of "
+       "its box; 0, as at first, is no limit. Runs take several times as long.",
+       CommandGroup::Options,
+       max_distance,
+       {}},
+      {"no-intersections",
+       "[on|off|toggle]",
+       "No operation makes faces cut each other that did not. Runs take several times as long.",
+       CommandGroup::Options,
+       no_intersections,
        {}},
       {"feature-angle",
        "DEG|off",

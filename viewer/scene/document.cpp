@@ -60,6 +60,7 @@ void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
   tree_.clear();
   as_loaded_.reset();
   options_.spacing.reset();
+  options_.max_distance = 0;
   marks_.clear();
   ++generation_;
   last_cut_ = mark_begin_ = 0;
@@ -141,7 +142,7 @@ void Document::begin_strategy() {
 
 /// The decimation, made at the first need and told what it has missed.
 Decimation& Document::prepared() {
-  const bool other = !decimation() || decimation()->options().strategy != options_.strategy;
+  const bool other = !decimation() || !keeps_to_original();
   const std::size_t start = classified_start();
   if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start))) begin_strategy();
   DecimationOptions options = options_;
@@ -152,11 +153,18 @@ Decimation& Document::prepared() {
   return *loaded_->decimation;
 }
 
+/// The present decimation has what it takes from the mesh as loaded: it need not begin there again.
+bool Document::keeps_to_original() const {
+  const DecimationOptions& has = decimation()->options();
+  const bool measures = options_.max_distance <= 0 || has.max_distance == options_.max_distance;
+  return has.strategy == options_.strategy && measures;
+}
+
 Decimation* Document::for_judging() { return loaded_ && hindrance().empty() ? &prepared() : nullptr; }
 
 bool Document::judges_at_once() const {
   if (!loaded_ || !hindrance().empty()) return false;
-  const bool ready = decimation() && !stale_ && decimation()->options().strategy == options_.strategy;
+  const bool ready = decimation() && !stale_ && keeps_to_original();
   return ready || options_.strategy == Strategy::Paper;
 }
 

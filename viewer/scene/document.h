@@ -173,6 +173,7 @@ class Document {
 
  private:
   Decimation& prepared();
+  [[nodiscard]] bool keeps_to_original() const;
   void begin_strategy();
   void visit(std::size_t step, const std::function<void()>& look);
   std::size_t operate(std::string label, const std::function<void()>& edit);
