@@ -175,7 +175,7 @@ TEST(Options, WrongOnesChangeNothingAndSayWhy) {
 
 TEST(Options, ADistanceIsToTheMeshAsLoadedWheneverItIsSet) {
   Session s;
-  drive(s, {"sample sphere 24", "strategy paper", "angle 60", "sweep"});
+  drive(s, {"sample sphere 24", "strategy paper", "angle 60", "coarsest on", "step 300"});
   const Mesh original(to_data(s.document.as_loaded().mesh()));
   const measure::Surface as_loaded(original);
   const auto distance = [&] {

@@ -136,13 +136,14 @@ TEST(Selecting, AnEdgeIsJudgedAsTheLoopWould) {
 // The middle of an edge of the scan that is near the middle of the picture.
 TEST(Selecting, ThePreviewIsOfTheEdgeThatTheMousePointsAt) {
   Session s;
-  drive(s, {"sample scan 2000", "strategy paper"});
+  drive(s, {"sample scan 2000", "strategy paper", "pick-level face"});
   const Mesh& mesh = s.document.mesh();
   const Projector project(s.view, s.document.content().bounds);
   const EntityRef under_middle = s.pick({0, 0});
   ASSERT_EQ(under_middle.dimension, 2);
   const auto [a, b, c] = mesh.triangle(Face(under_middle.index));
   const Edge edge = mesh.find_edge(a, b), other = mesh.find_edge(b, c);
+  drive(s, {"pick-level edge"});
   const auto point_at = [&](Edge e) {
     s.hover(project(middle_of(mesh, e)));
     s.refresh();
