@@ -145,7 +145,7 @@ TEST(Selecting, ThePreviewIsOfTheEdgeThatTheMousePointsAt) {
   const Edge edge = mesh.find_edge(a, b), other = mesh.find_edge(b, c);
   drive(s, {"pick-level edge"});
   const auto point_at = [&](Edge e) {
-    s.hover(project(middle_of(mesh, e)));
+    s.hover(project.ndc(project(middle_of(mesh, e))));
     s.refresh();
     ASSERT_TRUE(s.hovered() && s.hovered()->entity == EntityRef(e));
   };
