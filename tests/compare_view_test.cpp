@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -255,6 +256,27 @@ TEST(Histograms, CountTheMeshAsLoadedAndThePresentOne) {
   EXPECT_NEAR(s.histograms()->of(HistogramKind::Length).before.mean, 1, 1e-12);
   drive(s, {"panel decimation on"});
   EXPECT_EQ(s.histograms(), nullptr) << "nobody looks";
+}
+
+// Vertices that have gone since have a spacing as well.
+TEST(Histograms, OfLengthsAsLoadedAreTheSameBeforeAndAfterARun) {
+  Session early, late;
+  const std::vector<std::string_view> open = {"sample scan 2000", "strategy paper", "factor 4"};
+  const auto as_loaded = [](Session& s) {
+    drive(s, {"panel histograms on"});
+    std::vector<double> ratios;
+    for (const measure::Sample& each : s.histograms()->of(HistogramKind::Length).earlier)
+      ratios.push_back(each.value);
+    return ratios;
+  };
+  for (Session* s : {&early, &late})
+    for (const std::string_view line : open) drive(*s, {line});
+  drive(late, {"run"});
+  const std::vector<double> ratios = as_loaded(early);
+  EXPECT_EQ(as_loaded(late), ratios);
+  const double mean = std::accumulate(ratios.begin(), ratios.end(), 0.0) / static_cast<double>(ratios.size());
+  EXPECT_NEAR(mean, 0.25, 0.01)
+      << "edges are as long as their neighbours, and the spacing is four times that";
 }
 
 TEST(Histograms, OfAVolumeAreItsDihedralAngles) {

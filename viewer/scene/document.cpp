@@ -38,7 +38,7 @@ Column<Vertex, double> Document::wanted_lengths() const {
   if (options_.coarsest || options_.target_faces > 0 || loaded_->skin)
     return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   Column<Vertex, double> lengths = loaded_->edge_lengths;
-  for (const Vertex v : mesh().vertices()) lengths[v] *= options_.factor;
+  for (std::uint32_t id = 0; id < lengths.size(); ++id) lengths[Vertex(id)] *= options_.factor;
   return lengths;
 }
 
