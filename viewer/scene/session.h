@@ -119,6 +119,7 @@ class Session {
   /// Null unless somebody looks at them.
   [[nodiscard]] const Histograms* histograms() const { return histograms_.histograms(); }
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
+  [[nodiscard]] const SurfaceDrawing& drawing() const { return drawing_; }
   /// The reference (above), in the same colours; null where it is not shown.
   [[nodiscard]] SurfaceDrawing* original_drawing() { return shows_original_ ? &original_drawing_ : nullptr; }
   [[nodiscard]] bool shows_original() const { return shows_original_; }

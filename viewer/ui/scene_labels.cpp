@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/mesh/derive.h"
@@ -118,8 +119,31 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
   ImGui::PopFont();
 }
 
+/// The top and the bottom of the preview of what the mouse points at; both 0 where there is none.
+ImVec2 previewed_rows(const Frame& frame, const scene::Projector& project, const Area& viewport) {
+  const scene::Drawable& drawable = frame.session.drawing().drawable();
+  const auto corners = drawable.preview.faces.values();
+  if (corners.empty() || frame.session.judgement() || frame.session.neighbours()) return {0, 0};
+  ImVec2 rows{std::numeric_limits<float>::max(), 0};
+  for (const scene::Corner& corner : corners) {
+    const glm::dvec2 p = project(glm::dvec3(corner.position) + drawable.origin);
+    const float y = viewport.position.y + viewport.size.y - static_cast<float>(p.y);
+    rows = {std::min(rows.x, y), std::max(rows.y, y)};
+  }
+  return rows;
+}
+
+/// Below or above what is previewed, where there is room.
+float beside_preview(float y, float height, const ImVec2& rows, const Area& viewport) {
+  const float gap = 0.5f * em();
+  if (y > rows.y || y + height < rows.x) return y;
+  if (rows.y + gap + height < viewport.position.y + viewport.size.y) return rows.y + gap;
+  return rows.x - gap - height > viewport.position.y ? rows.x - gap - height : y;
+}
+
 /// Beside the mouse, on the side where there is room.
-void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, const Area& viewport) {
+void hover_label(const Frame& frame, const scene::Projector& project, const scene::Session::Hovered& hovered,
+                 const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
   const std::string title =
       scene::entity_title(hovered.entity) + ", " + scene::model_words(mesh.classification(hovered.entity));
@@ -136,6 +160,7 @@ void hover_label(const Frame& frame, const scene::Session::Hovered& hovered, con
   from.x = std::min(from.x, viewport.position.x + viewport.size.x - size.x - 0.3f * em());
   if (from.y + size.y > viewport.position.y + viewport.size.y) from.y = y - 0.6f * em() - size.y;
   from.x = std::max(from.x, viewport.position.x);
+  from.y = beside_preview(from.y, size.y, previewed_rows(frame, project, viewport), viewport);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImVec4 back = frame.colors.panel;
   back.w = 0.94f;
@@ -153,7 +178,7 @@ void scene_labels(Frame& frame, const Area& viewport) {
   if (!frame.has_mesh() || viewport.size.x < 2) return;
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
   if (frame.session.view.labels || frame.session.neighbours()) id_labels(frame, project, viewport);
-  if (const auto* hovered = frame.session.hovered()) hover_label(frame, *hovered, viewport);
+  if (const auto* hovered = frame.session.hovered()) hover_label(frame, project, *hovered, viewport);
 }
 
 void selection_box(const Frame& frame, ImVec2 from, ImVec2 to) {
