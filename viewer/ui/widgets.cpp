@@ -11,6 +11,8 @@
 namespace aomd::ui {
 namespace {
 
+constexpr float tooltip_ems = 22;
+
 void draw_bar_sign(ImDrawList& list, ImVec2 c, float r, float x, ImU32 color) {
   list.AddRectFilled({c.x + x - 0.13f * r, c.y - 0.8f * r}, {c.x + x + 0.13f * r, c.y + 0.8f * r}, color);
 }
@@ -70,6 +72,16 @@ void emitting_button(Frame& frame, const char* label, std::string_view line, flo
   ImGui::BeginDisabled(!enabled);
   if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
   ImGui::EndDisabled();
+}
+
+/// Beside the menu, whose next entries are to be read as well.
+void menu_tooltip(std::string_view help) {
+  if (help.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = 0.3f * em();
+  const bool fits = right + gap + tooltip_ems * em() < ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({fits ? right + gap : left - gap, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
+                          {fits ? 0.0f : 1.0f, 0});
+  tooltip(help);
 }
 
 }  // namespace
@@ -155,7 +167,7 @@ void tooltip(std::string_view s) { tooltip(s, {}); }
 void tooltip(std::string_view help, std::string_view line) {
   if (help.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(22 * em());
+  ImGui::PushTextWrapPos(tooltip_ems * em());
   text(help);
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   if (!line.empty()) text(line);
@@ -216,7 +228,7 @@ bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up) {
 void command_item(Frame& frame, const char* label, const std::string& line, bool selected, bool enabled) {
   const std::string chord(scene::chord_of_line(line));
   if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled)) frame.emit(line);
-  tooltip(scene::own_help(line));
+  menu_tooltip(scene::own_help(line));
 }
 
 bool icon_button(const char* id, Icon icon, bool enabled) {
