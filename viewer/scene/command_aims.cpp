@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/text.h"
 
 namespace aomd::scene {
 namespace {
@@ -30,7 +31,10 @@ void strategy(Session& session, Arguments& arguments) {
   arguments.end();
   DecimationOptions options = session.document.options();
   options.strategy = text == "paper" ? Strategy::Paper : Strategy::Quality;
+  const double before = options.angle_deg;
   set_with_angle(session, options);
+  if (const double now = session.document.options().angle_deg; now != before)
+    session.status = "The angle limit is " + short_number(now) + " degrees now, as usual for " + text;
 }
 
 void regularity(Session& session, Arguments& arguments) {

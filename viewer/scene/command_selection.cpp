@@ -12,7 +12,13 @@
 namespace aomd::scene {
 namespace {
 
-void say(Session& session) { session.status = "Selected: " + selection_text(session.selection); }
+/// With the way to what is known of it, where that is not on the screen.
+void say(Session& session) {
+  session.status = "Selected: " + selection_text(session.selection);
+  const Panels& panels = session.view.panels;
+  if (session.selection.single().valid() && !(panels.side && panels.page == Page::Selection))
+    session.status += ". P tells about it, and why it stays";
+}
 
 EntityRef entity(Session& session, Arguments& arguments, int dim) {
   const long long id = arguments.integer("an id");
@@ -240,9 +246,8 @@ std::vector<Command> selection_commands() {
       {"preview",
        "on|off|best|1|2|swap",
        "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
-       "way, or the first or second end. swap draws the faces that swapping the edge would make. While "
-       "neither "
-       "is selected, the best way of the edge that the mouse points at.",
+       "way, or the first or second end. swap draws the faces that swapping the edge would make. "
+       "Before both comes the best way of the edge that the mouse points at.",
        CommandGroup::Selection,
        preview,
        {}},

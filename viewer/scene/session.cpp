@@ -181,6 +181,8 @@ void Session::advance_playing(double frame_s) {
   steps_due_ -= whole;
   if (whole > 0) document.seek(document.journal().cursor() + static_cast<std::size_t>(whole));
   playing_ = document.can_redo();
+  status = "Playing: operation " + grouped(document.journal().cursor()) + " of " +
+           grouped(document.journal().size());
 }
 
 /// A run that has come to its end is kept, to be compared with others.

@@ -90,18 +90,19 @@ void Session::refresh_neighbours(bool anew) {
     neighbours_ = find_neighbours(document.mesh(), e, *view.neighbours);
 }
 
-/// What is selected comes before what the mouse points at; neighbours take the place of what an operation
+/// What the mouse points at comes before what is selected; neighbours take the place of what an operation
 /// would lead to: both at once would be too much.
 const Judgement* Session::previewed() const {
   if (!view.preview || neighbours_) return nullptr;
-  if (judgement_) return &*judgement_;
   const bool points = hovered_ && hovered_judgement_ && hovered_judgement_->entity == hovered_->entity;
-  return points ? &*hovered_judgement_ : nullptr;
+  if (points && hovered_->entity != selection.single()) return &*hovered_judgement_;
+  return judgement_ ? &*judgement_ : nullptr;
 }
 
 void Session::refresh_preview() {
   const Judgement* judged = previewed();
-  const std::size_t way = judged == nullptr ? 0 : judgement_ ? previewed_way() : judged->best;
+  const bool selected = judgement_ && judged == &*judgement_;
+  const std::size_t way = selected ? previewed_way() : judged == nullptr ? 0 : judged->best;
   const std::pair wanted(judged == nullptr ? EntityRef() : judged->entity, way);
   if (drawn_preview_ == wanted) return;
   drawn_preview_ = wanted;

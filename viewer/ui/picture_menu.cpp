@@ -4,6 +4,7 @@
 #include <string>
 
 #include "viewer/scene/arguments.h"
+#include "viewer/scene/inspection.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -33,10 +34,10 @@ void neighbours_menu(Frame& frame, bool enabled) {
 void class_items(Frame& frame, EntityRef e) {
   const ModelRef model = e.valid() ? frame.document().mesh().classification(e) : ModelRef();
   if (model.valid()) {
-    const std::string name = scene::model_entity_text(model);
+    const std::string name = scene::model_entity_text(model), words = scene::model_words(model);
     ImGui::Separator();
-    command_item(frame, ("Select all on " + name).c_str(), "select class " + name);
-    command_item(frame, ("Hide " + name).c_str(), "hide " + name + " on");
+    command_item(frame, ("Select all on " + words).c_str(), "select class " + name);
+    command_item(frame, ("Hide " + words).c_str(), "hide " + name + " on");
   }
   if (!frame.session.view.hidden.empty()) command_item(frame, "Show what is hidden", "hide");
 }

@@ -29,9 +29,13 @@ constexpr std::array<Column, 9> columns = {
       "The smallest angle of all faces, and the mean of the smallest angles of each, degrees."},
      {"Distance %", 6.4f,
       "To the mesh as loaded: root mean square, and the largest; percent of the diagonal of its box."},
-     {"Time", 3.4f, "That the run took, seconds."}}};
+     {"Time", 3.4f, "That the run took."}}};
 
 std::string degrees_text(double deg) { return short_number(deg, 1) + "\u00b0"; }
+
+std::string time_words(double seconds) {
+  return seconds < 1 ? short_number(1000 * seconds, 0) + " ms" : scene::significant(seconds) + " s";
+}
 
 void header(const Frame& frame) {
   ImGui::TableSetupScrollFreeze(0, 1);
@@ -101,7 +105,7 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   cell(run.distance
            ? scene::significant(run.distance->rms_pct) + ", " + scene::significant(run.distance->max_pct)
            : "");
-  cell(run.seconds && frame.interactive ? scene::significant(*run.seconds) + " s" : "");
+  cell(run.seconds && frame.interactive ? time_words(*run.seconds) : "");
   ImGui::PopID();
 }
 

@@ -123,7 +123,7 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
 ImVec2 previewed_rows(const Frame& frame, const scene::Projector& project, const Area& viewport) {
   const scene::Drawable& drawable = frame.session.drawing().drawable();
   const auto corners = drawable.preview.faces.values();
-  if (corners.empty() || frame.session.judgement() || frame.session.neighbours()) return {0, 0};
+  if (corners.empty() || frame.session.hovered_words().empty() || frame.session.neighbours()) return {0, 0};
   ImVec2 rows{std::numeric_limits<float>::max(), 0};
   for (const scene::Corner& corner : corners) {
     const glm::dvec2 p = project(glm::dvec3(corner.position) + drawable.origin);
