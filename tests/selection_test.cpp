@@ -162,7 +162,7 @@ TEST(Selecting, ThePreviewIsOfTheEdgeThatTheMousePointsAt) {
   point_at(other);
   const auto positions = [](std::span<const Corner> corners) {
     std::vector<glm::vec3> all;
-    for (const Corner& c : corners) all.push_back(c.position);
+    for (const Corner& each : corners) all.push_back(each.position);
     return all;
   };
   EXPECT_FALSE(faces.empty());
