@@ -35,6 +35,11 @@ bool renew(std::optional<T>& kept, const T& now) {
   return true;
 }
 
+/// "operation 12 of 4,000"
+std::string place_words(const Journal& journal) {
+  return "operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
+}
+
 /// "7,160 faces", "165,295 regions"
 std::string size_words(const MeshFacts& facts) {
   return facts.regions > 0 ? counted(facts.regions, "region") : counted(facts.faces, "face");
@@ -169,6 +174,7 @@ void Session::come_to_rest() {
 }
 
 void Session::play(bool on) {
+  if (!on && playing_) status = "Paused: " + place_words(document.journal());
   if (on && document.empty()) return;
   if (on && !document.can_redo()) document.seek(0);
   playing_ = on && document.can_redo();
@@ -181,8 +187,7 @@ void Session::advance_playing(double frame_s) {
   steps_due_ -= whole;
   if (whole > 0) document.seek(document.journal().cursor() + static_cast<std::size_t>(whole));
   playing_ = document.can_redo();
-  status = "Playing: operation " + grouped(document.journal().cursor()) + " of " +
-           grouped(document.journal().size());
+  status = (playing_ ? "Playing: " : "Played to the end: ") + place_words(document.journal());
 }
 
 /// A run that has come to its end is kept, to be compared with others.
