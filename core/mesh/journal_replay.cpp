@@ -22,8 +22,7 @@ void JournalReplay::undo(std::span<const std::uint32_t> records) {
 
 void JournalReplay::apply(const std::uint32_t* w, bool forward) {
   const RecordHead head = RecordHead::unpack(w[0]);
-  if (head.kind == RecordKind::Rebind) return rebind(w, forward);
-  if (!mine(head.dim)) return;
+  if (head.kind != RecordKind::Rebind && !mine(head.dim)) return;
   switch (head.kind) {
     case RecordKind::Create:
       return forward ? create(w) : destroy(w);
@@ -35,7 +34,7 @@ void JournalReplay::apply(const std::uint32_t* w, bool forward) {
     case RecordKind::Classify:
       return mesh_.classify(head.dim, w[1], ModelRef::from_bits(w[forward ? 3 : 2]));
     case RecordKind::Rebind:
-      return;
+      return rebind(w, forward);
   }
 }
 

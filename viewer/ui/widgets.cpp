@@ -74,16 +74,18 @@ void emitting_button(Frame& frame, const char* label, std::string_view line, flo
   ImGui::EndDisabled();
 }
 
-/// The mouse has not moved since the last click: whoever clicked knows, and wants to see what comes of it.
-bool clicked_here() {
+/// The mouse is on the last item, and has moved since the last click: whoever clicked knows, and wants to see
+/// what comes of it.
+bool tooltip_due() {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 from = io.MouseClickedPos[ImGuiMouseButton_Left];
-  return std::abs(io.MousePos.x - from.x) + std::abs(io.MousePos.y - from.y) < 4;
+  const bool clicked_here = std::abs(io.MousePos.x - from.x) + std::abs(io.MousePos.y - from.y) < 4;
+  return !clicked_here && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 /// Beside the menu, whose next entries are to be read as well.
 void menu_tooltip(std::string_view help) {
-  if (help.empty() || clicked_here() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (help.empty() || !tooltip_due()) return;
   const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = 0.3f * em();
   const bool fits = right + gap + tooltip_ems * em() < ImGui::GetIO().DisplaySize.x;
   ImGui::SetNextWindowPos({fits ? right + gap : left - gap, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
@@ -172,7 +174,7 @@ void gap(float ems) { ImGui::Dummy({0, ems * em()}); }
 void tooltip(std::string_view s) { tooltip(s, {}); }
 
 void tooltip(std::string_view help, std::string_view line) {
-  if (help.empty() || clicked_here() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (help.empty() || !tooltip_due()) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(tooltip_ems * em());
   text(help);
