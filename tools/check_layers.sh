@@ -4,16 +4,23 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+below_decimate="core/base core/mesh core/model core/io core/operators core/decimate/options.h"
 declare -A may_include=(
-  [core/mesh]="core/mesh"
-  [core/model]="core/mesh core/model"
-  [core/io]="core/mesh core/model core/io"
-  [core/operators]="core/mesh core/model core/io core/operators"
-  [core/decimate]="core/mesh core/model core/io core/operators core/decimate"
-  [core/measure]="core/mesh core/model core/io core/measure"
-  [core/repair]="core/mesh core/model core/io core/repair"
-  [core/samples]="core/mesh core/samples"
-  [core/paper]="core/mesh core/model core/operators core/decimate core/paper"
+  [core/base]="core/base"
+  [core/mesh]="core/base core/mesh"
+  [core/model]="core/base core/mesh core/model"
+  [core/io]="core/base core/mesh core/model core/io"
+  [core/operators]="core/base core/mesh core/model core/io core/operators"
+  [core/decimate]="core/base core/mesh core/model core/io core/operators core/decimate"
+  [core/decimate/spacing]="$below_decimate core/decimate/spacing"
+  [core/decimate/guard]="$below_decimate core/decimate/guard"
+  [core/decimate/explain]="$below_decimate core/decimate/explain"
+  [core/decimate/paper]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/loop.h core/decimate/paper"
+  [core/decimate/quality]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/loop.h core/decimate/quality"
+  [core/measure]="core/base core/mesh core/model core/io core/measure"
+  [core/repair]="core/base core/mesh core/model core/io core/repair"
+  [core/samples]="core/base core/mesh core/samples"
+  [core/paper]="core/base core/mesh core/model core/operators core/decimate core/paper"
   [viewer/scene]="core viewer/scene"
   [viewer/render]="core viewer/scene viewer/render"
   [viewer/ui]="core viewer/scene viewer/render viewer/ui"
@@ -22,21 +29,27 @@ declare -A may_include=(
   [tools/bench]="core viewer tools/bench"
 )
 
-# Whether $1, a list of folders, holds a folder that is $2 or contains it.
+# Whether $1, a list of folders and files, names $2 or a folder that contains it.
 allowed() {
-  local folder
-  for folder in $1; do
-    [[ "$2" == "$folder" || "$2" == "$folder"/* ]] && return 0
+  local entry
+  for entry in $1; do
+    [[ "$2" == "$entry" || "$2" == "$entry"/* ]] && return 0
   done
   return 1
+}
+
+# The layer of a file: the deepest folder above it that has a row.
+layer_of() {
+  local folder=${1%/*}
+  while [[ "$folder" == */* && -z "${may_include[$folder]:-}" ]]; do folder=${folder%/*}; done
+  echo "$folder"
 }
 
 bad=0
 while IFS=: read -r file line text; do
   included=${text#*\"}
   included=${included%%\"*}
-  folder=${file#*/}
-  layer=${file%%/*}/${folder%%/*}
+  layer=$(layer_of "$file")
   case "$included" in
     core/* | viewer/* | tools/*) ;;
     *) continue ;;
@@ -44,7 +57,7 @@ while IFS=: read -r file line text; do
   if [ -z "${may_include[$layer]:-}" ]; then
     echo "$file:$line: the layer $layer is unknown to tools/check_layers.sh"
     bad=1
-  elif ! allowed "${may_include[$layer]}" "${included%/*}"; then
+  elif ! allowed "${may_include[$layer]}" "$included"; then
     echo "$file:$line: $layer must not include $included"
     bad=1
   fi

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/decimate/paper_loop.h"
-#include "core/decimate/quality_loop.h"
+#include "core/decimate/paper/paper_loop.h"
+#include "core/decimate/quality/quality_loop.h"
 
 namespace aomd {
 
@@ -39,8 +39,8 @@ Mesh& decimable(Mesh& mesh) {
   return mesh;
 }
 
-// Then nothing needs the edges inside model faces: they need not be entities. A model edge without a face
-// could not be found without T(0,1).
+// Then nothing needs the edges inside model faces: they need not be entities. A model edge without
+// a face could not be found without T(0,1).
 bool lists_model_edges_only(const Mesh& mesh) {
   if (mesh.complete(1)) return false;
   for (const Edge e : mesh.edges()) {
@@ -56,9 +56,11 @@ bool lists_model_edges_only(const Mesh& mesh) {
   return true;
 }
 
-// Until the loop is done, or `goes_on` ends; every few candidates it asks whether it is to stop before.
+// Until the loop is done, or `goes_on` ends; every few candidates it asks whether it is to stop
+// before.
 template <typename GoesOn>
-Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on, std::optional<std::chrono::microseconds> budget,
+Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on,
+                           std::optional<std::chrono::microseconds> budget,
                            const std::function<bool()>& cancelled) {
   constexpr int candidates_between_checks = 64;
   using Stop = Decimation::Stop;

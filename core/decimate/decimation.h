@@ -1,6 +1,7 @@
 #pragma once
-// The driver (paper, section 3 and figure 7): sweeps of edge collapses driven by a spacing field, improved by
-// swaps and smoothing, until nothing more collapses. Resumable: it stops between two operations only.
+// The driver (paper, section 3 and figure 7): sweeps of edge collapses driven by a spacing field,
+// improved by swaps and smoothing, until nothing more collapses. Resumable: it stops between two
+// operations only.
 
 #include <chrono>
 #include <cstdint>
@@ -15,14 +16,14 @@
 
 namespace aomd {
 
-/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, and its faces are
-/// triangles. O(faces).
+/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, and its
+/// faces are triangles. O(faces).
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
-/// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too for Paper
-/// and where the mesh has other edges than those on model edges; with DecimationOptions::exchange T(2,0), and
-/// what the present phase needs. They go with it. The mesh must not change
-/// otherwise while it lives, except through invalidate().
+/// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too
+/// for Paper and where the mesh has other edges than those on model edges; with
+/// DecimationOptions::exchange T(2,0), and what the present phase needs. They go with it. The mesh
+/// must not change otherwise while it lives, except through invalidate().
 class Decimation {
  public:
   /// Throws std::invalid_argument where there is an obstacle (above).
@@ -31,11 +32,11 @@ class Decimation {
   enum class Stop { Done, Budget, Cancelled };
 
   [[nodiscard]] const DecimationOptions& options() const { return loop_->options(); }
-  /// Takes new options at any time; everything is judged again. Another strategy starts from the mesh as it
-  /// is.
+  /// Takes new options at any time; everything is judged again. Another strategy starts from the
+  /// mesh as it is.
   void set_options(const DecimationOptions& options);
-  /// The mesh was changed from outside (undo, say): forget remembered verdicts and start a new sweep.
-  /// Vertices that are new since construction have spacing 0: they stay.
+  /// The mesh was changed from outside (undo, say): forget remembered verdicts and start a new
+  /// sweep. Vertices that are new since construction have spacing 0: they stay.
   void invalidate();
 
   /// One operation, whatever its kind; none when done.
@@ -44,34 +45,37 @@ class Decimation {
   std::uint32_t sweep();
   /// To the end of the present phase, or until `cancelled` says so, asked every few candidates.
   Stop run_phase(const std::function<bool()>& cancelled = {});
-  /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many operations it
-  /// made.
+  /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many
+  /// operations it made.
   std::uint32_t swap_pass() { return loop_->swap_pass(); }
   std::uint32_t smooth_pass() { return loop_->smooth_pass(); }
   std::uint32_t improve() { return swap_pass() + smooth_pass(); }
 
-  /// Runs until done, until `budget` of time is spent (checked every few operations), or until `cancelled`
-  /// says so.
-  Stop run(std::optional<std::chrono::microseconds> budget = {}, const std::function<bool()>& cancelled = {});
+  /// Runs until done, until `budget` of time is spent (checked every few operations), or until
+  /// `cancelled` says so.
+  Stop run(std::optional<std::chrono::microseconds> budget = {},
+           const std::function<bool()>& cancelled = {});
 
   [[nodiscard]] Phase phase() const { return loop_->phase(); }
   [[nodiscard]] bool done() const { return loop_->done(); }
   /// A guess in [0,1].
   [[nodiscard]] double progress() const { return loop_->progress(); }
   [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const { return loop_->sweeps(); }
-  /// The spacing at a vertex: what the options give, else the average length of its edges at the start,
-  /// times factor. Infinite for coarsest.
+  /// The spacing at a vertex: what the options give, else the average length of its edges at the
+  /// start, times factor. Infinite for coarsest.
   [[nodiscard]] double spacing(Vertex v) const { return loop_->spacing(v); }
   /// Why the edge was not collapsed when it was last judged (None: not judged yet).
   [[nodiscard]] Reason last_refusal(Edge e) const { return loop_->last_refusal(e); }
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
-  /// What would become of an edge, for each way in which the strategy may collapse it: each end for Paper,
-  /// one for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
+  /// What would become of an edge, for each way in which the strategy may collapse it: each end for
+  /// Paper, one for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) { return loop_->outlook(edge); }
-  /// The same for swapping it and for smoothing a vertex. None while Quality collapses: it judges them by
-  /// where the original's points lie, which it finds out after that.
-  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) { return loop_->swap_outlook(edge); }
+  /// The same for swapping it and for smoothing a vertex. None while Quality collapses: it judges
+  /// them by where the original's points lie, which it finds out after that.
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) {
+    return loop_->swap_outlook(edge);
+  }
   [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) { return loop_->move_outlook(v); }
 
  private:

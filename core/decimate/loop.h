@@ -1,17 +1,18 @@
 #pragma once
-// What the strategies of a decimation have in common: a loop that advances by one candidate at a time.
+// What the strategies of a decimation have in common: a loop that advances by one candidate at a
+// time.
 
 #include <optional>
 #include <vector>
 
-#include "core/decimate/guards.h"
+#include "core/decimate/explain/outlook.h"
+#include "core/decimate/guard/guards.h"
 #include "core/decimate/options.h"
-#include "core/decimate/outlook.h"
 
 namespace aomd {
 
-/// One strategy at work on one mesh. Stops between two operations only; the mesh must not change otherwise,
-/// except through invalidate().
+/// One strategy at work on one mesh. Stops between two operations only; the mesh must not change
+/// otherwise, except through invalidate().
 class Loop {
  public:
   Loop(Mesh& mesh, const DecimationOptions& options)
@@ -24,7 +25,8 @@ class Loop {
   virtual bool advance() = 0;
   /// New options, or a mesh that was changed from outside: forgets what it knows and starts again.
   virtual void restart(const DecimationOptions& options) = 0;
-  /// One pass of swaps, or of smoothing, now, whatever the phase. Returns how many operations it made.
+  /// One pass of swaps, or of smoothing, now, whatever the phase. Returns how many operations it
+  /// made.
   virtual std::uint32_t swap_pass() = 0;
   virtual std::uint32_t smooth_pass() = 0;
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.

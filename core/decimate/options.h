@@ -15,68 +15,73 @@
 
 namespace aomd {
 
-/// Paper: the printed loop. Quality: collapses in the order of the error they make, the kept vertex placed,
-/// then swaps and a fit to the original surface (docs/QUALITY.md).
+/// Paper: the printed loop. Quality: collapses in the order of the error they make, the kept vertex
+/// placed, then swaps and a fit to the original surface (docs/QUALITY.md).
 enum class Strategy : std::uint8_t { Paper, Quality };
 
-/// What the quality strategy does beyond plain ordered collapses, swaps and smoothing; each can be left out,
-/// to see what it is worth (tools/bench/quality_ideas.sh).
+/// What the quality strategy does beyond plain ordered collapses, swaps and smoothing; each can be
+/// left out, to see what it is worth (tools/bench/quality_ideas.sh).
 enum class Idea : std::uint8_t {
   Placement,    ///< the kept vertex goes where the error is least
   ThirdPowers,  ///< few large errors count more than many small ones
   Facing,       ///< no face looks away from the original around its corners
   SecondStage,  ///< the last collapses follow errors that were measured anew
   FarPoints,    ///< the fit cares more for points that are far off
-  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices come to each face of the result: the
-                ///< original has a point in each face too
+  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices come to each face of the
+                ///< result: the original has a point in each face too
 };
 inline constexpr int idea_count = 6;
 /// "placement", "third-powers", "facing", "second-stage", "far-points", "dense-points".
 [[nodiscard]] const char* idea_name(Idea idea);
 
-/// The angle that suits a strategy: 10 degrees where it is what limits, 60 for quality, whose faces are held
-/// against the original too.
+/// The angle that suits a strategy: 10 degrees where it is what limits, 60 for quality, whose faces
+/// are held against the original too.
 [[nodiscard]] double usual_angle_deg(Strategy strategy, bool coarsest);
 
 struct DecimationOptions {
   Strategy strategy = Strategy::Paper;
   double factor = 4;      ///< how many times longer edges become where the angle does not bind
   bool coarsest = false;  ///< no limit on length; `factor` is then ignored
-  /// Wanted length of edges by vertex, in the mesh's units, instead of factor times the average; none:
-  /// factor.
+  /// Wanted length of edges by vertex, in the mesh's units, instead of factor times the average;
+  /// none: factor.
   std::shared_ptr<const Column<Vertex, double>> spacing = {};
-  std::uint32_t target_faces = 0;  ///< stop at this many faces; 0: nothing but spacing and limits stop it
-  double angle_deg = 10;           ///< how far the normal of a face may turn in one operation, degrees
-  double min_angle_deg = 0;        ///< no face gets an angle below it unless it had a smaller one, degrees
-  double regularity = 0.5;         ///< Quality: 0 accuracy first .. 1 regular faces first
-  std::uint32_t without = 0;       ///< Quality: bit i leaves out Idea i
-  /// Every point of the result within it of the original, and every point of a model edge within it of that
-  /// model edge, in the mesh's units; 0: no such guarantee.
+  std::uint32_t target_faces =
+      0;                  ///< stop at this many faces; 0: nothing but spacing and limits stop it
+  double angle_deg = 10;  ///< how far the normal of a face may turn in one operation, degrees
+  double min_angle_deg =
+      0;                    ///< no face gets an angle below it unless it had a smaller one, degrees
+  double regularity = 0.5;  ///< Quality: 0 accuracy first .. 1 regular faces first
+  std::uint32_t without = 0;  ///< Quality: bit i leaves out Idea i
+  /// Every point of the result within it of the original, and every point of a model edge within it
+  /// of that model edge, in the mesh's units; 0: no such guarantee.
   double max_distance = 0;
   bool no_intersections = false;  ///< no operation adds a pair of faces that cut each other
   TopologyRule topology = TopologyRule::Safe;
   int improve_passes = 4;  ///< Paper: sweeps that are followed by swaps and smoothing
-  /// Paper: T(0,2) makes way for T(0,1) and T(1,2) while edges are swapped and vertices smoothed, and comes
-  /// back for the next collapses, which find edges through a hash set. Off: T(0,1) and T(0,2) stay. The
-  /// result is the same (docs/REPRESENTATIONS.md).
+  /// Paper: T(0,2) makes way for T(0,1) and T(1,2) while edges are swapped and vertices smoothed,
+  /// and comes back for the next collapses, which find edges through a hash set. Off: T(0,1) and
+  /// T(0,2) stay. The result is the same (docs/REPRESENTATIONS.md).
   bool exchange = false;
   bool swap = true;
   bool smooth = true;
-  int threads = 1;  ///< Quality: used wherever there is something to share out; the result is the same
+  int threads =
+      1;  ///< Quality: used wherever there is something to share out; the result is the same
   /// Vertices (nonzero) that stay where they are; none: all may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
-  /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the mesh lies
-  /// on (check_against) and outlive the decimation.
+  /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
+  /// mesh lies on (check_against) and outlive the decimation.
   const Model* model = nullptr;
 
   friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
 
   [[nodiscard]] bool has(Idea idea) const { return !(without >> static_cast<int>(idea) & 1u); }
-  [[nodiscard]] bool kept(Vertex v) const { return keep && v.index < keep->size() && (*keep)[v] != 0; }
+  [[nodiscard]] bool kept(Vertex v) const {
+    return keep && v.index < keep->size() && (*keep)[v] != 0;
+  }
 };
 
-/// What one sweep and the improvement after it did. `refused` counts the edges that the sweep left, by
-/// reason.
+/// What one sweep and the improvement after it did. `refused` counts the edges that the sweep left,
+/// by reason.
 struct SweepStatistics {
   std::uint32_t collapses = 0, swaps = 0, smooths = 0;
   std::uint32_t faces = 0;  ///< after it

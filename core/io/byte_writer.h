@@ -11,8 +11,8 @@
 
 namespace aomd::io::detail {
 
-/// Appends text and raw values to a string. Doubles are written with the fewest digits that read back as the
-/// same value.
+/// Appends text and raw values to a string. Doubles are written with the fewest digits that read
+/// back as the same value.
 class ByteWriter {
  public:
   ByteWriter& operator<<(std::string_view text) {
@@ -24,7 +24,8 @@ class ByteWriter {
     return *this;
   }
   template <class Number>
-  requires(std::integral<Number> || std::floating_point<Number>) ByteWriter& operator<<(Number value) {
+  requires(std::integral<Number> || std::floating_point<Number>) ByteWriter& operator<<(
+      Number value) {
     char digits[32];
     bytes_.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
     return *this;
@@ -38,7 +39,8 @@ class ByteWriter {
     if constexpr (Order == std::endian::native) {
       bytes_.append(bytes, sizeof(Value));
     } else {
-      bytes_.append(std::make_reverse_iterator(bytes + sizeof(Value)), std::make_reverse_iterator(bytes));
+      bytes_.append(std::make_reverse_iterator(bytes + sizeof(Value)),
+                    std::make_reverse_iterator(bytes));
     }
   }
 

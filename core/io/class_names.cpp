@@ -23,7 +23,8 @@ std::optional<ModelRef> numbered(std::string_view name, std::string_view prefix,
 
 std::string class_name(ModelRef model) {
   if (!model.valid()) return std::string(unclassified);
-  return std::string(model.dimension() == 3 ? region_prefix : face_prefix) + std::to_string(model.tag());
+  return std::string(model.dimension() == 3 ? region_prefix : face_prefix) +
+         std::to_string(model.tag());
 }
 
 std::optional<ModelRef> class_of_name(std::string_view name) {
@@ -33,8 +34,9 @@ std::optional<ModelRef> class_of_name(std::string_view name) {
 }
 
 std::vector<ModelRef> classes_of_parts(std::span<const std::string> names) {
-  const bool ours = std::all_of(names.begin(), names.end(),
-                                [](const std::string& name) { return class_of_name(name).has_value(); });
+  const bool ours = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return class_of_name(name).has_value();
+  });
   std::vector<ModelRef> classes(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (ours) {

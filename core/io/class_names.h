@@ -17,8 +17,8 @@ namespace aomd::io::detail {
 /// The reverse, for faces; nothing where the name is not one of ours.
 [[nodiscard]] std::optional<ModelRef> class_of_name(std::string_view name);
 
-/// The class of each named part of a file: by its name where all names are ours, otherwise model faces 1..n
-/// in order when there are several parts, and unclassified when there is one.
+/// The class of each named part of a file: by its name where all names are ours, otherwise model
+/// faces 1..n in order when there are several parts, and unclassified when there is one.
 [[nodiscard]] std::vector<ModelRef> classes_of_parts(std::span<const std::string> names);
 
 }  // namespace aomd::io::detail

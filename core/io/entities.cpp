@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::int64_t none = -1;
 
-/// The first value that occurs twice, or none. Few values are compared with each other, many are sorted.
+/// The first value that occurs twice, or none. Few values are compared with each other, many are
+/// sorted.
 std::int64_t repeated(std::span<const std::int64_t> vertices) {
   if (vertices.size() <= 8) {
     for (std::size_t i = 1; i < vertices.size(); ++i) {
@@ -28,8 +29,9 @@ std::int64_t repeated(std::span<const std::int64_t> vertices) {
 
 std::string out_of_range(std::int64_t index, std::uint64_t vertex_count, int first) {
   if (vertex_count == 0) return "an element refers to a vertex, but there are none";
-  return "vertex index " + std::to_string(index + first) + " is out of range (" + std::to_string(first) +
-         ".." + std::to_string(vertex_count - 1 + static_cast<std::uint64_t>(first)) + ")";
+  return "vertex index " + std::to_string(index + first) + " is out of range (" +
+         std::to_string(first) + ".." +
+         std::to_string(vertex_count - 1 + static_cast<std::uint64_t>(first)) + ")";
 }
 
 std::string entity_defect(std::string_view name, std::span<const std::int64_t> vertices,
@@ -49,7 +51,8 @@ void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertice
 
 std::vector<ModelRef> lowest_classes(const MeshData& mesh) {
   std::vector<ModelRef> classes(mesh.positions.size());
-  std::vector<std::uint8_t> from(mesh.positions.size());  // the dimension that gave the class, 0 before
+  std::vector<std::uint8_t> from(
+      mesh.positions.size());  // the dimension that gave the class, 0 before
   for (std::uint8_t d = 1; d <= 3; ++d) {
     for_each_entity(mesh.list(d), [&](auto vertices, ModelRef model) {
       if (!model.valid()) return;

@@ -15,19 +15,23 @@ namespace aomd::io::detail {
   return index < 0 || static_cast<std::uint64_t>(index) >= vertex_count;
 }
 
-/// What is wrong with a 0-based index that is outside; the message counts from `first`, as the file does.
-[[nodiscard]] std::string out_of_range(std::int64_t index, std::uint64_t vertex_count, int first = 0);
+/// What is wrong with a 0-based index that is outside; the message counts from `first`, as the file
+/// does.
+[[nodiscard]] std::string out_of_range(std::int64_t index, std::uint64_t vertex_count,
+                                       int first = 0);
 
-/// What is wrong with an entity by these 0-based vertices (out of range, one of them twice), or an empty
-/// string. `name` stands in the message: "face". No allocation for 8 vertices or fewer.
-[[nodiscard]] std::string entity_defect(std::string_view name, std::span<const std::int64_t> vertices,
+/// What is wrong with an entity by these 0-based vertices (out of range, one of them twice), or an
+/// empty string. `name` stands in the message: "face". No allocation for 8 vertices or fewer.
+[[nodiscard]] std::string entity_defect(std::string_view name,
+                                        std::span<const std::int64_t> vertices,
                                         std::uint64_t vertex_count, int first = 0);
 
 /// Appends a checked entity of shape.vertex_count vertices. Its class, if any, is the caller's.
 void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertices);
 
-/// The class of each vertex, where a file gives none: that of the lowest-dimensional classified entity that
-/// uses the vertex, the smallest where there are several. Unclassified where there is none. Linear.
+/// The class of each vertex, where a file gives none: that of the lowest-dimensional classified
+/// entity that uses the vertex, the smallest where there are several. Unclassified where there is
+/// none. Linear.
 [[nodiscard]] std::vector<ModelRef> lowest_classes(const MeshData& mesh);
 
 }  // namespace aomd::io::detail

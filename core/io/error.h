@@ -1,5 +1,6 @@
 #pragma once
-// Failures of the outside world: one line each, `FILE:LINE: what is wrong` or `FILE: byte N: what is wrong`.
+// Failures of the outside world: one line each, `FILE:LINE: what is wrong` or `FILE: byte N: what
+// is wrong`.
 
 #include <cstdint>
 #include <optional>

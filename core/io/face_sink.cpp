@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/polygon.h"
 #include "core/io/source.h"
@@ -10,12 +11,14 @@ namespace aomd::io::detail {
 namespace {
 
 void drop_if_empty(std::vector<ModelRef>& classes) {
-  if (std::none_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); })) classes.clear();
+  if (std::none_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); }))
+    classes.clear();
 }
 
 }  // namespace
 
-std::string polygon_defect(std::span<const std::int64_t> polygon, std::uint64_t vertex_count, int first) {
+std::string polygon_defect(std::span<const std::int64_t> polygon, std::uint64_t vertex_count,
+                           int first) {
   if (polygon.size() < 3)
     return "a face needs 3 or more vertices, this one has " + std::to_string(polygon.size());
   if (polygon.size() > max_polygon) {
@@ -32,9 +35,9 @@ void FaceSink::reserve(std::size_t n) {
 
 std::string FaceSink::add(std::span<const std::int64_t> polygon, ModelRef model) {
   const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(polygon[i]); };
-  if (polygon.size() == 3 && !outside(polygon[0], vertex_count_) && !outside(polygon[1], vertex_count_) &&
-      !outside(polygon[2], vertex_count_) && polygon[0] != polygon[1] && polygon[1] != polygon[2] &&
-      polygon[2] != polygon[0]) {
+  if (polygon.size() == 3 && !outside(polygon[0], vertex_count_) &&
+      !outside(polygon[1], vertex_count_) && !outside(polygon[2], vertex_count_) &&
+      polygon[0] != polygon[1] && polygon[1] != polygon[2] && polygon[2] != polygon[0]) {
     push(corner(0), corner(1), corner(2), model);
     return {};
   }
@@ -43,7 +46,8 @@ std::string FaceSink::add(std::span<const std::int64_t> polygon, ModelRef model)
   polygons_.push_back({faces_.size(), corners_.size(), polygon.size()});
   for (const std::int64_t index : polygon) corners_.push_back(static_cast<std::uint32_t>(index));
   // A fan keeps the place; finish() puts the real triangles there.
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) push(corner(0), corner(i), corner(i + 1), model);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    push(corner(0), corner(i), corner(i + 1), model);
   return {};
 }
 
@@ -55,7 +59,8 @@ std::size_t FaceSink::finish(MeshData& mesh) {
   std::vector<std::uint32_t> triangles;
   for (const Polygon& polygon : polygons_) {
     triangles.clear();
-    triangulate(mesh.positions, std::span(corners_).subspan(polygon.start, polygon.size), triangles);
+    triangulate(mesh.positions, std::span(corners_).subspan(polygon.start, polygon.size),
+                triangles);
     std::copy(triangles.begin(), triangles.end(),
               faces_.vertices.begin() + static_cast<std::ptrdiff_t>(3 * polygon.triangle));
   }

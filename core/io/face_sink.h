@@ -1,5 +1,6 @@
 #pragma once
-// Collects the faces of a file: checks them, and turns polygons into triangles once all positions are known.
+// Collects the faces of a file: checks them, and turns polygons into triangles once all positions
+// are known.
 
 #include <cstdint>
 #include <span>
@@ -13,22 +14,24 @@ namespace aomd::io::detail {
 /// A face of more vertices is an error.
 inline constexpr std::size_t max_polygon = 10'000;
 
-/// What is wrong with a polygon (too few or many vertices, out of range, one of them twice), or an empty
-/// string.
-[[nodiscard]] std::string polygon_defect(std::span<const std::int64_t> polygon, std::uint64_t vertex_count,
-                                         int first = 0);
+/// What is wrong with a polygon (too few or many vertices, out of range, one of them twice), or an
+/// empty string.
+[[nodiscard]] std::string polygon_defect(std::span<const std::int64_t> polygon,
+                                         std::uint64_t vertex_count, int first = 0);
 
 /// The readers add every face here, in the order of the file, and call finish() once.
 class FaceSink {
  public:
-  /// Faces refer to vertices 0 .. vertex_count - 1; `first` is what the format's own count starts with (0 or
-  /// 1), for messages.
-  explicit FaceSink(std::uint64_t vertex_count, int first = 0) : vertex_count_(vertex_count), first_(first) {}
+  /// Faces refer to vertices 0 .. vertex_count - 1; `first` is what the format's own count starts
+  /// with (0 or 1), for messages.
+  explicit FaceSink(std::uint64_t vertex_count, int first = 0)
+      : vertex_count_(vertex_count), first_(first) {}
 
   /// Expects about n triangles.
   void reserve(std::size_t n);
 
-  /// Adds one face of any number of vertices, 0-based. Returns what is wrong with it, or an empty string.
+  /// Adds one face of any number of vertices, 0-based. Returns what is wrong with it, or an empty
+  /// string.
   [[nodiscard]] std::string add(std::span<const std::int64_t> polygon, ModelRef model = {});
 
   /// Splits the polygons, and hands the triangles over. Returns how many polygons there were.

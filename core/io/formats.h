@@ -25,15 +25,17 @@ namespace aomd::io::detail {
 /// SU2's native format.
 [[nodiscard]] ReadResult read_su2(const Source& source);
 
-/// True where the size is what the count in a binary header promises: many binary files start with "solid".
+/// True where the size is what the count in a binary header promises: many binary files start with
+/// "solid".
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);
-/// True where a binary Medit file (.meshb) starts: with the number 1 in 32 bits, of either byte order.
+/// True where a binary Medit file (.meshb) starts: with the number 1 in 32 bits, of either byte
+/// order.
 [[nodiscard]] bool is_binary_medit(std::string_view bytes);
 /// True where the first word is one of OFF's, such as "OFF" or "STCNOFF".
 [[nodiscard]] bool is_off(std::string_view first_word);
 
-// The writers return the bytes of the file. Indices, sizes and shapes in the mesh are trusted: write() has
-// checked what a format cannot hold.
+// The writers return the bytes of the file. Indices, sizes and shapes in the mesh are trusted:
+// write() has checked what a format cannot hold.
 [[nodiscard]] std::string write_obj(const MeshData& mesh);
 [[nodiscard]] std::string write_ply(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_off(const MeshData& mesh, bool binary);
@@ -53,7 +55,8 @@ void for_each_entity(const EntityList& list, Visit&& visit) {
   std::size_t start = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto n = static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
-    visit(std::span(list.vertices).subspan(start, n), list.classes.empty() ? ModelRef() : list.classes[i]);
+    visit(std::span(list.vertices).subspan(start, n),
+          list.classes.empty() ? ModelRef() : list.classes[i]);
     start += n;
   }
 }

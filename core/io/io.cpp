@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/text_cursor.h"
 
@@ -27,13 +28,6 @@ constexpr std::array<std::pair<std::string_view, Format>, 9> extensions{{{".obj"
                                                                          {".vtu", Format::Vtu},
                                                                          {".su2", Format::Su2}}};
 
-/// A word in small letters.
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
   for (const auto& [name, format] : extensions) {
@@ -42,9 +36,12 @@ std::optional<Format> format_of_name(const std::filesystem::path& path) {
   return {};
 }
 
-std::string_view extension_of(Format format) { return extensions[static_cast<std::size_t>(format)].first; }
+std::string_view extension_of(Format format) {
+  return extensions[static_cast<std::size_t>(format)].first;
+}
 
-/// The first word that is no comment; SU2's comments start with a percent sign, other formats' with "#".
+/// The first word that is no comment; SU2's comments start with a percent sign, other formats' with
+/// "#".
 std::string_view first_word(const Source& source) {
   detail::TextCursor cursor(source, source.bytes, 0, '#');
   cursor.skip_to_content();
@@ -66,11 +63,13 @@ std::optional<Format> format_of_content(const Source& source) {
   if (detail::is_off(word)) return Format::Off;
   if (word == "solid" || word == "SOLID") return Format::Stl;
   constexpr std::string_view obj_words[] = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
-  if (std::find(std::begin(obj_words), std::end(obj_words), word) != std::end(obj_words)) return Format::Obj;
+  if (std::find(std::begin(obj_words), std::end(obj_words), word) != std::end(obj_words))
+    return Format::Obj;
   return {};
 }
 
-/// Text that calls itself "solid" and goes on with facets, in spite of a size that fits no facet count.
+/// Text that calls itself "solid" and goes on with facets, in spite of a size that fits no facet
+/// count.
 bool is_text_stl(const Source& source) {
   if (detail::is_binary_stl(source.bytes)) return false;
   detail::TextCursor cursor(source, source.bytes);
@@ -110,7 +109,8 @@ ReadResult read_source(const Source& source) {
   if (!found && !named) source.fail("is in no format that is known here");
   ReadResult result = read_as(found ? *found : *named, source);
   if (found && named && *found != *named) {
-    result.notes.push_back("read as " + std::string(extension_of(*found)) + ", which is what the content is");
+    result.notes.push_back("read as " + std::string(extension_of(*found)) +
+                           ", which is what the content is");
   }
   return result;
 }
@@ -125,20 +125,25 @@ std::string_view misfit(Format format, const MeshData& mesh) {
   constexpr std::size_t most_vtk_vertices = std::numeric_limits<std::int32_t>::max();
   for (int d = 1; d <= 3; ++d) {
     const std::vector<Shape>& shapes = mesh.list(d).shapes;
-    if (std::any_of(shapes.begin(), shapes.end(), [](Shape s) { return s >= Shape{builtin_shapes}; }))
+    if (std::any_of(shapes.begin(), shapes.end(),
+                    [](Shape s) { return s >= Shape{builtin_shapes}; }))
       return "no format holds entities of shapes that a program adds";
   }
   if (!mesh.regions.empty() && format < Format::Msh)
-    return "this format holds surfaces, and the mesh has regions: write .msh, .mesh, .vtk, .vtu or .su2";
+    return "this format holds surfaces, and the mesh has regions: write .msh, .mesh, .vtk, .vtu or "
+           ".su2";
   if (format == Format::Vtk && mesh.positions.size() > most_vtk_vertices)
     return "the format holds at most 2^31 - 1 vertices: write .vtu";
   if (format == Format::Su2 && mesh.regions.empty() &&
-      std::any_of(mesh.positions.begin(), mesh.positions.end(), [](const glm::dvec3& p) { return p.z != 0; }))
-    return "this format holds regions, or faces in the plane z = 0, and the mesh is a surface in space";
+      std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                  [](const glm::dvec3& p) { return p.z != 0; }))
+    return "this format holds regions, or faces in the plane z = 0, and the mesh is a surface in "
+           "space";
   return {};
 }
 
-void check_writable(const std::filesystem::path& path, const MeshData& mesh, bool single_precision) {
+void check_writable(const std::filesystem::path& path, const MeshData& mesh,
+                    bool single_precision) {
   const std::string_view why = misfit(format_for_writing(path), mesh);
   if (!why.empty()) throw WriteError(path.string(), {}, std::string(why));
   const double limit =
@@ -170,8 +175,9 @@ ReadResult read_bytes(const std::string& name, std::string_view bytes) {
 
 Format format_for_writing(const std::filesystem::path& path) {
   if (const auto format = format_of_name(path)) return *format;
-  throw WriteError(path.string(), {},
-                   "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
+  throw WriteError(
+      path.string(), {},
+      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
 }
 
 void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {

@@ -18,32 +18,35 @@ enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
 struct ReadResult {
   MeshData mesh;
   Format format = Format::Obj;
-  std::vector<std::string> notes;  ///< one line each: "12 polygons triangulated", "104 vertices welded"
+  std::vector<std::string>
+      notes;  ///< one line each: "12 polygons triangulated", "104 vertices welded"
 };
 
 struct WriteOptions {
-  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU). Not given: PLY is binary; STL is binary unless
-  /// faces are classified, since only text holds solids; the others are text. Binary VTU is appended raw
-  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else reads
-  /// back as the same doubles.
+  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU). Not given: PLY is binary; STL is
+  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
+  /// VTU is appended raw bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are
+  /// rounded; everything else reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
 };
 
-/// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and STL;
-/// regions keep their shapes and the orientation that the file gives them. Vertices that nothing uses are
-/// kept, nodes that only higher-order elements use are not; attributes that we do not know are passed over in
-/// OBJ, PLY, OFF and STL. Cost: linear in the file; memory bounded by the file's size, whatever its header
-/// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated vertex in
-/// an element, unknown format) with line or byte, or LimitError.
+/// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
+/// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
+/// nothing uses are kept, nodes that only higher-order elements use are not; attributes that we do
+/// not know are passed over in OBJ, PLY, OFF and STL. Cost: linear in the file; memory bounded by
+/// the file's size, whatever its header promises. Throws ReadError (missing, folder, empty,
+/// truncated, index out of range, NaN, repeated vertex in an element, unknown format) with line or
+/// byte, or LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
 /// The same for bytes in memory. `name` stands in messages; its extension counts as a file's does.
 [[nodiscard]] ReadResult read_bytes(const std::string& name, std::string_view bytes);
 
-/// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is written
-/// beside its target, flushed, and renamed; an existing target stays untouched when anything fails.
+/// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is
+/// written beside its target, flushed, and renamed; an existing target stays untouched when
+/// anything fails.
 ///
 /// What reads back equal ("-": left out):
 ///
@@ -56,29 +59,32 @@ struct WriteOptions {
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
 ///   VTU    all              all                              all (4)              -
-///   SU2    regions, faces;  of faces on model faces (5)      -                    groups of markers
+///   SU2    regions, faces;  of faces on model faces (5)      -                    groups of
+///   markers
 ///          in the plane faces, edges on model edges
 ///
 /// 1. Faces, and regions, are listed shape by shape.
-/// 2. A tag is read as one of the element's own dimension, no class as tag 0; tags that are all 0, without
-/// corners
-///    and ridges, as no class. Model vertices are numbered anew; other vertices get the class of the lowest
-///    element that uses them.
+/// 2. A tag is read as one of the element's own dimension, no class as tag 0; tags that are all 0,
+/// without corners
+///    and ridges, as no class. Model vertices are numbered anew; other vertices get the class of
+///    the lowest element that uses them.
 /// 3. medit:reference, medit:required, medit:ridge, medit:normal and medit:tangent.
 /// 4. Those of vertices first, then those of edges, faces and regions.
-/// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none; read back
-/// they are
+/// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
+/// read back they are
 ///    model entities 1, 2, ...
 ///
-/// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and shapes that
-/// the program added.
-void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options = {});
+/// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and
+/// shapes that the program added.
+void write(const std::filesystem::path& path, const MeshData& mesh,
+           const WriteOptions& options = {});
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);
 
-/// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too. Symbolic
-/// links are followed, and an existing file keeps its permissions. Pipes and devices are written to directly.
+/// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too.
+/// Symbolic links are followed, and an existing file keeps its permissions. Pipes and devices are
+/// written to directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace aomd::io

@@ -1,5 +1,5 @@
-// Whether a history fits a mesh, found out on a shadow of it: only ids, vertex lists and how often each is
-// used.
+// Whether a history fits a mesh, found out on a shadow of it: only ids, vertex lists and how often
+// each is used.
 
 #include <bit>
 #include <cmath>
@@ -18,7 +18,8 @@ struct Record : RecordHead {
 
 bool finite(std::span<const std::uint32_t> words) {
   for (std::size_t i = 0; i < words.size(); i += 2)
-    if (!std::isfinite(std::bit_cast<double>(std::uint64_t{words[i]} | std::uint64_t{words[i + 1]} << 32)))
+    if (!std::isfinite(
+            std::bit_cast<double>(std::uint64_t{words[i]} | std::uint64_t{words[i + 1]} << 32)))
       return false;
   return true;
 }
@@ -35,7 +36,8 @@ class Shadow {
     uses_.assign(mesh.capacity(0), 0);
     for (int dim = 1; dim <= 3; ++dim) {
       for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id)
-        if (mesh.alive(EntityRef(dim, id))) hold(dim, id, mesh.vertices_of(EntityRef(dim, id), buffer));
+        if (mesh.alive(EntityRef(dim, id)))
+          hold(dim, id, mesh.vertices_of(EntityRef(dim, id), buffer));
     }
   }
 
@@ -52,7 +54,8 @@ class Shadow {
       case RecordKind::Move:
         return alive(0, r.body[0]) && finite(r.body.subspan(1));
       case RecordKind::Classify:
-        return alive(r.dim, r.body[0]) && legal_class(r.dim, r.body[1]) && legal_class(r.dim, r.body[2]);
+        return alive(r.dim, r.body[0]) && legal_class(r.dim, r.body[1]) &&
+               legal_class(r.dim, r.body[2]);
     }
     return false;
   }
@@ -65,7 +68,9 @@ class Shadow {
 
   [[nodiscard]] IdPool& ids(int dim) { return ids_[static_cast<std::size_t>(dim)]; }
   [[nodiscard]] bool alive(int dim, std::uint32_t id) { return ids(dim).alive(id); }
-  [[nodiscard]] Held& held(int dim, std::uint32_t id) { return held_[static_cast<std::size_t>(dim) - 1][id]; }
+  [[nodiscard]] Held& held(int dim, std::uint32_t id) {
+    return held_[static_cast<std::size_t>(dim) - 1][id];
+  }
 
   void hold(int dim, std::uint32_t id, std::span<const std::uint32_t> vertices) {
     auto& list = held_[static_cast<std::size_t>(dim) - 1];
@@ -109,7 +114,8 @@ class Shadow {
     } else {
       const Held& h = held(r.dim, id);
       const auto listed = r.body.subspan(2);
-      if (!std::equal(listed.begin(), listed.end(), h.vertices.begin(), h.vertices.begin() + h.count))
+      if (!std::equal(listed.begin(), listed.end(), h.vertices.begin(),
+                      h.vertices.begin() + h.count))
         return false;
       for (const std::uint32_t v : listed) --uses_[v];
     }
@@ -143,13 +149,15 @@ class Shadow {
 
 void check_journal(const JournalFile& file, const std::string& name, const Mesh& mesh) {
   if (file.start != fingerprint(mesh))
-    throw ReadError(name, {}, "the journal belongs to another mesh, or to another version of this one");
+    throw ReadError(name, {},
+                    "the journal belongs to another mesh, or to another version of this one");
   Shadow shadow(mesh);
   const auto words = file.journal.words();
   for (std::size_t at = 0; at < words.size();) {
     const Record record(words.subspan(at));
     if (!shadow.apply(record))
-      throw ReadError(name, {}, "the journal's record at word " + std::to_string(at) + " cannot be applied");
+      throw ReadError(name, {},
+                      "the journal's record at word " + std::to_string(at) + " cannot be applied");
     at += 1 + record.body.size();
   }
 }

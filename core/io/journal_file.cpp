@@ -56,7 +56,8 @@ std::uint64_t checksum(std::string_view bytes) {
 
 std::uint32_t flags_of(const ClassifyOptions& options) {
   return (options.feature_angle_deg ? has_feature_angle : 0u) |
-         (options.nonmanifold_edges ? nonmanifold_edges : 0u) | (options.keep_present ? keep_present : 0u);
+         (options.nonmanifold_edges ? nonmanifold_edges : 0u) |
+         (options.keep_present ? keep_present : 0u);
 }
 
 /// The header without its checksum.
@@ -77,19 +78,22 @@ void put_header(detail::ByteWriter& out, const JournalFile& file) {
 JournalFile parse_header(const detail::Source& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.substr(0, magic.size()) != magic) source.fail("is no journal");
-  if (bytes.size() < header_size) source.fail_at_byte(bytes.size(), "the journal ends within its header");
+  if (bytes.size() < header_size)
+    source.fail_at_byte(bytes.size(), "the journal ends within its header");
   if (const auto found = load<std::uint32_t>(bytes, 8); found != version)
-    source.fail_at_byte(8, "a journal of version " + std::to_string(found) + "; this program reads version " +
-                               std::to_string(version));
+    source.fail_at_byte(8, "a journal of version " + std::to_string(found) +
+                               "; this program reads version " + std::to_string(version));
   const auto flags = load<std::uint32_t>(bytes, 12);
   JournalFile file;
-  for (std::size_t dim = 0; dim < 4; ++dim) file.start.counts[dim] = load<std::uint32_t>(bytes, 16 + 4 * dim);
+  for (std::size_t dim = 0; dim < 4; ++dim)
+    file.start.counts[dim] = load<std::uint32_t>(bytes, 16 + 4 * dim);
   file.start.hash = load<std::uint64_t>(bytes, 40);
   const auto feature = load<double>(bytes, 48), corner = load<double>(bytes, 56);
   const auto is_angle = [](double angle) { return angle >= 0 && angle <= 180; };
   if (flags > all_flags || !is_angle(feature) || !is_angle(corner))
     source.fail_at_byte(12, "the journal's header is damaged");
-  file.classify.feature_angle_deg = flags & has_feature_angle ? std::optional(feature) : std::nullopt;
+  file.classify.feature_angle_deg =
+      flags & has_feature_angle ? std::optional(feature) : std::nullopt;
   file.classify.corner_angle_deg = corner;
   file.classify.nonmanifold_edges = (flags & nonmanifold_edges) != 0;
   file.classify.keep_present = (flags & keep_present) != 0;
@@ -140,8 +144,8 @@ void write_journal(const std::filesystem::path& path, const JournalFile& file) {
   put_header(out, file);
   out.raw<std::endian::little>(std::uint64_t{0});
   for (const JournalStep& step : steps) {
-    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) | std::uint32_t{step.entity.dimension}
-                                                                             << 8);
+    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) |
+                                 std::uint32_t{step.entity.dimension} << 8);
     out.raw<std::endian::little>(step.entity.index);
     out.raw<std::endian::little>(step.begin);
   }
@@ -167,7 +171,8 @@ JournalFile read_journal(const std::filesystem::path& path) {
     source.fail_at_byte(checksum_at, "the journal is damaged: its checksum does not fit");
   std::vector<std::uint32_t> words(word_count);
   for (std::size_t i = 0; i < word_count; ++i)
-    words[i] = load<std::uint32_t>(source.bytes, header_size + step_count * step_size + i * word_size);
+    words[i] =
+        load<std::uint32_t>(source.bytes, header_size + step_count * step_size + i * word_size);
   try {
     file.journal.restore(std::move(words), parse_steps(source, step_count));
   } catch (const FileError&) {

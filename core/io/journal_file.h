@@ -4,9 +4,10 @@
 // Layout, little-endian, offsets in bytes:
 //    0  "AOMDJRNL"                      40  u64 fingerprint of the start mesh
 //    8  u32 version                     48  f64 feature angle, degrees     56  f64 corner angle
-//   12  u32 flags (see JournalFlag)     64  u64 number of steps S          72  u64 number of words W
-//   16  u32 vertices, edges, faces,     80  u64 checksum of everything but itself
-//       regions of the start mesh, 0    88  S times: u32 kind | dimension << 8, u32 entity, u64 first word
+//   12  u32 flags (see JournalFlag)     64  u64 number of steps S          72  u64 number of words
+//   W 16  u32 vertices, edges, faces,     80  u64 checksum of everything but itself
+//       regions of the start mesh, 0    88  S times: u32 kind | dimension << 8, u32 entity, u64
+//       first word
 //   36  u32 0                               W times: u32, as in core/mesh/journal
 
 #include <array>
@@ -40,13 +41,13 @@ struct JournalFile {
 /// Writes a history with the guarantees of write_file(). Throws WriteError.
 void write_journal(const std::filesystem::path& path, const JournalFile& file);
 
-/// Reads a history, nothing of it applied yet. Throws ReadError for what is missing, truncated, damaged (the
-/// checksum tells), of another version or no journal at all; LimitError.
+/// Reads a history, nothing of it applied yet. Throws ReadError for what is missing, truncated,
+/// damaged (the checksum tells), of another version or no journal at all; LimitError.
 [[nodiscard]] JournalFile read_journal(const std::filesystem::path& path);
 
-/// Makes sure, before anything is applied, that every record of the history fits the mesh it would meet: ids,
-/// id stack, vertex lists, model entities, coordinates. `name` is the journal's file. O(mesh + records).
-/// Throws ReadError when the mesh is another one or a record cannot be applied.
+/// Makes sure, before anything is applied, that every record of the history fits the mesh it would
+/// meet: ids, id stack, vertex lists, model entities, coordinates. `name` is the journal's file.
+/// O(mesh + records). Throws ReadError when the mesh is another one or a record cannot be applied.
 void check_journal(const JournalFile& file, const std::string& name, const Mesh& mesh);
 
 }  // namespace aomd::io

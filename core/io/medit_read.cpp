@@ -4,6 +4,7 @@
 #include <cctype>
 #include <optional>
 
+#include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/formats.h"
 #include "core/io/medit.h"
@@ -16,7 +17,8 @@ namespace {
 bool same(std::string_view word, std::string_view keyword) {
   return word.size() == keyword.size() &&
          std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) {
-           return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+           return std::tolower(static_cast<unsigned char>(a)) ==
+                  std::tolower(static_cast<unsigned char>(b));
          });
 }
 
@@ -40,7 +42,8 @@ struct Vectors {
 
 class MeditReader {
  public:
-  explicit MeditReader(const Source& source) : source_(source), cursor_(source, source.bytes, 0, '#') {}
+  explicit MeditReader(const Source& source)
+      : source_(source), cursor_(source, source.bytes, 0, '#') {}
 
   ReadResult read() {
     header();
@@ -240,8 +243,8 @@ class MeditReader {
   std::size_t checked(const Mark& mark, std::size_t count) const {
     if (mark.number >= 1 && static_cast<std::uint64_t>(mark.number) <= count)
       return static_cast<std::size_t>(mark.number) - 1;
-    source_.fail_at_line(mark.offset, "index " + std::to_string(mark.number) + " is out of range (1.." +
-                                          std::to_string(count) + ")");
+    source_.fail_at_line(mark.offset, "index " + std::to_string(mark.number) +
+                                          " is out of range (1.." + std::to_string(count) + ")");
   }
 
   void add_attributes() {
@@ -254,11 +257,13 @@ class MeditReader {
     for (int d = 1; d <= 3; ++d) {
       add_required(d);
       if (d == 1 && !ridges_.empty())
-        mark(add(medit_ridge, 1, 1, true, mesh_.edges.size()), ridges_, {true, 0, mesh_.edges.size()});
+        mark(add(medit_ridge, 1, 1, true, mesh_.edges.size()), ridges_,
+             {true, 0, mesh_.edges.size()});
     }
   }
 
-  std::vector<double>& add(std::string_view name, int d, int components, bool integer, std::size_t n = 0) {
+  std::vector<double>& add(std::string_view name, int d, int components, bool integer,
+                           std::size_t n = 0) {
     mesh_.attributes.push_back({std::string(name), d, components, integer, std::vector<double>(n)});
     return mesh_.attributes.back().values;
   }
@@ -277,7 +282,8 @@ class MeditReader {
     }
   }
 
-  /// Mmg's files count tangents on from the last normal: then every number lies beyond the tangents' own.
+  /// Mmg's files count tangents on from the last normal: then every number lies beyond the
+  /// tangents' own.
   static std::int64_t first_number(const Vectors& vectors, std::size_t others) {
     const bool beyond = std::all_of(vectors.uses.begin(), vectors.uses.end(), [&](const auto& use) {
       return use.second.number > static_cast<std::int64_t>(std::max(vectors.values.size(), others));

@@ -19,7 +19,8 @@ class MeditWriter {
     out_ << "MeshVersionFormatted 2\nDimension 3\n";
     vertices();
     corners();
-    if (const Attribute* required = find(medit_required, 0)) marks("RequiredVertices", required->values);
+    if (const Attribute* required = find(medit_required, 0))
+      marks("RequiredVertices", required->values);
     for (int d = 1; d <= 3; ++d) elements(d);
     if (const Attribute* ridges = find(medit_ridge, 1)) marks("Ridges", ridges->values);
     vectors("Normals", "NormalAtVertices", find(medit_normal, 0));
@@ -30,8 +31,9 @@ class MeditWriter {
 
  private:
   [[nodiscard]] const Attribute* find(std::string_view name, int d) const {
-    const auto found = std::find_if(mesh_.attributes.begin(), mesh_.attributes.end(),
-                                    [&](const Attribute& a) { return a.dimension == d && a.name == name; });
+    const auto found =
+        std::find_if(mesh_.attributes.begin(), mesh_.attributes.end(),
+                     [&](const Attribute& a) { return a.dimension == d && a.name == name; });
     return found == mesh_.attributes.end() ? nullptr : &*found;
   }
 
@@ -40,7 +42,8 @@ class MeditWriter {
     out_ << "Vertices\n" << mesh_.positions.size() << '\n';
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       const glm::dvec3& p = mesh_.positions[i];
-      out_ << p.x << ' ' << p.y << ' ' << p.z << ' ' << (references ? references->values[i] : 0.0) << '\n';
+      out_ << p.x << ' ' << p.y << ' ' << p.z << ' ' << (references ? references->values[i] : 0.0)
+           << '\n';
     }
   }
 
@@ -48,7 +51,8 @@ class MeditWriter {
   void corners() {
     std::vector<std::pair<ModelRef, std::size_t>> corners;
     for (std::size_t i = 0; i < mesh_.vertex_classes.size(); ++i) {
-      if (mesh_.vertex_classes[i].dimension() == 0) corners.emplace_back(mesh_.vertex_classes[i], i);
+      if (mesh_.vertex_classes[i].dimension() == 0)
+        corners.emplace_back(mesh_.vertex_classes[i], i);
     }
     if (corners.empty()) return;
     std::sort(corners.begin(), corners.end());
@@ -87,7 +91,8 @@ class MeditWriter {
     });
   }
 
-  void required_elements(const EntityList& list, const MeditList& part, const std::vector<double>& values) {
+  void required_elements(const EntityList& list, const MeditList& part,
+                         const std::vector<double>& values) {
     std::vector<double> of_part;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list.shapes[i] == part.shape) of_part.push_back(values[i]);
@@ -116,9 +121,11 @@ class MeditWriter {
     if (vertices.empty()) return;
     out_ << keyword << '\n' << vertices.size() << '\n';
     for (const std::size_t v : vertices)
-      out_ << a->values[3 * v] << ' ' << a->values[3 * v + 1] << ' ' << a->values[3 * v + 2] << '\n';
+      out_ << a->values[3 * v] << ' ' << a->values[3 * v + 1] << ' ' << a->values[3 * v + 2]
+           << '\n';
     out_ << use_keyword << '\n' << vertices.size() << '\n';
-    for (std::size_t i = 0; i < vertices.size(); ++i) out_ << vertices[i] + 1 << ' ' << i + 1 << '\n';
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      out_ << vertices[i] + 1 << ' ' << i + 1 << '\n';
   }
 
   const MeshData& mesh_;

@@ -54,7 +54,8 @@ std::optional<MshType> msh_type(std::int64_t number) {
 int msh_number(Shape shape) {
   for (const Row& row : types)
     if (row.type.shape == shape) return row.number;
-  throw WriteError("MSH", {}, "the format has no element for " + std::string(shape_template(shape).name));
+  throw WriteError("MSH", {},
+                   "the format has no element for " + std::string(shape_template(shape).name));
 }
 
 void set_boxes(const MeshData& mesh, std::span<ModelEntity> entities) {
@@ -67,7 +68,8 @@ void set_boxes(const MeshData& mesh, std::span<ModelEntity> entities) {
     enlarge(*last->second.first, last->second.second, p);
     last->second.second = false;
   };
-  for (std::size_t v = 0; v < mesh.vertex_classes.size(); ++v) add(mesh.vertex_classes[v], mesh.positions[v]);
+  for (std::size_t v = 0; v < mesh.vertex_classes.size(); ++v)
+    add(mesh.vertex_classes[v], mesh.positions[v]);
   for (int dim = 1; dim <= 3; ++dim) {
     if (mesh.list(dim).classes.empty()) continue;
     for_each_entity(mesh.list(dim), [&](auto vertices, ModelRef ref) {

@@ -1,6 +1,6 @@
 #pragma once
-// What the readers and writers of Gmsh's MSH formats share: element types, header and boxes of model
-// entities.
+// What the readers and writers of Gmsh's MSH formats share: element types, header and boxes of
+// model entities.
 
 #include <bit>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace aomd::io::detail {
 
-/// One of Gmsh's element types. Its first nodes are the corners, in the order of our templates; an element of
-/// higher order has more.
+/// One of Gmsh's element types. Its first nodes are the corners, in the order of our templates; an
+/// element of higher order has more.
 struct MshType {
   Shape shape = Shape::Point;
   int nodes = 0;
@@ -22,10 +22,11 @@ struct MshType {
 /// The most nodes of a type that msh_type() knows.
 inline constexpr std::size_t max_msh_nodes = 125;
 
-/// The type of this number; nothing where it is not one that we read. Source: Gmsh reference manual, "MSH
-/// file format"; for orders 3 and 4 what Gmsh 4.8 itself says.
+/// The type of this number; nothing where it is not one that we read. Source: Gmsh reference
+/// manual, "MSH file format"; for orders 3 and 4 what Gmsh 4.8 itself says.
 [[nodiscard]] std::optional<MshType> msh_type(std::int64_t number);
-/// The number of the first-order type of a shape. Throws WriteError for a shape that a program added.
+/// The number of the first-order type of a shape. Throws WriteError for a shape that a program
+/// added.
 [[nodiscard]] int msh_number(Shape shape);
 
 /// What $MeshFormat says.
@@ -35,11 +36,12 @@ struct MshHeader {
   std::size_t end = 0;                      ///< offset behind $EndMeshFormat
 };
 
-/// Throws ReadError for versions other than 2.0 to 2.2 and 4.1, and for sizes that no 64-bit Gmsh writes.
+/// Throws ReadError for versions other than 2.0 to 2.2 and 4.1, and for sizes that no 64-bit Gmsh
+/// writes.
 [[nodiscard]] MshHeader read_msh_header(const Source& source);
 
-/// Sets the box of each entity to that of the vertices that lie on it, and of the vertices of the elements
-/// that do. Cost: the size of the mesh, times the logarithm of the number of entities.
+/// Sets the box of each entity to that of the vertices that lie on it, and of the vertices of the
+/// elements that do. Cost: the size of the mesh, times the logarithm of the number of entities.
 void set_boxes(const MeshData& mesh, std::span<ModelEntity> entities);
 
 }  // namespace aomd::io::detail

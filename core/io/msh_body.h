@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of an MSH file, as text or binary, behind one interface. The names of the sections, and some of
-// what they hold, are text in both.
+// The numbers of an MSH file, as text or binary, behind one interface. The names of the sections,
+// and some of what they hold, are text in both.
 
 #include <bit>
 #include <cmath>
@@ -21,7 +21,9 @@ class MshText {
 
   [[nodiscard]] TextCursor text() const { return cursor_; }
   void move_to(const TextCursor& at) { cursor_ = at; }
-  [[nodiscard]] std::size_t left() const { return cursor_.left() + 1; }  // the last may end without a blank
+  [[nodiscard]] std::size_t left() const {
+    return cursor_.left() + 1;
+  }  // the last may end without a blank
   [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const {
     source_.fail_at_line(offset, what);
@@ -29,7 +31,8 @@ class MshText {
 
   std::int32_t integer(const char* what) {
     const std::int64_t value = wide(what);
-    if (value < std::numeric_limits<std::int32_t>::min() || value > std::numeric_limits<std::int32_t>::max())
+    if (value < std::numeric_limits<std::int32_t>::min() ||
+        value > std::numeric_limits<std::int32_t>::max())
       fail(std::string(what) + " is out of range: " + std::to_string(value));
     return static_cast<std::int32_t>(value);
   }
@@ -50,7 +53,8 @@ class MshText {
     const std::string_view word = ahead.word();
     double value = 0;
     const auto [next, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || next != word.data() + word.size() || word.empty()) return cursor_.real(what);
+    if (error != std::errc{} || next != word.data() + word.size() || word.empty())
+      return cursor_.real(what);
     cursor_ = ahead;
     return value;
   }
@@ -61,7 +65,8 @@ class MshText {
     return cursor_.integer(what);
   }
   void find_word() {
-    if (cursor_.line_done() && cursor_.skip_to_content()) cursor_.fail("the file ends within a section");
+    if (cursor_.line_done() && cursor_.skip_to_content())
+      cursor_.fail("the file ends within a section");
   }
 
   const Source& source_;
@@ -102,7 +107,8 @@ class MshBinary {
   template <class Value>
   Value take() {
     value_at_ = at_;
-    if (left() < sizeof(Value)) source_.fail_at_byte(source_.bytes.size(), "the file ends within a section");
+    if (left() < sizeof(Value))
+      source_.fail_at_byte(source_.bytes.size(), "the file ends within a section");
     const char* from = source_.bytes.data() + at_;
     at_ += sizeof(Value);
     char bytes[sizeof(Value)];

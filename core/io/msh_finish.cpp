@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
@@ -32,7 +33,8 @@ EntityList picked(const EntityList& list, const std::vector<std::uint32_t>& orde
   result.classes.reserve(order.size());
   for (const std::uint32_t i : order) {
     const auto from = list.vertices.begin() + static_cast<std::ptrdiff_t>(starts[i]);
-    result.vertices.insert(result.vertices.end(), from, from + shape_template(list.shapes[i]).vertex_count);
+    result.vertices.insert(result.vertices.end(), from,
+                           from + shape_template(list.shapes[i]).vertex_count);
     result.shapes.push_back(list.shapes[i]);
     result.classes.push_back(list.classes[i]);
   }
@@ -104,7 +106,8 @@ void MshMesh::finish(NodeClasses known) {
   if (known == NodeClasses::None) make_model();
   drop_empty_classes(mesh_);
   if (known == NodeClasses::None) set_boxes(mesh_, mesh_.model.entities);
-  for (std::size_t dim = 0; dim < 4; ++dim) element_tags_[dim].build(std::move(elements_[dim].tags));
+  for (std::size_t dim = 0; dim < 4; ++dim)
+    element_tags_[dim].build(std::move(elements_[dim].tags));
 }
 
 void MshMesh::sort(Elements& elements) const {
@@ -161,7 +164,8 @@ bool MshMesh::blocks_classify() const {
     highest = dim;
   }
   const std::vector<ModelRef>& classes = mesh_.vertex_classes;
-  const bool one = std::adjacent_find(classes.begin(), classes.end(), std::not_equal_to<>()) == classes.end();
+  const bool one =
+      std::adjacent_find(classes.begin(), classes.end(), std::not_equal_to<>()) == classes.end();
   return !one || dimensions < 2 || (!classes.empty() && classes.front().dimension() != highest);
 }
 
@@ -204,12 +208,15 @@ void MshMesh::make_model() {
     notes_.push_back(counted(others, "element") +
                      " in another physical group than the first of their entity");
   std::sort(further_groups_.begin(), further_groups_.end());
-  further_groups_.erase(std::unique(further_groups_.begin(), further_groups_.end()), further_groups_.end());
+  further_groups_.erase(std::unique(further_groups_.begin(), further_groups_.end()),
+                        further_groups_.end());
   for (const auto& [ref, group] : further_groups_) {
     const auto at = groups.find(ref);
-    if (at != groups.end() && group != 0 && group != at->second.front()) at->second.push_back(group);
+    if (at != groups.end() && group != 0 && group != at->second.front())
+      at->second.push_back(group);
   }
-  for (auto& [ref, of_entity] : groups) mesh_.model.entities.push_back({ref, std::move(of_entity), {}, {}});
+  for (auto& [ref, of_entity] : groups)
+    mesh_.model.entities.push_back({ref, std::move(of_entity), {}, {}});
 }
 
 }  // namespace aomd::io::detail

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "core/base/text.h"
 #include "core/io/msh.h"
 #include "core/io/text_cursor.h"
 
@@ -39,10 +40,12 @@ MshHeader read_msh_header(const Source& source) {
     constexpr bool native_is_little = std::endian::native == std::endian::little;
     if (one == 1 << 24) header.order = native_is_little ? std::endian::big : std::endian::little;
     if (one != 1 && one != 1 << 24)
-      source.fail_at_byte(cursor.offset(), "the number that tells the byte order is neither 1 nor 1 swapped");
+      source.fail_at_byte(cursor.offset(),
+                          "the number that tells the byte order is neither 1 nor 1 swapped");
     cursor = TextCursor(source, source.bytes, cursor.offset() + 4);
   }
-  if (cursor.skip_to_content() || cursor.word() != "$EndMeshFormat") cursor.fail("expected $EndMeshFormat");
+  if (cursor.skip_to_content() || cursor.word() != "$EndMeshFormat")
+    cursor.fail("expected $EndMeshFormat");
   cursor.end_line();
   header.end = cursor.offset();
   return header;

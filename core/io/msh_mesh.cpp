@@ -20,7 +20,8 @@ void MshTags::build(std::vector<std::uint64_t> ascending) {
   table_.clear();
   first_ = tags_.empty() ? 0 : tags_.front();
   const std::uint64_t range = tags_.empty() ? 0 : tags_.back() - first_ + 1;
-  contiguous_ = range == tags_.size() && std::adjacent_find(tags_.begin(), tags_.end()) == tags_.end();
+  contiguous_ =
+      range == tags_.size() && std::adjacent_find(tags_.begin(), tags_.end()) == tags_.end();
   if (contiguous_ || range > 8 * tags_.size() + 1024) return;
   table_.assign(static_cast<std::size_t>(range), no_index);
   for (std::size_t i = tags_.size(); i-- > 0;)
@@ -29,7 +30,8 @@ void MshTags::build(std::vector<std::uint64_t> ascending) {
 
 std::uint32_t MshTags::search(std::uint64_t tag) const {
   const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
-  return at == tags_.end() || *at != tag ? no_index : static_cast<std::uint32_t>(at - tags_.begin());
+  return at == tags_.end() || *at != tag ? no_index
+                                         : static_cast<std::uint32_t>(at - tags_.begin());
 }
 
 void MshMesh::reserve_nodes(std::size_t n) {
@@ -71,7 +73,8 @@ std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::u
              std::to_string(static_cast<std::int64_t>(nodes[i])) + ", which is not there";
     (i < corners ? corner_ : inner_)[v] = true;
     if (i >= corners) continue;
-    if (std::find(vertices.begin() + static_cast<std::ptrdiff_t>(start), vertices.end(), v) != vertices.end())
+    if (std::find(vertices.begin() + static_cast<std::ptrdiff_t>(start), vertices.end(), v) !=
+        vertices.end())
       return "element " + std::to_string(tag) + " repeats node " +
              std::to_string(static_cast<std::int64_t>(nodes[i]));
     vertices.push_back(v);
@@ -96,7 +99,8 @@ MshMesh::Place MshMesh::element(std::uint64_t tag, bool& known) const {
     const std::uint32_t i = element_tags_[static_cast<std::size_t>(dim)].find(tag);
     if (i != no_index) return {dim, i};
   }
-  known = element_tags_[0].find(tag) != no_index || std::binary_search(dropped_.begin(), dropped_.end(), tag);
+  known = element_tags_[0].find(tag) != no_index ||
+          std::binary_search(dropped_.begin(), dropped_.end(), tag);
   return {};
 }
 

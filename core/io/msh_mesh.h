@@ -21,7 +21,8 @@ class MshTags {
   [[nodiscard]] std::uint32_t find(std::uint64_t tag) const {
     const std::uint64_t k = tag - first_;  // wraps below the first
     if (k < table_.size()) return table_[k];
-    return contiguous_ ? (k < tags_.size() ? static_cast<std::uint32_t>(k) : no_index) : search(tag);
+    return contiguous_ ? (k < tags_.size() ? static_cast<std::uint32_t>(k) : no_index)
+                       : search(tag);
   }
 
  private:
@@ -45,8 +46,9 @@ void permute(std::vector<Value>& values, const std::vector<std::uint32_t>& order
   values = std::move(result);
 }
 
-/// Nodes first, then elements, then finish(). Vertices end up in the order of the node tags, elements of each
-/// dimension in that of their tags: so a file can group them by model entity and still keep their order.
+/// Nodes first, then elements, then finish(). Vertices end up in the order of the node tags,
+/// elements of each dimension in that of their tags: so a file can group them by model entity and
+/// still keep their order.
 class MshMesh {
  public:
   /// An element by the dimension and index of the mesh entity it became.
@@ -62,22 +64,26 @@ class MshMesh {
   /// All nodes are there. Returns what is wrong with them, or an empty string.
   [[nodiscard]] std::string finish_nodes();
 
-  /// Adds an element by its node tags. `physical` is that of MSH 2, 0 where there is none. Returns what is
-  /// wrong, or an empty string.
-  [[nodiscard]] std::string add(std::uint64_t tag, MshType type, std::span<const std::uint64_t> nodes,
-                                ModelRef model, std::int32_t physical);
+  /// Adds an element by its node tags. `physical` is that of MSH 2, 0 where there is none. Returns
+  /// what is wrong, or an empty string.
+  [[nodiscard]] std::string add(std::uint64_t tag, MshType type,
+                                std::span<const std::uint64_t> nodes, ModelRef model,
+                                std::int32_t physical);
   [[nodiscard]] ModelTable& model() { return mesh_.model; }
 
   /// What a file says about where its vertices lie.
   enum class NodeClasses { None, Blocks, Entities };
-  /// Sorts, drops repeated elements and nodes that only higher-order elements use, classifies the vertices:
-  /// by their blocks (with a lower element's class where they contradict it), or by their lowest element.
-  /// Makes the model's table of an MSH 2 file (None) from the physical tags. Linear but for the sorting.
+  /// Sorts, drops repeated elements and nodes that only higher-order elements use, classifies the
+  /// vertices: by their blocks (with a lower element's class where they contradict it), or by their
+  /// lowest element. Makes the model's table of an MSH 2 file (None) from the physical tags. Linear
+  /// but for the sorting.
   void finish(NodeClasses known);
 
-  /// After finish(). The vertex of a node, no_index where it was dropped or (`known` false) never there.
+  /// After finish(). The vertex of a node, no_index where it was dropped or (`known` false) never
+  /// there.
   [[nodiscard]] std::uint32_t vertex(std::uint64_t tag, bool& known) const;
-  /// After finish(). The first element with this tag; index no_index where it was dropped or is a point.
+  /// After finish(). The first element with this tag; index no_index where it was dropped or is a
+  /// point.
   [[nodiscard]] Place element(std::uint64_t tag, bool& known) const;
   [[nodiscard]] MeshData& mesh() { return mesh_; }
   [[nodiscard]] std::vector<std::string>& notes() { return notes_; }

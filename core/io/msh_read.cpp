@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/msh_body.h"
 #include "core/io/msh_mesh.h"
@@ -15,7 +16,9 @@ template <class Body>
 class MshReader {
  public:
   MshReader(const Source& source, const MshHeader& header)
-      : source_(source), msh2_(header.msh2), body_(source, TextCursor(source, source.bytes, header.end)) {}
+      : source_(source),
+        msh2_(header.msh2),
+        body_(source, TextCursor(source, source.bytes, header.end)) {}
 
   ReadResult read() {
     while (!at_end()) section();
@@ -46,7 +49,9 @@ class MshReader {
     return result;
   }
 
-  [[noreturn]] void fail_at_end(const std::string& what) const { body_.fail_at(source_.bytes.size(), what); }
+  [[noreturn]] void fail_at_end(const std::string& what) const {
+    body_.fail_at(source_.bytes.size(), what);
+  }
 
   bool at_end() {
     TextCursor cursor = body_.text();
@@ -84,7 +89,8 @@ class MshReader {
       if (!has_nodes_) body_.fail_at(start, "$Elements before $Nodes");
       msh2_ ? elements2() : elements4();
     } else if (name == "ParametricNodes") {
-      body_.fail_at(start, "$ParametricNodes are not read here: save it without parameters, or as 4.1");
+      body_.fail_at(start,
+                    "$ParametricNodes are not read here: save it without parameters, or as 4.1");
     } else {
       return false;
     }
@@ -134,7 +140,8 @@ class MshReader {
       const std::int64_t tag = cursor.integer("the tag of a physical group");
       if (dimension < 0 || dimension > 3)
         cursor.fail("a physical group of dimension " + std::to_string(dimension));
-      if (tag != static_cast<std::int32_t>(tag)) cursor.fail("a physical group's tag is out of range");
+      if (tag != static_cast<std::int32_t>(tag))
+        cursor.fail("a physical group's tag is out of range");
       const std::string_view name = unquoted(cursor);
       mesh_.model().groups.push_back(
           {static_cast<int>(dimension), static_cast<std::int32_t>(tag), std::string(name)});
@@ -159,7 +166,8 @@ class MshReader {
   void entity(int dim) {
     ModelEntity entity;
     entity.ref = model_ref(dim, body_.integer("the tag of an entity"));
-    for (std::size_t k = 0; k < (dim == 0 ? 3u : 6u); ++k) entity.box[k] = body_.real("the box of an entity");
+    for (std::size_t k = 0; k < (dim == 0 ? 3u : 6u); ++k)
+      entity.box[k] = body_.real("the box of an entity");
     if (dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
     entity.groups = tags("the number of physical tags");
     if (dim > 0) entity.boundary = tags("the number of bounding entities");
@@ -179,13 +187,15 @@ class MshReader {
     return dim;
   }
 
-  /// Refuses at once what the file is too short for, so that what the count makes us reserve is bounded.
+  /// Refuses at once what the file is too short for, so that what the count makes us reserve is
+  /// bounded.
   void check_room(std::uint64_t n, std::size_t bytes_each, const char* what) const {
     if (n > body_.left() / bytes_each) {
       body_.fail("the file ends early: it promises " + std::to_string(n) + ' ' + what + ", " +
                  std::to_string(body_.left()) + " bytes are left");
     }
-    if (n >= no_index) throw LimitError(source_.name, {}, std::string("more than 2^32 - 2 ") + what);
+    if (n >= no_index)
+      throw LimitError(source_.name, {}, std::string("more than 2^32 - 2 ") + what);
   }
 
   void position() {
@@ -250,7 +260,8 @@ class MshReader {
 
   MshType element_type(std::int32_t number) const {
     const auto type = msh_type(number);
-    if (!type) body_.fail("element type " + std::to_string(number) + " is not one that is known here");
+    if (!type)
+      body_.fail("element type " + std::to_string(number) + " is not one that is known here");
     return *type;
   }
 
@@ -312,7 +323,8 @@ class MshReader {
     const MshType type = element_type(body_.integer("an element type"));
     const std::int32_t n = body_.integer("the number of elements");
     if (n < 1 || static_cast<std::uint64_t>(n) > most)
-      body_.fail("a run of " + std::to_string(n) + " elements where " + std::to_string(most) + " are left");
+      body_.fail("a run of " + std::to_string(n) + " elements where " + std::to_string(most) +
+                 " are left");
     const std::int32_t tags = body_.integer("the number of tags");
     for (std::int32_t i = 0; i < n; ++i)
       element2(static_cast<std::uint32_t>(body_.integer("an element tag")), type, tags);

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "core/base/text.h"
 #include "core/io/msh_mesh.h"
 #include "core/io/text_cursor.h"
 
@@ -18,8 +19,8 @@ namespace aomd::io::detail {
   return first == last ? line : line.substr(first + 1, last - first - 1);
 }
 
-/// Turns views into attributes of the mesh: one for vertices, or one for each dimension of which it has
-/// elements. What a view leaves out is NaN. Of several time steps the first is kept.
+/// Turns views into attributes of the mesh: one for vertices, or one for each dimension of which it
+/// has elements. What a view leaves out is NaN. Of several time steps the first is kept.
 template <class Body>
 class MshViews {
  public:
@@ -29,7 +30,8 @@ class MshViews {
   void read(bool nodes, Body& body) {
     const std::size_t start = body.text().offset();
     const View view = header(body);
-    if (view.components < 1 || view.values < 0) body.fail_at(start, "a view without components or values");
+    if (view.components < 1 || view.values < 0)
+      body.fail_at(start, "a view without components or values");
     const auto [first, added] = steps_.try_emplace({nodes, view.name}, view.step);
     const bool kept = first->second == view.step;
     dropped_steps_ += !kept;
@@ -41,7 +43,8 @@ class MshViews {
     if (dropped_steps_ > 0)
       mesh_.notes().push_back(counted(dropped_steps_, "further time step") + " dropped");
     if (dropped_rows_ > 0)
-      mesh_.notes().push_back(counted(dropped_rows_, "value") + " on what the mesh does not keep dropped");
+      mesh_.notes().push_back(counted(dropped_rows_, "value") +
+                              " on what the mesh does not keep dropped");
   }
 
  private:
@@ -111,7 +114,8 @@ class MshViews {
            static_cast<std::size_t>(view.components) * place.index;
   }
 
-  /// Views may be sparse, attributes are not: many views of a few values each must not fill the memory.
+  /// Views may be sparse, attributes are not: many views of a few values each must not fill the
+  /// memory.
   std::size_t add_attribute(int dimension, const View& view, const Body& body) {
     MeshData& mesh = mesh_.mesh();
     const std::size_t n = dimension == 0 ? mesh.positions.size() : mesh.list(dimension).size();

@@ -1,11 +1,12 @@
 // Gmsh MSH 4.1 and 2.2.
 //
-// Node tags are 1, 2, ... in the order of the vertices, element tags in the order of the lists (points,
-// edges, faces, regions), also where 4.1 groups them by model entity: reading restores the order. Entity tag
-// 0 stands for "not classified" in both versions, so a class with tag 0 is lost. So is the class of an edge
-// inside a model face and the like: Gmsh knows only elements of their entity's own dimension. 2.2 has no
-// table of entities (only the first physical group of each) and classifies vertices only on model vertices:
-// the others read back on the lowest classified entity that touches them.
+// Node tags are 1, 2, ... in the order of the vertices, element tags in the order of the lists
+// (points, edges, faces, regions), also where 4.1 groups them by model entity: reading restores the
+// order. Entity tag 0 stands for "not classified" in both versions, so a class with tag 0 is lost.
+// So is the class of an edge inside a model face and the like: Gmsh knows only elements of their
+// entity's own dimension. 2.2 has no table of entities (only the first physical group of each) and
+// classifies vertices only on model vertices: the others read back on the lowest classified entity
+// that touches them.
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,9 @@ std::string quoted(std::string name) {
 }
 
 /// The entity that an element lies on, as the format can say it.
-ModelRef own_class(ModelRef model, int dim) { return model.dimension() == dim ? model : ModelRef(dim, 0); }
+ModelRef own_class(ModelRef model, int dim) {
+  return model.dimension() == dim ? model : ModelRef(dim, 0);
+}
 
 /// Elements of one dimension, with what finds them in another order.
 struct Elements {
@@ -51,7 +54,8 @@ class MshWriter {
  public:
   MshWriter(const MeshData& mesh, bool binary) : mesh_(mesh), out_(binary) {
     for (std::uint32_t v = 0; v < mesh.vertex_classes.size(); ++v)
-      if (mesh.vertex_classes[v].dimension() == 0) points_.add(Shape::Point, {v}, mesh.vertex_classes[v]);
+      if (mesh.vertex_classes[v].dimension() == 0)
+        points_.add(Shape::Point, {v}, mesh.vertex_classes[v]);
     std::uint64_t tag = 1;
     for (int dim = 0; dim <= 3; ++dim) {
       Elements& elements = elements_[static_cast<std::size_t>(dim)];
@@ -140,8 +144,9 @@ class MshWriter {
     const std::vector<ModelEntity> table = complete_table();
     out_.begin("Entities");
     for (int dim = 0; dim <= 3; ++dim)
-      out_.count(static_cast<std::uint64_t>(std::count_if(
-          table.begin(), table.end(), [&](const ModelEntity& e) { return e.ref.dimension() == dim; })));
+      out_.count(static_cast<std::uint64_t>(
+          std::count_if(table.begin(), table.end(),
+                        [&](const ModelEntity& e) { return e.ref.dimension() == dim; })));
     out_.end_line();
     for (const ModelEntity& entity : table) write_entity(entity);
     out_.end("Entities");
@@ -172,9 +177,11 @@ class MshWriter {
     std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0u);
     const auto less = [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); };
-    if (!std::is_sorted(order.begin(), order.end(), less)) std::stable_sort(order.begin(), order.end(), less);
+    if (!std::is_sorted(order.begin(), order.end(), less))
+      std::stable_sort(order.begin(), order.end(), less);
     for (auto from = order.begin(); from != order.end();) {
-      const auto to = std::find_if(from, order.end(), [&](std::uint32_t i) { return key(*from) < key(i); });
+      const auto to =
+          std::find_if(from, order.end(), [&](std::uint32_t i) { return key(*from) < key(i); });
       use(std::span(from, to));
       from = to;
     }
@@ -284,7 +291,8 @@ class MshWriter {
   /// Binary: the type and number of the elements that follow, and how many tags each has.
   void start_run(const std::vector<Shape>& shapes, std::size_t i) {
     const auto from = shapes.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto to = std::find_if(from, shapes.end(), [&](Shape shape) { return shape != shapes[i]; });
+    const auto to =
+        std::find_if(from, shapes.end(), [&](Shape shape) { return shape != shapes[i]; });
     out_.integer(msh_number(shapes[i]));
     out_.integer(to - from);
     out_.integer(2);
@@ -302,9 +310,13 @@ class MshWriter {
         present.push_back(i);
     const std::string_view section = attribute.dimension == 0 ? "NodeData" : "ElementData";
     const std::uint64_t first =
-        attribute.dimension == 0 ? 1 : elements_[static_cast<std::size_t>(attribute.dimension)].first_tag;
+        attribute.dimension == 0
+            ? 1
+            : elements_[static_cast<std::size_t>(attribute.dimension)].first_tag;
     out_.begin(section);
-    out_.text() << "1\n" << quoted(attribute.name) << "\n1\n0\n3\n0\n" << attribute.components << '\n';
+    out_.text() << "1\n"
+                << quoted(attribute.name) << "\n1\n0\n3\n0\n"
+                << attribute.components << '\n';
     out_.text() << present.size() << '\n';
     for (const std::size_t i : present) {
       out_.integer(static_cast<std::int64_t>(first + i));

@@ -1,5 +1,5 @@
-// Wavefront OBJ. tinyobjloader reads the elements, groups, objects and materials; a first pass (obj_text.h)
-// checks the text and keeps what tinyobjloader loses.
+// Wavefront OBJ. tinyobjloader reads the elements, groups, objects and materials; a first pass
+// (obj_text.h) checks the text and keeps what tinyobjloader loses.
 
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
@@ -10,6 +10,7 @@
 #include <map>
 #include <streambuf>
 
+#include "core/base/text.h"
 #include "core/io/byte_writer.h"
 #include "core/io/class_names.h"
 #include "core/io/face_sink.h"
@@ -22,7 +23,9 @@ namespace {
 /// Lets a stream read a string in place.
 class StringBuffer : public std::streambuf {
  public:
-  explicit StringBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
+  explicit StringBuffer(std::string& text) {
+    setg(text.data(), text.data(), text.data() + text.size());
+  }
 };
 
 /// The names that one keyword gives, numbered as they come, and the one that holds now.
@@ -41,8 +44,8 @@ class Names {
   std::uint32_t current_ = 0;
 };
 
-/// Receives tinyobjloader's elements. Faces are first classified by their part, a combination of group,
-/// object and material; finish() then decides which of the three counts.
+/// Receives tinyobjloader's elements. Faces are first classified by their part, a combination of
+/// group, object and material; finish() then decides which of the three counts.
 class ObjReader {
  public:
   explicit ObjReader(const Source& source)
@@ -58,8 +61,8 @@ class ObjReader {
     result.format = Format::Obj;
     result.mesh.positions = std::move(text_.positions);
     for (const ObjText::Line& line : text_.lines) {
-      result.mesh.edges.add(Shape::Line,
-                            {static_cast<std::uint32_t>(line.a), static_cast<std::uint32_t>(line.b)});
+      result.mesh.edges.add(
+          Shape::Line, {static_cast<std::uint32_t>(line.a), static_cast<std::uint32_t>(line.b)});
     }
     note_polygons(result.notes, faces_.finish(result.mesh));
     classify(result);
@@ -74,7 +77,9 @@ class ObjReader {
   void load() {
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* self, double, double, double, double) { ++of(self).vertices_; };
-    callback.index_cb = [](void* self, tinyobj::index_t* corners, int n) { of(self).face(corners, n); };
+    callback.index_cb = [](void* self, tinyobj::index_t* corners, int n) {
+      of(self).face(corners, n);
+    };
     callback.group_cb = [](void* self, const char** names, int n) {
       of(self).enter(Groups, joined(names, n));
     };
@@ -117,7 +122,8 @@ class ObjReader {
   }
 
   void find_part() {
-    const Part part{names_[Groups].current(), names_[Objects].current(), names_[Materials].current()};
+    const Part part{names_[Groups].current(), names_[Objects].current(),
+                    names_[Materials].current()};
     part_ = part_numbers_.try_emplace(part, static_cast<std::int32_t>(parts_.size())).first->second;
     if (static_cast<std::size_t>(part_) == parts_.size()) parts_.push_back(part);
     part_known_ = true;
@@ -129,17 +135,19 @@ class ObjReader {
       std::vector<std::string> names;
       const std::vector<std::size_t> name_of_part = names_in_use(level, names);
       const std::vector<ModelRef> classes = classes_of_parts(names);
-      const bool useful = std::any_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); });
+      const bool useful =
+          std::any_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); });
       if (!useful && level != Materials) continue;
       for (ModelRef& m : result.mesh.faces.classes)
         m = classes[name_of_part[static_cast<std::size_t>(m.tag())]];
-      if (useful) result.notes.push_back("faces classified by " + counted(names.size(), words[level]));
+      if (useful)
+        result.notes.push_back("faces classified by " + counted(names.size(), words[level]));
       return;
     }
   }
 
-  /// The names that faces carry at one level, in order of first use, and for each part the position of its
-  /// own.
+  /// The names that faces carry at one level, in order of first use, and for each part the position
+  /// of its own.
   std::vector<std::size_t> names_in_use(Level level, std::vector<std::string>& names) const {
     std::vector<std::size_t> position;
     std::map<std::uint32_t, std::size_t> seen;

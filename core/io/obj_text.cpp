@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/base/text.h"
 #include "core/io/text_cursor.h"
 
 namespace aomd::io::detail {
@@ -14,7 +15,8 @@ class ObjScanner {
  public:
   explicit ObjScanner(const Source& source) : source_(source) {
     const std::size_t zero = source.bytes.find('\0');
-    if (zero != std::string_view::npos) source.fail_at_byte(zero, "a zero byte: this is not a text file");
+    if (zero != std::string_view::npos)
+      source.fail_at_byte(zero, "a zero byte: this is not a text file");
     text_.cleaned = source.bytes;
   }
 
@@ -47,8 +49,8 @@ class ObjScanner {
     }
   }
 
-  /// Joins the lines that end with a backslash to the one at `offset` and removes a comment at its end; all
-  /// by putting spaces, so that offsets stay.
+  /// Joins the lines that end with a backslash to the one at `offset` and removes a comment at its
+  /// end; all by putting spaces, so that offsets stay.
   void tidy(std::size_t offset) {
     std::string& s = text_.cleaned;
     std::size_t i = offset;
@@ -81,7 +83,8 @@ class ObjScanner {
   void face(TextCursor& cursor) {
     std::size_t corners = 0;
     for (; !cursor.line_done(); ++corners) vertex_of(cursor);
-    if (corners < 3) cursor.fail("a face needs 3 or more vertices, this one has " + std::to_string(corners));
+    if (corners < 3)
+      cursor.fail("a face needs 3 or more vertices, this one has " + std::to_string(corners));
     cursor.end_line();
   }
 
@@ -100,7 +103,8 @@ class ObjScanner {
     cursor.end_line();
   }
 
-  /// The vertex index of one corner, as it stands there: from 1, or negative from the last vertex so far.
+  /// The vertex index of one corner, as it stands there: from 1, or negative from the last vertex
+  /// so far.
   static std::int64_t vertex_of(TextCursor& cursor) {
     const std::string_view word = cursor.word();
     int vertex = 0, other = 0;
@@ -126,8 +130,8 @@ class ObjScanner {
     const auto n = static_cast<std::int64_t>(text_.positions.size());
     for (const std::int64_t v : {line.a, line.b}) {
       if (v < 0 || v >= n)
-        source_.fail_at_line(line.offset, "vertex index " + std::to_string(v + 1) + " is out of range (1.." +
-                                              std::to_string(n) + ")");
+        source_.fail_at_line(line.offset, "vertex index " + std::to_string(v + 1) +
+                                              " is out of range (1.." + std::to_string(n) + ")");
     }
     if (line.a == line.b)
       source_.fail_at_line(line.offset, "the line repeats vertex " + std::to_string(line.a + 1));

@@ -11,8 +11,9 @@
 
 namespace aomd::io::detail {
 
-/// What the first pass keeps. tinyobjloader turns decimal text into doubles with an error of a few units in
-/// the last place, reads "x" as 0 and 2^32 + 1 as 1, and its callbacks know neither lines nor `l` elements.
+/// What the first pass keeps. tinyobjloader turns decimal text into doubles with an error of a few
+/// units in the last place, reads "x" as 0 and 2^32 + 1 as 1, and its callbacks know neither lines
+/// nor `l` elements.
 struct ObjText {
   struct Line {
     std::int64_t a, b;   ///< 0-based vertices

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 
+#include "core/base/text.h"
 #include "core/io/byte_writer.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
@@ -15,8 +16,8 @@
 namespace aomd::io::detail {
 namespace {
 
-/// How many values a vertex line may have after its coordinates, by the header word; nothing where the word
-/// is none of ours.
+/// How many values a vertex line may have after its coordinates, by the header word; nothing where
+/// the word is none of ours.
 std::optional<std::size_t> extra_values(std::string_view word) {
   std::size_t extra = 0;
   const auto take = [&](std::string_view prefix, std::size_t values) {
@@ -55,14 +56,16 @@ class OffText {
       expect_line(i, counts.faces, "faces");
       face(faces);
     }
-    if (!cursor_.skip_to_content()) cursor_.fail("data after the last face: " + shown(cursor_.word()));
+    if (!cursor_.skip_to_content())
+      cursor_.fail("data after the last face: " + shown(cursor_.word()));
     note_polygons(result.notes, faces.finish(result.mesh));
     return result;
   }
 
  private:
   Counts read_counts() {
-    if (cursor_.skip_to_content()) cursor_.fail("the file ends before the numbers of vertices and faces");
+    if (cursor_.skip_to_content())
+      cursor_.fail("the file ends before the numbers of vertices and faces");
     const std::int64_t vertices = cursor_.integer("the number of vertices");
     const std::int64_t faces = cursor_.integer("the number of faces");
     if (vertices < 0 || faces < 0) cursor_.fail("a negative number of vertices or faces");
@@ -73,14 +76,16 @@ class OffText {
 
   /// No more than the rest of the file can hold at so many bytes each.
   [[nodiscard]] std::size_t at_most(std::uint64_t promised, std::size_t bytes) const {
-    const auto n = static_cast<std::size_t>(std::min<std::uint64_t>(promised, cursor_.left() / bytes + 1));
+    const auto n =
+        static_cast<std::size_t>(std::min<std::uint64_t>(promised, cursor_.left() / bytes + 1));
     if (n >= no_index) throw LimitError(source_.name, {}, "more than 2^32 - 2 vertices or faces");
     return n;
   }
 
   void expect_line(std::uint64_t i, std::uint64_t n, const char* what) {
     if (cursor_.skip_to_content()) {
-      cursor_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(n) + ' ' + what);
+      cursor_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(n) + ' ' +
+                   what);
     }
   }
 
@@ -148,7 +153,8 @@ class OffBinary {
   std::uint32_t take() {
     require(4);
     std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(source_.bytes[at_++]);
+    for (int i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<unsigned char>(source_.bytes[at_++]);
     return value;
   }
 
@@ -191,7 +197,9 @@ class OffBinary {
 
 std::string write_off_binary(const MeshData& mesh) {
   ByteWriter out;
-  const auto integer = [&](std::size_t n) { out.raw<std::endian::big>(static_cast<std::uint32_t>(n)); };
+  const auto integer = [&](std::size_t n) {
+    out.raw<std::endian::big>(static_cast<std::uint32_t>(n));
+  };
   out << "OFF BINARY\n";
   for (const std::size_t n : {mesh.positions.size(), mesh.faces.size(), std::size_t{0}}) integer(n);
   for (const glm::dvec3& p : mesh.positions) {
@@ -215,7 +223,8 @@ ReadResult read_off(const Source& source) {
   TextCursor ahead = cursor;
   const std::string_view word = ahead.word();
   const auto extra = extra_values(word);
-  if (!extra && word.ends_with("OFF")) cursor.fail("only three-dimensional OFF is read, not " + shown(word));
+  if (!extra && word.ends_with("OFF"))
+    cursor.fail("only three-dimensional OFF is read, not " + shown(word));
   // Some programs leave the word out.
   if (!extra && !is_number(word)) cursor.fail("not an OFF file: it starts with " + shown(word));
   if (!extra) return OffText(source, cursor, 0).read();

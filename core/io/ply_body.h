@@ -14,7 +14,8 @@ namespace aomd::io::detail {
 /// Values in text, one element a line.
 class PlyText {
  public:
-  PlyText(const Source& source, const PlyHeader& header) : cursor_(source, source.bytes, header.body) {}
+  PlyText(const Source& source, const PlyHeader& header)
+      : cursor_(source, source.bytes, header.body) {}
 
   [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what); }
   [[nodiscard]] std::size_t left() const { return cursor_.left(); }

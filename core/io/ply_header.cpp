@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/text_cursor.h"
 
 namespace aomd::io::detail {
@@ -70,7 +71,8 @@ PlyProperty property_declared(TextCursor& cursor) {
 void check(const Source& source, const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty() && element.count > 0) {
-      source.fail_at_line(element.line_offset, "element " + shown(element.name) + " has no properties");
+      source.fail_at_line(element.line_offset,
+                          "element " + shown(element.name) + " has no properties");
     }
   }
 }
@@ -78,19 +80,21 @@ void check(const Source& source, const PlyHeader& header) {
 }  // namespace
 
 std::size_t PlyElement::least_size(PlyEncoding encoding) const {
-  if (encoding == PlyEncoding::Ascii) return 2 * properties.size();  // a digit and what separates it
+  if (encoding == PlyEncoding::Ascii)
+    return 2 * properties.size();  // a digit and what separates it
   std::size_t size = 0;
   for (const PlyProperty& p : properties) size += size_of(p.list ? p.count_type : p.type);
   return size;
 }
 
 bool PlyElement::has_list() const {
-  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.list; });
+  return std::any_of(properties.begin(), properties.end(),
+                     [](const PlyProperty& p) { return p.list; });
 }
 
 const PlyElement* PlyHeader::find(std::string_view name) const {
-  const auto at =
-      std::find_if(elements.begin(), elements.end(), [&](const PlyElement& e) { return e.name == name; });
+  const auto at = std::find_if(elements.begin(), elements.end(),
+                               [&](const PlyElement& e) { return e.name == name; });
   return at == elements.end() ? nullptr : &*at;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/text.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
 #include "core/io/ply_body.h"
@@ -12,15 +13,27 @@ namespace aomd::io::detail {
 namespace {
 
 /// What a property means to us.
-enum class Role : std::uint8_t { Skip, X, Y, Z, Indices, Vertex1, Vertex2, ModelDimension, ModelTag };
+enum class Role : std::uint8_t {
+  Skip,
+  X,
+  Y,
+  Z,
+  Indices,
+  Vertex1,
+  Vertex2,
+  ModelDimension,
+  ModelTag
+};
 
 Role role_of(const PlyElement& element, const PlyProperty& p) {
   const std::string &e = element.name, &n = p.name;
   if (p.list) return n == "vertex_indices" || n == "vertex_index" ? Role::Indices : Role::Skip;
   if (n == "model_dimension") return Role::ModelDimension;
   if (n == "model_tag") return Role::ModelTag;
-  if (e == "vertex") return n == "x" ? Role::X : n == "y" ? Role::Y : n == "z" ? Role::Z : Role::Skip;
-  if (e == "edge") return n == "vertex1" ? Role::Vertex1 : n == "vertex2" ? Role::Vertex2 : Role::Skip;
+  if (e == "vertex")
+    return n == "x" ? Role::X : n == "y" ? Role::Y : n == "z" ? Role::Z : Role::Skip;
+  if (e == "edge")
+    return n == "vertex1" ? Role::Vertex1 : n == "vertex2" ? Role::Vertex2 : Role::Skip;
   return Role::Skip;
 }
 
@@ -99,10 +112,10 @@ class PlyReader {
   void check_room(const PlyElement& element) const {
     const std::size_t least = element.least_size(header_.encoding);
     if (least == 0 || element.count <= body_.left() / least) return;
-    source_.fail_at_byte(source_.bytes.size(), "the file ends early: " + std::to_string(element.count) +
-                                                   " of " + shown(element.name) + " need " +
-                                                   std::to_string(least) + " or more bytes each, " +
-                                                   std::to_string(body_.left()) + " are left");
+    source_.fail_at_byte(source_.bytes.size(),
+                         "the file ends early: " + std::to_string(element.count) + " of " +
+                             shown(element.name) + " need " + std::to_string(least) +
+                             " or more bytes each, " + std::to_string(body_.left()) + " are left");
   }
 
   /// How many elements the rest of the file can hold, at most.
@@ -119,8 +132,8 @@ class PlyReader {
   void each(const PlyElement& element, Use&& use) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (body_.at_end()) {
-        body_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(element.count) +
-                   " of " + shown(element.name));
+        body_.fail("the file ends after " + std::to_string(i) + " of " +
+                   std::to_string(element.count) + " of " + shown(element.name));
       }
       for (std::size_t p = 0; p < roles_.size(); ++p) take(element.properties[p], roles_[p]);
       use();
@@ -183,8 +196,8 @@ class PlyReader {
     if (!classified_ || record_.model_dimension == 7) return {};
     const std::int64_t dimension = record_.model_dimension, tag = record_.model_tag;
     if (dimension < lowest || dimension > 3) {
-      body_.fail("a " + std::string(entity_name(lowest)) + " cannot lie on a model entity of dimension " +
-                 std::to_string(dimension));
+      body_.fail("a " + std::string(entity_name(lowest)) +
+                 " cannot lie on a model entity of dimension " + std::to_string(dimension));
     }
     if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
       body_.fail("model_tag " + std::to_string(tag) + " is out of range");
@@ -206,11 +219,12 @@ class PlyReader {
     if (!wrong.empty()) body_.fail(wrong);
     mesh_.edges.add(
         Shape::Line,
-        {static_cast<std::uint32_t>(record_.ends[0]), static_cast<std::uint32_t>(record_.ends[1])}, model(1));
+        {static_cast<std::uint32_t>(record_.ends[0]), static_cast<std::uint32_t>(record_.ends[1])},
+        model(1));
   }
 
-  /// Strips end with -1; every second triangle runs the other way. Triangles that repeat a vertex are how
-  /// strips turn corners: they are no faces.
+  /// Strips end with -1; every second triangle runs the other way. Triangles that repeat a vertex
+  /// are how strips turn corners: they are no faces.
   void add_strip() {
     std::size_t start = 0;
     const std::vector<std::int64_t>& v = record_.indices;
@@ -219,7 +233,8 @@ class PlyReader {
       if (v[i] == -1 || i < start + 2) continue;
       const bool odd = (i - start) % 2 == 1;
       const std::int64_t triangle[] = {v[i - 2], v[odd ? i : i - 1], v[odd ? i - 1 : i]};
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+        continue;
       const std::string wrong = faces_.add(triangle, model(2));
       if (!wrong.empty()) body_.fail(wrong);
     }

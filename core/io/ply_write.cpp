@@ -16,7 +16,8 @@ class PlyWriter {
         binary_(binary),
         // In text the digits themselves are exact, so that "double" costs nothing.
         doubles_(!binary || !fits_float(mesh)),
-        wide_(mesh.positions.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {}
+        wide_(mesh.positions.size() >
+              static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {}
 
   std::string write() {
     out_.reserve(32 * (mesh_.positions.size() + mesh_.faces.size()));
@@ -37,11 +38,13 @@ class PlyWriter {
  private:
   void header() {
     const std::string_view index = wide_ ? "uint" : "int", real = doubles_ ? "double" : "float";
-    out_ << "ply\nformat " << (binary_ ? "binary_little_endian" : "ascii") << " 1.0\ncomment AOMD Studio\n";
+    out_ << "ply\nformat " << (binary_ ? "binary_little_endian" : "ascii")
+         << " 1.0\ncomment AOMD Studio\n";
     out_ << "element vertex " << mesh_.positions.size() << '\n';
     for (const char axis : {'x', 'y', 'z'}) out_ << "property " << real << ' ' << axis << '\n';
     class_properties(!mesh_.vertex_classes.empty());
-    out_ << "element face " << mesh_.faces.size() << "\nproperty list uchar " << index << " vertex_indices\n";
+    out_ << "element face " << mesh_.faces.size() << "\nproperty list uchar " << index
+         << " vertex_indices\n";
     class_properties(!mesh_.faces.classes.empty());
     if (!mesh_.edges.empty()) {
       out_ << "element edge " << mesh_.edges.size() << '\n';

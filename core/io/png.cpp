@@ -24,7 +24,8 @@ class PngControl {
 
 std::string read_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw ReadError(path.string(), {}, "is a folder");
+  if (std::filesystem::is_directory(path, ignored))
+    throw ReadError(path.string(), {}, "is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ReadError(path.string(), {}, "cannot be opened");
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -41,7 +42,8 @@ std::string encode(const std::filesystem::path& path, const Image& picture) {
   png.image.flags = PNG_IMAGE_FLAG_FAST;
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(png.image), '\0');
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.rgba.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&png.image, bytes.data(), &size, 0, picture.rgba.data(), 0,
+                                nullptr) == 0)
     throw WriteError(path.string(), {}, std::string("cannot be encoded: ") + png.image.message);
   bytes.resize(size);
   return bytes;

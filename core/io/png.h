@@ -10,8 +10,8 @@
 
 namespace aomd::io {
 
-/// A picture: rows from top to bottom, 4 bytes a pixel (red, green, blue, alpha; not premultiplied, sRGB).
-/// rgba.size() == 4 * width * height.
+/// A picture: rows from top to bottom, 4 bytes a pixel (red, green, blue, alpha; not premultiplied,
+/// sRGB). rgba.size() == 4 * width * height.
 struct Image {
   int width = 0;
   int height = 0;
@@ -32,18 +32,20 @@ struct Image {
 
  private:
   [[nodiscard]] std::size_t offset(int x, int y) const {
-    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x));
   }
 };
 
 /// The largest picture that read_png accepts, in pixels.
 inline constexpr std::uint64_t max_image_pixels = std::uint64_t{1} << 26;
 
-/// Reads a PNG of any colour type and depth. Throws ReadError (missing, not a PNG, damaged) or LimitError.
+/// Reads a PNG of any colour type and depth. Throws ReadError (missing, not a PNG, damaged) or
+/// LimitError.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 
-/// Writes a PNG with the guarantees of write_file(). The same picture gives the same bytes: no time, no name.
-/// Throws WriteError, also for an empty picture.
+/// Writes a PNG with the guarantees of write_file(). The same picture gives the same bytes: no
+/// time, no name. Throws WriteError, also for an empty picture.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace aomd::io

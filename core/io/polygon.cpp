@@ -13,7 +13,8 @@ namespace {
 using Index = std::uint32_t;
 using Positions = std::span<const glm::dvec3>;
 
-/// The polygon's normal by Newell's sum, relative to its first vertex so that far-away polygons keep digits.
+/// The polygon's normal by Newell's sum, relative to its first vertex so that far-away polygons
+/// keep digits.
 glm::dvec3 newell_normal(Positions positions, std::span<const Index> polygon) {
   glm::dvec3 sum(0);
   const glm::dvec3 origin = positions[polygon[0]];
@@ -23,8 +24,8 @@ glm::dvec3 newell_normal(Positions positions, std::span<const Index> polygon) {
   return sum;
 }
 
-/// How well the split of a quad along corners (i, i+2) keeps both halves on the side of `normal`: their
-/// smaller area, signed.
+/// How well the split of a quad along corners (i, i+2) keeps both halves on the side of `normal`:
+/// their smaller area, signed.
 double worse_half(Positions p, std::span<const Index> q, std::size_t i, const glm::dvec3& normal) {
   const glm::dvec3 &a = p[q[i]], &b = p[q[i + 1]], &c = p[q[(i + 2) % 4]], &d = p[q[(i + 3) % 4]];
   const glm::dvec3 diagonal = c - a;
@@ -37,7 +38,8 @@ void split_quad(Positions p, std::span<const Index> q, std::vector<Index>& out) 
   const double half02 = worse_half(p, q, 0, normal), half13 = worse_half(p, q, 1, normal);
   const bool sound02 = half02 > 0, sound13 = half13 > 0;
   bool use02 = half02 >= half13;
-  if (sound02 == sound13) use02 = glm::distance(p[q[0]], p[q[2]]) <= glm::distance(p[q[1]], p[q[3]]);
+  if (sound02 == sound13)
+    use02 = glm::distance(p[q[0]], p[q[2]]) <= glm::distance(p[q[1]], p[q[3]]);
   if (use02) {
     out.insert(out.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
   } else {
@@ -65,12 +67,17 @@ std::vector<glm::dvec2> flatten(Positions positions, std::span<const Index> poly
   return flat;
 }
 
-/// Ear clipping on a linked ring of corners. Only corners that are not convex can lie in an ear, and cutting
-/// one off changes whether its two neighbours are ears, nothing else.
+/// Ear clipping on a linked ring of corners. Only corners that are not convex can lie in an ear,
+/// and cutting one off changes whether its two neighbours are ears, nothing else.
 class EarClipper {
  public:
-  EarClipper(std::vector<glm::dvec2> corners, std::span<const Index> polygon, std::vector<Index>& out)
-      : p_(std::move(corners)), polygon_(polygon), out_(out), next_(p_.size()), previous_(p_.size()) {
+  EarClipper(std::vector<glm::dvec2> corners, std::span<const Index> polygon,
+             std::vector<Index>& out)
+      : p_(std::move(corners)),
+        polygon_(polygon),
+        out_(out),
+        next_(p_.size()),
+        previous_(p_.size()) {
     for (std::size_t i = 0; i < p_.size(); ++i) {
       next_[i] = (i + 1) % p_.size();
       previous_[next_[i]] = i;
@@ -95,7 +102,9 @@ class EarClipper {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   [[nodiscard]] bool cut_off(std::size_t i) const { return next_[i] == none; }
-  [[nodiscard]] double turn(std::size_t i) const { return cross2(p_[previous_[i]], p_[i], p_[next_[i]]); }
+  [[nodiscard]] double turn(std::size_t i) const {
+    return cross2(p_[previous_[i]], p_[i], p_[next_[i]]);
+  }
 
   /// Takes candidates first in, first out, which spreads the cuts around the ring.
   std::size_t find_ear() {

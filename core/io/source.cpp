@@ -53,7 +53,8 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.fd < 0) throw ReadError(name, {}, "cannot be opened: " + system_message());
   struct stat info {};
-  if (::fstat(file.fd, &info) != 0) throw ReadError(name, {}, "cannot be read: " + system_message());
+  if (::fstat(file.fd, &info) != 0)
+    throw ReadError(name, {}, "cannot be read: " + system_message());
   if (S_ISDIR(info.st_mode)) throw ReadError(name, {}, "is a folder, not a mesh file");
   if (!S_ISREG(info.st_mode)) throw ReadError(name, {}, "is not a regular file");
   if (info.st_size == 0) throw ReadError(name, {}, "is empty");
@@ -71,24 +72,6 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
     if (got == 0) break;
     size_ += static_cast<std::size_t>(got);
   }
-}
-
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 24;
-  std::string text = "\"";
-  for (const char c : word.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += byte < 0x20 || byte >= 0x7f ? '?' : c;
-  }
-  return text + (word.size() > longest ? "...\"" : "\"");
-}
-
-std::string counted(std::uint64_t n, std::string_view one) {
-  std::string text = std::to_string(n) + ' ' + std::string(one);
-  if (n == 1) return text;
-  const bool vertex = text.ends_with("ex");
-  if (vertex) text.replace(text.size() - 2, 2, "ices");
-  return vertex ? text : text + 's';
 }
 
 }  // namespace aomd::io::detail

@@ -24,11 +24,12 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
-/// A whole file in memory. It is read, not mapped: a file that shrinks meanwhile must not kill the program.
+/// A whole file in memory. It is read, not mapped: a file that shrinks meanwhile must not kill the
+/// program.
 class FileBytes {
  public:
-  /// Throws ReadError for what is missing, no regular file, unreadable or empty; LimitError when it does not
-  /// fit into memory.
+  /// Throws ReadError for what is missing, no regular file, unreadable or empty; LimitError when it
+  /// does not fit into memory.
   explicit FileBytes(const std::filesystem::path& path);
 
   [[nodiscard]] std::string_view view() const { return {data_.get(), size_}; }
@@ -37,12 +38,5 @@ class FileBytes {
   std::unique_ptr<char[]> data_;
   std::size_t size_ = 0;
 };
-
-/// A word of the input as an error message shows it: in quotes, cut after 24 characters, no control
-/// characters.
-[[nodiscard]] std::string shown(std::string_view word);
-
-/// "1 polygon", "12 polygons".
-[[nodiscard]] std::string counted(std::uint64_t n, std::string_view one);
 
 }  // namespace aomd::io::detail

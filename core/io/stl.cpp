@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/text.h"
 #include "core/io/byte_writer.h"
 #include "core/io/class_names.h"
 #include "core/io/face_sink.h"
@@ -35,7 +36,8 @@ std::uint32_t little_u32(const char* p) {
 class FacetSink {
  public:
   void add(const Facet& facet, std::int32_t solid) {
-    const std::array<std::uint32_t, 3> v{points_.add(facet[0]), points_.add(facet[1]), points_.add(facet[2])};
+    const std::array<std::uint32_t, 3> v{points_.add(facet[0]), points_.add(facet[1]),
+                                         points_.add(facet[2])};
     corners_ += 3;
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
       ++dropped_;
@@ -84,15 +86,17 @@ class StlText {
  private:
   static bool same(std::string_view word, std::string_view keyword) {
     return word.size() == keyword.size() &&
-           std::equal(word.begin(), word.end(), keyword.begin(),
-                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+           std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) {
+             return std::tolower(static_cast<unsigned char>(a)) == b;
+           });
   }
 
   void expect(std::string_view keyword) {
     if (cursor_.skip_to_content())
       cursor_.fail("the file ends where \"" + std::string(keyword) + "\" should follow");
     const std::string_view word = cursor_.word();
-    if (!same(word, keyword)) cursor_.fail("expected \"" + std::string(keyword) + "\", found " + shown(word));
+    if (!same(word, keyword))
+      cursor_.fail("expected \"" + std::string(keyword) + "\", found " + shown(word));
   }
 
   /// True, and past it, where the solid ends.
@@ -133,8 +137,8 @@ ReadResult read_binary(const Source& source) {
   const std::uint32_t n = little_u32(bytes.data() + header_size);
   const std::uint64_t expected = data_start + facet_size * std::uint64_t{n};
   if (bytes.size() < expected) {
-    source.fail_at_byte(bytes.size(), "the file ends early: " + std::to_string(n) + " facets need " +
-                                          std::to_string(expected) + " bytes");
+    source.fail_at_byte(bytes.size(), "the file ends early: " + std::to_string(n) +
+                                          " facets need " + std::to_string(expected) + " bytes");
   }
   if (bytes.size() > expected)
     source.fail_at_byte(expected, "data after the last of " + std::to_string(n) + " facets");
@@ -193,11 +197,13 @@ std::string write_binary(const MeshData& mesh) {
 }
 
 void write_facet(ByteWriter& out, const Facet& f) {
-  const auto point = [&](const glm::dvec3& p) { out << ' ' << p.x << ' ' << p.y << ' ' << p.z << '\n'; };
+  const auto point = [&](const glm::dvec3& p) {
+    out << ' ' << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  };
   out << "facet normal";
   const glm::dvec3 n = normal_of(f);
-  out << ' ' << static_cast<float>(n.x) << ' ' << static_cast<float>(n.y) << ' ' << static_cast<float>(n.z)
-      << '\n';
+  out << ' ' << static_cast<float>(n.x) << ' ' << static_cast<float>(n.y) << ' '
+      << static_cast<float>(n.z) << '\n';
   out << "outer loop\n";
   for (const glm::dvec3& p : f) {
     out << "vertex";
@@ -210,7 +216,8 @@ void write_facet(ByteWriter& out, const Facet& f) {
 
 bool is_binary_stl(std::string_view bytes) {
   return bytes.size() >= data_start &&
-         bytes.size() == data_start + facet_size * std::uint64_t{little_u32(bytes.data() + header_size)};
+         bytes.size() ==
+             data_start + facet_size * std::uint64_t{little_u32(bytes.data() + header_size)};
 }
 
 ReadResult read_stl(const Source& source, bool binary) {

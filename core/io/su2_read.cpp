@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/formats.h"
 #include "core/io/text_cursor.h"
@@ -16,7 +17,8 @@ namespace {
 
 class Su2Reader {
  public:
-  explicit Su2Reader(const Source& source) : source_(source), cursor_(source, source.bytes, 0, '%') {}
+  explicit Su2Reader(const Source& source)
+      : source_(source), cursor_(source, source.bytes, 0, '%') {}
 
   ReadResult read() {
     scan();
@@ -90,7 +92,8 @@ class Su2Reader {
 
   void expect_line(std::uint64_t i, std::uint64_t n, const char* what) {
     if (cursor_.skip_to_content())
-      cursor_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(n) + ' ' + what);
+      cursor_.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(n) + ' ' +
+                   what);
   }
 
   void points(const TextCursor& start) {
@@ -101,7 +104,8 @@ class Su2Reader {
     mesh_.positions.reserve(static_cast<std::size_t>(points_));
     for (std::uint64_t i = 0; i < points_; ++i) {
       expect_line(i, points_, "points");
-      const double x = cursor_.real("x"), y = cursor_.real("y"), z = dimension_ == 3 ? cursor_.real("z") : 0;
+      const double x = cursor_.real("x"), y = cursor_.real("y"),
+                   z = dimension_ == 3 ? cursor_.real("z") : 0;
       mesh_.positions.emplace_back(x, y, z);
       end_of_item();
     }
@@ -131,7 +135,8 @@ class Su2Reader {
       ++marker_points_;
       return cursor_.skip_line();
     }
-    if (!kind || kind->rule != CellRule::Corners || shape_template(kind->shape).dimension != dimension ||
+    if (!kind || kind->rule != CellRule::Corners ||
+        shape_template(kind->shape).dimension != dimension ||
         kind->type != cell_type(kind->shape)) {
       cursor_.fail((of_marker ? "a marker" : "a mesh") + std::string(" of dimension ") +
                    std::to_string(dimension) + " has no elements of type " + std::to_string(type));
@@ -167,7 +172,8 @@ class Su2Reader {
       TextCursor line = start;
       start.fail("expected KEY= value, found " + shown(line.word()));
     }
-    if (passed_over_.find(key) == std::string::npos) passed_over_ += (passed_over_.empty() ? "" : ", ") + key;
+    if (passed_over_.find(key) == std::string::npos)
+      passed_over_ += (passed_over_.empty() ? "" : ", ") + key;
     cursor_.skip_line();
     while (!cursor_.skip_to_content()) {
       TextCursor line = cursor_;

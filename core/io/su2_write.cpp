@@ -1,4 +1,5 @@
-// SU2's native mesh format. What is classified on model faces (in the plane: model edges) becomes markers.
+// SU2's native mesh format. What is classified on model faces (in the plane: model edges) becomes
+// markers.
 
 #include <algorithm>
 #include <map>
@@ -12,7 +13,8 @@ namespace {
 
 class Su2Writer {
  public:
-  explicit Su2Writer(const MeshData& mesh) : mesh_(mesh), dimension_(mesh.regions.empty() ? 2 : 3) {}
+  explicit Su2Writer(const MeshData& mesh)
+      : mesh_(mesh), dimension_(mesh.regions.empty() ? 2 : 3) {}
 
   std::string write() {
     out_.reserve(64 * mesh_.positions.size() + 48 * mesh_.list(dimension_).size());
@@ -73,8 +75,9 @@ class Su2Writer {
     });
     std::vector<std::pair<std::string, Marker*>> ordered;
     for (auto& [name, marker] : markers) ordered.emplace_back(name, &marker);
-    std::sort(ordered.begin(), ordered.end(),
-              [](const auto& a, const auto& b) { return a.second->first_tag < b.second->first_tag; });
+    std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
+      return a.second->first_tag < b.second->first_tag;
+    });
     out_ << "NMARK= " << ordered.size() << '\n';
     for (auto& [name, marker] : ordered)
       out_ << "MARKER_TAG= " << name << "\nMARKER_ELEMS= " << marker->count << '\n'

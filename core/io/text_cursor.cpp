@@ -1,4 +1,5 @@
 #include "core/io/text_cursor.h"
+#include "core/base/text.h"
 
 #include <cstdlib>
 
@@ -48,9 +49,10 @@ std::string_view TextCursor::word() {
 double TextCursor::unusual_real(const char* what) {
   const std::string text(word());
   if (text.empty()) fail(std::string("the line ends before ") + what);
-  if (!is_number(text)) fail(std::string("expected a number for ") + what + ", found " + shown(text));
-  // What is left: a leading plus sign, "inf" and "nan", and numbers beyond the range of a double. Those too
-  // small for it become zero or subnormal.
+  if (!is_number(text))
+    fail(std::string("expected a number for ") + what + ", found " + shown(text));
+  // What is left: a leading plus sign, "inf" and "nan", and numbers beyond the range of a double.
+  // Those too small for it become zero or subnormal.
   const double value = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(value)) fail(std::string(what) + " is not a finite number: " + shown(text));
   return value;

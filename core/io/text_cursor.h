@@ -11,12 +11,14 @@
 
 namespace aomd::io::detail {
 
-/// A position in text. Blanks are spaces and tabs; lines end with "\n", "\r\n" or "\r"; a comment runs from
-/// its sign to the end of the line. Errors are ReadErrors with the line of the position.
+/// A position in text. Blanks are spaces and tabs; lines end with "\n", "\r\n" or "\r"; a comment
+/// runs from its sign to the end of the line. Errors are ReadErrors with the line of the position.
 class TextCursor {
  public:
-  /// `text` is what is read: the bytes of `source`, or an edited copy with every byte at its old offset.
-  TextCursor(const Source& source, std::string_view text, std::size_t offset = 0, char comment_sign = '\n')
+  /// `text` is what is read: the bytes of `source`, or an edited copy with every byte at its old
+  /// offset.
+  TextCursor(const Source& source, std::string_view text, std::size_t offset = 0,
+             char comment_sign = '\n')
       : source_(&source),
         start_(text.data()),
         p_(start_ + offset),
@@ -71,7 +73,8 @@ inline double TextCursor::real(const char* what) {
   skip_blanks();
   double value = 0;
   const auto [next, error] = std::from_chars(p_, end_, value);
-  if (error != std::errc{} || !at_word_end(next) || !std::isfinite(value)) return unusual_real(what);
+  if (error != std::errc{} || !at_word_end(next) || !std::isfinite(value))
+    return unusual_real(what);
   p_ = next;
   return value;
 }

@@ -63,7 +63,8 @@ constexpr std::uint8_t row_order[] = {0, 1, 3, 2, 4, 5, 7, 6};
 constexpr auto places = [] {
   std::array<std::int8_t, 256> table{};
   table.fill(-1);
-  for (std::size_t i = 0; i < std::size(kinds); ++i) table[kinds[i].type] = static_cast<std::int8_t>(i);
+  for (std::size_t i = 0; i < std::size(kinds); ++i)
+    table[kinds[i].type] = static_cast<std::int8_t>(i);
   return table;
 }();
 

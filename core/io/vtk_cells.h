@@ -31,9 +31,10 @@ struct CellKind {
 /// The number of VTK's linear cell of a built-in shape.
 [[nodiscard]] std::uint8_t cell_type(Shape shape);
 
-/// For each of our corners its place in VTK's list. VTK's wedge looks outward at its base (0, 1, 2), our
-/// prism inward, as Gmsh's: two corners of either triangle change places. Pixels and voxels count row by row.
-/// The orders of linear cells are their own inverses. Source: VTK's class documentation (vtkWedge, vtkVoxel).
+/// For each of our corners its place in VTK's list. VTK's wedge looks outward at its base (0, 1,
+/// 2), our prism inward, as Gmsh's: two corners of either triangle change places. Pixels and voxels
+/// count row by row. The orders of linear cells are their own inverses. Source: VTK's class
+/// documentation (vtkWedge, vtkVoxel).
 [[nodiscard]] std::span<const std::uint8_t> corner_order(const CellKind& kind);
 
 }  // namespace aomd::io::detail

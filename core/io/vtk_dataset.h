@@ -21,7 +21,8 @@ struct VtkArray {
   std::vector<double> values;  ///< `components` for each point or cell
 };
 
-/// An unstructured grid. The arrays have as many tuples as there are points or cells; indices are unchecked.
+/// An unstructured grid. The arrays have as many tuples as there are points or cells; indices are
+/// unchecked.
 struct VtkDataset {
   std::vector<glm::dvec3> points;
   std::vector<std::int64_t> connectivity;
@@ -33,28 +34,30 @@ struct VtkDataset {
 /// Throws ReadError that says what is wrong with cell i and where in the file it stands.
 using FailAtCell = std::function<void(std::size_t cell, const std::string& what)>;
 
-/// The mesh of a grid. Cells of each dimension keep their order; polylines and strips are split, polygons
-/// with more than 4 corners triangulated, higher-order cells reduced to their corners (nodes that nothing
-/// else uses are dropped), vertex cells only classify. Arrays become attributes. Classes come from the arrays
-/// model_dimension and model_tag of points and cells; else from the first one-component array of whole
-/// numbers among CellEntityIds, gmsh:geometrical, medit:ref, material, attribute and region: the tag of a
-/// model entity of the cell's own dimension. Throws ReadError, through `fail` where a cell is at fault.
-/// Linear; memory in proportion to the grid's.
+/// The mesh of a grid. Cells of each dimension keep their order; polylines and strips are split,
+/// polygons with more than 4 corners triangulated, higher-order cells reduced to their corners
+/// (nodes that nothing else uses are dropped), vertex cells only classify. Arrays become
+/// attributes. Classes come from the arrays model_dimension and model_tag of points and cells; else
+/// from the first one-component array of whole numbers among CellEntityIds, gmsh:geometrical,
+/// medit:ref, material, attribute and region: the tag of a model entity of the cell's own
+/// dimension. Throws ReadError, through `fail` where a cell is at fault. Linear; memory in
+/// proportion to the grid's.
 [[nodiscard]] ReadResult mesh_of(VtkDataset grid, const Source& source, const FailAtCell& fail);
 
-/// The grid of a mesh: edges, faces, regions. Attributes of one name become one array of the cells; where a
-/// dimension lacks it the values are 0, and the field array attribute_dimensions says so: for each cell array
-/// the sum of 1 << dimension.
+/// The grid of a mesh: edges, faces, regions. Attributes of one name become one array of the cells;
+/// where a dimension lacks it the values are 0, and the field array attribute_dimensions says so:
+/// for each cell array the sum of 1 << dimension.
 [[nodiscard]] VtkDataset grid_of(const MeshData& mesh);
 
 /// The array of this name, or null.
-[[nodiscard]] const VtkArray* find_array(const std::vector<VtkArray>& arrays, std::string_view name);
+[[nodiscard]] const VtkArray* find_array(const std::vector<VtkArray>& arrays,
+                                         std::string_view name);
 
 /// True where a 32-bit integer holds every value.
 [[nodiscard]] bool fits_int32(const VtkArray& array);
 
-/// Calls visit(number of the type that the file gets, whether it ends its tuple) for every value: 32-bit
-/// integers where `narrow`, 64-bit ones where the array holds whole numbers, else doubles.
+/// Calls visit(number of the type that the file gets, whether it ends its tuple) for every value:
+/// 32-bit integers where `narrow`, 64-bit ones where the array holds whole numbers, else doubles.
 template <class Visit>
 void for_each_value(const VtkArray& array, bool narrow, Visit&& visit) {
   const auto n = static_cast<std::size_t>(array.components);
@@ -76,7 +79,7 @@ inline constexpr std::string_view dimension_name = "model_dimension", tag_name =
                                   coverage_name = "attribute_dimensions";
 
 /// Cell arrays of other programs that classify, the most telling first.
-inline constexpr std::array<std::string_view, 6> label_names{"CellEntityIds", "gmsh:geometrical", "medit:ref",
-                                                             "material",      "attribute",        "region"};
+inline constexpr std::array<std::string_view, 6> label_names{
+    "CellEntityIds", "gmsh:geometrical", "medit:ref", "material", "attribute", "region"};
 
 }  // namespace aomd::io::detail

@@ -37,7 +37,8 @@ class MeshToGrid {
     std::size_t i = 0;
     for_each_entity(list, [&](auto corners, ModelRef) {
       const std::uint8_t type = cell_type(list.shapes[i++]);
-      for (const std::uint8_t k : corner_order(*cell_kind(type))) grid_.connectivity.push_back(corners[k]);
+      for (const std::uint8_t k : corner_order(*cell_kind(type)))
+        grid_.connectivity.push_back(corners[k]);
       grid_.ends.push_back(static_cast<std::int64_t>(grid_.connectivity.size()));
       grid_.types.push_back(type);
     });
@@ -65,8 +66,10 @@ class MeshToGrid {
     own_arrays_ = grid_.cell_data.size();
   }
 
-  static void add_class_arrays(std::vector<VtkArray>& arrays, const std::vector<ModelRef>& classes) {
-    VtkArray dimensions{std::string(dimension_name), 1, true, {}}, tags{std::string(tag_name), 1, true, {}};
+  static void add_class_arrays(std::vector<VtkArray>& arrays,
+                               const std::vector<ModelRef>& classes) {
+    VtkArray dimensions{std::string(dimension_name), 1, true, {}},
+        tags{std::string(tag_name), 1, true, {}};
     for (const ModelRef m : classes) {
       dimensions.values.push_back(m.dimension());
       tags.values.push_back(m.tag());
@@ -84,16 +87,19 @@ class MeshToGrid {
     coverage_[k] += 1 << a.dimension;
   }
 
-  /// The array that takes these values: one of the same kind that has none of this dimension, or a new one.
+  /// The array that takes these values: one of the same kind that has none of this dimension, or a
+  /// new one.
   std::size_t array_for(const Attribute& a) {
     for (std::size_t k = 0; k < coverage_.size(); ++k) {
       const VtkArray& array = grid_.cell_data[own_arrays_ + k];
       const bool free = (static_cast<int>(coverage_[k]) >> a.dimension & 1) == 0;
-      if (free && array.name == a.name && array.components == a.components && array.integer == a.integer)
+      if (free && array.name == a.name && array.components == a.components &&
+          array.integer == a.integer)
         return k;
     }
     grid_.cell_data.push_back({a.name, a.components, a.integer, {}});
-    grid_.cell_data.back().values.resize(grid_.types.size() * static_cast<std::size_t>(a.components));
+    grid_.cell_data.back().values.resize(grid_.types.size() *
+                                         static_cast<std::size_t>(a.components));
     coverage_.push_back(0);
     return coverage_.size() - 1;
   }
@@ -117,8 +123,8 @@ class MeshToGrid {
 VtkDataset grid_of(const MeshData& mesh) { return MeshToGrid(mesh).convert(); }
 
 const VtkArray* find_array(const std::vector<VtkArray>& arrays, std::string_view name) {
-  const auto found =
-      std::find_if(arrays.begin(), arrays.end(), [&](const VtkArray& array) { return array.name == name; });
+  const auto found = std::find_if(arrays.begin(), arrays.end(),
+                                  [&](const VtkArray& array) { return array.name == name; });
   return found == arrays.end() ? nullptr : &*found;
 }
 

@@ -1,4 +1,5 @@
 #include "core/io/vtk_legacy.h"
+#include "core/base/text.h"
 
 #include <cctype>
 
@@ -8,12 +9,6 @@ namespace {
 constexpr std::endian big = std::endian::big;
 
 }  // namespace
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 std::string decoded(std::string_view name) {
   std::string text;
@@ -29,7 +24,8 @@ std::string decoded(std::string_view name) {
 }
 
 void LegacyInput::fail_at(std::size_t offset, const std::string& what) const {
-  if (binary_) source_.fail_at_byte(offset, what);  // lines mean nothing once bytes of data have gone by
+  if (binary_)
+    source_.fail_at_byte(offset, what);  // lines mean nothing once bytes of data have gone by
   source_.fail_at_line(offset, what);
 }
 
@@ -57,7 +53,8 @@ std::uint64_t LegacyInput::count(const char* what) {
 
 void LegacyInput::keyword(const char* expected) {
   const std::string_view found = word(expected);
-  if (lower(found) != lower(expected)) fail(std::string("expected ") + expected + ", found " + shown(found));
+  if (lower(found) != lower(expected))
+    fail(std::string("expected ") + expected + ", found " + shown(found));
 }
 
 NumberType LegacyInput::number_type(const char* what) {

@@ -9,13 +9,11 @@
 
 namespace aomd::io::detail {
 
-/// A word in small letters: keywords may be written in any case.
-[[nodiscard]] std::string lower(std::string_view word);
-
 /// The name that a file encodes: "%20" stands for a space.
 [[nodiscard]] std::string decoded(std::string_view name);
 
-/// A position in a legacy file. What is wrong is a ReadError with the line, or the byte in binary files.
+/// A position in a legacy file. What is wrong is a ReadError with the line, or the byte in binary
+/// files.
 class LegacyInput {
  public:
   explicit LegacyInput(const Source& source) : source_(source), cursor_(source, source.bytes) {}

@@ -1,4 +1,5 @@
 #include "core/io/vtk_numbers.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,8 @@ double number_of(const TextCursor& cursor, std::string_view word) {
   const auto [next, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc{} && next == word.data() + word.size()) return value;
   if (!is_number(word)) cursor.fail("expected a number, found " + shown(word));
-  return std::strtod(std::string(word).c_str(), nullptr);  // a leading plus sign, or beyond the range
+  return std::strtod(std::string(word).c_str(),
+                     nullptr);  // a leading plus sign, or beyond the range
 }
 
 /// Calls use() at the start of each of the next n words.
@@ -104,18 +106,25 @@ void each_word(TextCursor& cursor, std::size_t n, Use&& use) {
 }
 
 /// No more than the rest of the text can hold.
-std::size_t believable(const TextCursor& cursor, std::size_t n) { return std::min(n, cursor.left() / 2 + 1); }
+std::size_t believable(const TextCursor& cursor, std::size_t n) {
+  return std::min(n, cursor.left() / 2 + 1);
+}
 
 }  // namespace
 
-std::optional<NumberType> number_type_of_xml(std::string_view name) { return find(xml_names, name); }
-std::optional<NumberType> number_type_of_legacy(std::string_view name) { return find(legacy_names, name); }
+std::optional<NumberType> number_type_of_xml(std::string_view name) {
+  return find(xml_names, name);
+}
+std::optional<NumberType> number_type_of_legacy(std::string_view name) {
+  return find(legacy_names, name);
+}
 
 void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<double>& out) {
   decode_any(bytes, type, order, out);
 }
 
-void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<std::int64_t>& out) {
+void decode(std::string_view bytes, NumberType type, std::endian order,
+            std::vector<std::int64_t>& out) {
   decode_any(bytes, type, order, out);
 }
 

@@ -40,12 +40,14 @@ enum class NumberType : std::uint8_t {
 /// Appends the numbers that `bytes` hold one after the other; an incomplete last one is left out.
 void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<double>& out);
 /// The same for whole numbers; a type of real numbers gives none.
-void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<std::int64_t>& out);
+void decode(std::string_view bytes, NumberType type, std::endian order,
+            std::vector<std::int64_t>& out);
 
 inline constexpr std::size_t all_words = std::numeric_limits<std::size_t>::max();
 
-/// Appends the next n words, wherever the lines end, as numbers ("nan" and "inf" too); all_words reads to the
-/// end. Throws ReadError where a word is no number, or no whole one where `integer` says so, or words lack.
+/// Appends the next n words, wherever the lines end, as numbers ("nan" and "inf" too); all_words
+/// reads to the end. Throws ReadError where a word is no number, or no whole one where `integer`
+/// says so, or words lack.
 void read_text(TextCursor& cursor, std::size_t n, bool integer, std::vector<double>& out);
 /// The same for indices.
 void read_text(TextCursor& cursor, std::size_t n, std::vector<std::int64_t>& out);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_legacy.h"
@@ -31,11 +32,12 @@ class LegacyReader : LegacyInput {
     if (!has_cells_) fail("the file ends before CELLS");
     join_blocks();
     if (grid_.types.size() != grid_.ends.size()) {
-      fail(std::to_string(grid_.types.size()) + " cell types for " + counted(grid_.ends.size(), "cell"));
+      fail(std::to_string(grid_.types.size()) + " cell types for " +
+           counted(grid_.ends.size(), "cell"));
     }
-    ReadResult result = mesh_of(std::move(grid_), source_, [this](std::size_t cell, const std::string& what) {
-      fail_at_cell(cell, what);
-    });
+    ReadResult result =
+        mesh_of(std::move(grid_), source_,
+                [this](std::size_t cell, const std::string& what) { fail_at_cell(cell, what); });
     result.format = Format::Vtk;
     if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
     return result;
@@ -53,10 +55,12 @@ class LegacyReader : LegacyInput {
   void header() {
     const std::string_view first = cursor_.rest_of_line();
     constexpr std::string_view magic = "# vtk DataFile Version ";
-    if (!first.starts_with(magic)) source_.fail_at_line(0, "does not start with \"# vtk DataFile Version\"");
+    if (!first.starts_with(magic))
+      source_.fail_at_line(0, "does not start with \"# vtk DataFile Version\"");
     major_ = first.size() > magic.size() ? first[magic.size()] - '0' : 0;
     if (major_ < 1 || major_ > 5)
-      source_.fail_at_line(0, "version " + shown(first.substr(magic.size())) + " is not read, only 1 to 5.1");
+      source_.fail_at_line(
+          0, "version " + shown(first.substr(magic.size())) + " is not read, only 1 to 5.1");
     cursor_.skip_line();  // the title
     const std::string encoding = lower(word("ASCII or BINARY"));
     if (encoding != "ascii" && encoding != "binary")
@@ -64,7 +68,8 @@ class LegacyReader : LegacyInput {
     if (lower(word("DATASET")) != "dataset") cursor_.fail("expected DATASET");
     const std::string kind = lower(word("the kind of dataset"));
     if (kind != "unstructured_grid" && kind != "polydata")
-      cursor_.fail("a dataset of kind " + shown(kind) + "; only UNSTRUCTURED_GRID and POLYDATA are read");
+      cursor_.fail("a dataset of kind " + shown(kind) +
+                   "; only UNSTRUCTURED_GRID and POLYDATA are read");
     polygonal_ = has_cells_ = kind == "polydata";  // where any of the lists may lack
     binary_ = encoding == "binary";
   }
@@ -151,7 +156,8 @@ class LegacyReader : LegacyInput {
       block.ends.push_back(static_cast<std::int64_t>(to));
     }
     if (from != list.size())
-      fail(counted(n, "cell") + " take " + std::to_string(from) + " of " + counted(list.size(), "number"));
+      fail(counted(n, "cell") + " take " + std::to_string(from) + " of " +
+           counted(list.size(), "number"));
     list.resize(to);
   }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/byte_writer.h"
 #include "core/io/entities.h"
 #include "core/io/face_sink.h"
@@ -19,7 +20,8 @@ namespace {
 
 using Indices = std::span<const std::int64_t>;
 
-constexpr double largest_whole = 9007199254740992.0;  // 2^53: below it every whole number is a double
+constexpr double largest_whole =
+    9007199254740992.0;  // 2^53: below it every whole number is a double
 
 /// One value a tuple, and whole.
 bool is_label(const VtkArray* array) { return array && array->integer && array->components == 1; }
@@ -48,7 +50,8 @@ class GridToMesh {
 
   Indices nodes_of(std::size_t cell) const {
     const auto begin = static_cast<std::size_t>(cell == 0 ? 0 : grid_.ends[cell - 1]);
-    return Indices(grid_.connectivity).subspan(begin, static_cast<std::size_t>(grid_.ends[cell]) - begin);
+    return Indices(grid_.connectivity)
+        .subspan(begin, static_cast<std::size_t>(grid_.ends[cell]) - begin);
   }
 
   void add_cell(std::size_t i) {
@@ -56,8 +59,8 @@ class GridToMesh {
     if (!kind) fail_(i, "cells of type " + cell_type_name(grid_.types[i]) + " are not read");
     const Indices nodes = nodes_of(i);
     if (kind->nodes != 0 && nodes.size() != kind->nodes) {
-      fail_(i, "a " + std::string(kind->name) + " of " + counted(nodes.size(), "vertex") + "; it has " +
-                   std::to_string(kind->nodes));
+      fail_(i, "a " + std::string(kind->name) + " of " + counted(nodes.size(), "vertex") +
+                   "; it has " + std::to_string(kind->nodes));
     }
     switch (kind->rule) {
       case CellRule::Nothing:
@@ -103,14 +106,16 @@ class GridToMesh {
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) add(Shape::Line, nodes.subspan(k, 2), cell);
   }
 
-  /// Every second triangle runs the other way; those that repeat a vertex are how strips turn corners.
+  /// Every second triangle runs the other way; those that repeat a vertex are how strips turn
+  /// corners.
   void add_strip(Indices v, std::size_t cell) {
     if (v.size() < 3) fail_(cell, "a triangle strip needs 3 or more vertices");
     check_indices(v, cell);
     for (std::size_t k = 2; k < v.size(); ++k) {
       const bool odd = k % 2 == 1;
       const std::int64_t triangle[] = {v[k - 2], v[odd ? k : k - 1], v[odd ? k - 1 : k]};
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+        continue;
       add(Shape::Triangle, triangle, cell);
     }
   }
@@ -148,11 +153,12 @@ class GridToMesh {
   }
 
   /// The class that model_dimension and model_tag give entity i, whose own dimension is `lowest`.
-  static std::optional<ModelRef> model(const VtkArray& dimensions, const VtkArray& tags, std::size_t i,
-                                       int lowest) {
+  static std::optional<ModelRef> model(const VtkArray& dimensions, const VtkArray& tags,
+                                       std::size_t i, int lowest) {
     const double dimension = dimensions.values[i], tag = tags.values[i];
     if (dimension == 7) return ModelRef();
-    if (dimension < lowest || dimension > 3 || tag < ModelRef::min_tag || tag > ModelRef::max_tag) return {};
+    if (dimension < lowest || dimension > 3 || tag < ModelRef::min_tag || tag > ModelRef::max_tag)
+      return {};
     return ModelRef(static_cast<int>(dimension), static_cast<std::int32_t>(tag));
   }
 
@@ -191,12 +197,14 @@ class GridToMesh {
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
       const auto found = model(*dimensions, *tags, i, 0);
       if (!found)
-        source_.fail("point " + std::to_string(i) + ": " + no_class(*dimensions, *tags, i, "vertex"));
+        source_.fail("point " + std::to_string(i) + ": " +
+                     no_class(*dimensions, *tags, i, "vertex"));
       mesh_.vertex_classes.push_back(*found);
     }
   }
 
-  /// class_of(cell, dimension of the entity). Vertex cells count where the points have no classes themselves.
+  /// class_of(cell, dimension of the entity). Vertex cells count where the points have no classes
+  /// themselves.
   template <class ClassOf>
   void classify_cells(ClassOf&& class_of) {
     for (int d = 1; d <= 3; ++d) {
@@ -211,7 +219,8 @@ class GridToMesh {
   const VtkArray* preferred_labels() const {
     for (const std::string_view name : label_names) {
       const VtkArray* array = find_array(grid_.cell_data, name);
-      if (is_label(array) && std::all_of(array->values.begin(), array->values.end(), [](double tag) {
+      if (is_label(array) &&
+          std::all_of(array->values.begin(), array->values.end(), [](double tag) {
             return tag >= ModelRef::min_tag && tag <= ModelRef::max_tag;
           }))
         return array;
@@ -228,7 +237,8 @@ class GridToMesh {
       return array.name == dimension_name || array.name == tag_name || array.name == labels_;
     });
     const VtkArray* coverage = find_array(grid_.field_data, coverage_name);
-    if (!is_label(coverage) || coverage->values.size() != grid_.cell_data.size()) coverage = nullptr;
+    if (!is_label(coverage) || coverage->values.size() != grid_.cell_data.size())
+      coverage = nullptr;
     std::size_t room = room_for_copies();
     for (int d = 1; d <= 3; ++d) {
       if (mesh_.list(d).empty()) continue;
@@ -243,8 +253,8 @@ class GridToMesh {
     return dimensions >= 0 && dimensions < 16 && (static_cast<unsigned>(dimensions) >> d & 1u) != 0;
   }
 
-  /// How many values the attributes may have. Cells that are split repeat theirs, without bound: one long
-  /// strip and many arrays.
+  /// How many values the attributes may have. Cells that are split repeat theirs, without bound:
+  /// one long strip and many arrays.
   std::size_t room_for_copies() const {
     std::size_t values = 1024 + grid_.connectivity.size();
     for (const VtkArray& array : grid_.cell_data) values += array.values.size();
@@ -256,8 +266,9 @@ class GridToMesh {
     const std::vector<std::uint32_t>& cells = cells_[static_cast<std::size_t>(d)];
     const auto n = static_cast<std::size_t>(array.components);
     if (cells.size() > room / n) {
-      throw LimitError(source_.name, {},
-                       "the values of split cells take too much memory, array " + shown(array.name));
+      throw LimitError(
+          source_.name, {},
+          "the values of split cells take too much memory, array " + shown(array.name));
     }
     std::vector<double> values;
     values.reserve(n * cells.size());
@@ -270,11 +281,13 @@ class GridToMesh {
   }
 
   void add_attribute(const VtkArray& array, int d, std::vector<double>&& values) {
-    const bool exact =
-        std::all_of(values.begin(), values.end(), [](double x) { return std::abs(x) < largest_whole; });
+    const bool exact = std::all_of(values.begin(), values.end(),
+                                   [](double x) { return std::abs(x) < largest_whole; });
     if (array.integer && !exact)
-      notes_.push_back("whole numbers of more than 53 bits are rounded, array " + shown(array.name));
-    mesh_.attributes.push_back({array.name, d, array.components, array.integer && exact, std::move(values)});
+      notes_.push_back("whole numbers of more than 53 bits are rounded, array " +
+                       shown(array.name));
+    mesh_.attributes.push_back(
+        {array.name, d, array.components, array.integer && exact, std::move(values)});
   }
 
   /// Nodes that only higher-order cells use, other than as a corner.
@@ -310,7 +323,7 @@ class GridToMesh {
   const Source& source_;
   const FailAtCell& fail_;
   MeshData mesh_;
-  std::array<std::vector<std::uint32_t>, 4> cells_;              ///< the cell that each entity comes from
+  std::array<std::vector<std::uint32_t>, 4> cells_;  ///< the cell that each entity comes from
   std::vector<std::pair<std::uint32_t, std::uint32_t>> points_;  ///< vertex cells: vertex, cell
   std::vector<std::uint8_t> used_;
   std::string labels_;  ///< the array that classified the cells

@@ -49,7 +49,8 @@ class LegacyWriter {
     for (const std::int64_t end : grid.ends) {
       const auto stop = static_cast<std::size_t>(end);
       value(static_cast<std::int32_t>(stop - at), false);
-      for (; at < stop; ++at) value(static_cast<std::int32_t>(grid.connectivity[at]), at + 1 == stop);
+      for (; at < stop; ++at)
+        value(static_cast<std::int32_t>(grid.connectivity[at]), at + 1 == stop);
     }
     end_block();
     out_ << "CELL_TYPES " << n << '\n';
@@ -98,6 +99,8 @@ class LegacyWriter {
 
 }  // namespace
 
-std::string write_vtk(const MeshData& mesh, bool binary) { return LegacyWriter(binary).write(grid_of(mesh)); }
+std::string write_vtk(const MeshData& mesh, bool binary) {
+  return LegacyWriter(binary).write(grid_of(mesh));
+}
 
 }  // namespace aomd::io::detail

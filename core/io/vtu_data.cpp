@@ -1,4 +1,5 @@
 #include "core/io/vtu_data.h"
+#include "core/base/text.h"
 
 #include <zlib.h>
 
@@ -10,7 +11,8 @@ namespace aomd::io::detail {
 namespace {
 
 constexpr std::array<std::int8_t, 256> base64_values = [] {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<std::int8_t, 256> table{};
   table.fill(-1);
   for (std::size_t i = 0; i < digits.size(); ++i)
@@ -48,7 +50,8 @@ class Stream {
   }
 
  private:
-  /// Four digits. A padded group may stand anywhere: headers are encoded apart from what they describe.
+  /// Four digits. A padded group may stand anywhere: headers are encoded apart from what they
+  /// describe.
   void decode_group(std::string& out) {
     std::uint32_t bits = 0;
     int digits = 0, padding = 0;
@@ -63,7 +66,8 @@ class Stream {
       bits = bits << 6 | (c == '=' ? 0u : static_cast<std::uint32_t>(value));
       ++digits;
     }
-    for (int byte = 0; byte < 3 - padding; ++byte) out += static_cast<char>(bits >> (16 - 8 * byte) & 255u);
+    for (int byte = 0; byte < 3 - padding; ++byte)
+      out += static_cast<char>(bits >> (16 - 8 * byte) & 255u);
   }
 
   const Source& source_;
@@ -79,14 +83,15 @@ std::vector<std::uint64_t> words(Stream& stream, std::uint64_t n, const VtuPacki
   const std::string bytes = stream.take(n * size);
   std::vector<std::uint64_t> result(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const std::size_t k = packing.order == std::endian::big ? i : i / size * size + size - 1 - i % size;
+    const std::size_t k =
+        packing.order == std::endian::big ? i : i / size * size + size - 1 - i % size;
     result[i / size] = result[i / size] << 8 | static_cast<unsigned char>(bytes[k]);
   }
   return result;
 }
 
-/// A number of blocks, the size of each but the last, that of the last, the compressed size of each; the
-/// blocks.
+/// A number of blocks, the size of each but the last, that of the last, the compressed size of
+/// each; the blocks.
 std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
   const std::vector<std::uint64_t> head = words(stream, 3, packing);
   const std::uint64_t blocks = head[0], block_size = head[1], partial = head[2];
@@ -95,8 +100,8 @@ std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
   // zlib never packs tighter than 1 : 1032.
   const std::uint64_t most = 1040 * std::min<std::uint64_t>(stream.left(), UINT64_MAX / 2080);
   if (block_size > most || partial > most || blocks * block_size > most)
-    stream.fail("the data end early: " + counted(blocks, "block") + " of " + counted(block_size, "byte") +
-                " should follow");
+    stream.fail("the data end early: " + counted(blocks, "block") + " of " +
+                counted(block_size, "byte") + " should follow");
   std::string out;
   for (std::size_t i = 0; i < packed.size(); ++i) {
     const bool last = i + 1 == packed.size() && partial != 0;
@@ -119,8 +124,8 @@ std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
 Unpacked unpack(const Source& source, std::size_t offset, std::size_t end, bool base64,
                 const VtuPacking& packing) {
   Stream stream(source, offset, end, base64);
-  std::string bytes =
-      packing.compressed ? inflate_blocks(stream, packing) : stream.take(words(stream, 1, packing)[0]);
+  std::string bytes = packing.compressed ? inflate_blocks(stream, packing)
+                                         : stream.take(words(stream, 1, packing)[0]);
   return {std::move(bytes), stream.at()};
 }
 

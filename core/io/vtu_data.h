@@ -22,10 +22,10 @@ struct Unpacked {
   std::size_t end = 0;  ///< where the encoded form ends
 };
 
-/// The bytes of the array whose encoded form starts at `offset` of the source and ends at `end` at the
-/// latest. Throws ReadError with the byte where data lack, are no base64 or do not unpack; sizes that the
-/// file only promises are checked before memory is taken.
-[[nodiscard]] Unpacked unpack(const Source& source, std::size_t offset, std::size_t end, bool base64,
-                              const VtuPacking& packing);
+/// The bytes of the array whose encoded form starts at `offset` of the source and ends at `end` at
+/// the latest. Throws ReadError with the byte where data lack, are no base64 or do not unpack;
+/// sizes that the file only promises are checked before memory is taken.
+[[nodiscard]] Unpacked unpack(const Source& source, std::size_t offset, std::size_t end,
+                              bool base64, const VtuPacking& packing);
 
 }  // namespace aomd::io::detail

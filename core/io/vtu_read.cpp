@@ -1,5 +1,5 @@
-// VTU: VTK's XML files of unstructured grids. pugixml reads the elements; the numbers are read from the
-// file's own bytes, so that errors name their line.
+// VTU: VTK's XML files of unstructured grids. pugixml reads the elements; the numbers are read from
+// the file's own bytes, so that errors name their line.
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 
 #include <pugixml.hpp>
 
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
@@ -35,9 +36,9 @@ class VtuReader {
       if (const auto read = data_array(array)) grid_.field_data.push_back(*read);
     }
     for (const pugi::xml_node piece : grid.children("Piece")) read_piece(piece);
-    ReadResult result = mesh_of(std::move(grid_), source_, [this](std::size_t cell, const std::string& what) {
-      fail_at_cell(cell, what);
-    });
+    ReadResult result =
+        mesh_of(std::move(grid_), source_,
+                [this](std::size_t cell, const std::string& what) { fail_at_cell(cell, what); });
     result.format = Format::Vtu;
     if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
     return result;
@@ -45,7 +46,8 @@ class VtuReader {
 
  private:
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const {
-    source_.fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)), what);
+    source_.fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)),
+                         what);
   }
 
   [[noreturn]] void fail_at_cell(std::size_t cell, const std::string& what) const {
@@ -89,7 +91,8 @@ class VtuReader {
     packing_.wide = std::string_view(root.attribute("header_type").value()) == "UInt64";
     if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
       packing_.order = std::endian::big;
-    appended_base64_ = std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
+    appended_base64_ =
+        std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
   }
 
   std::uint64_t count(const pugi::xml_node& node, const char* name, std::uint64_t absent) const {
@@ -150,7 +153,8 @@ class VtuReader {
     const std::size_t start = *appended_ + static_cast<std::size_t>(offset);
     Unpacked data = unpack(source_, start, source_.bytes.size(), appended_base64_, packing_);
     used_ += data.end - start;
-    if (used_ > source_.bytes.size()) fail(node, "arrays share their data");  // memory would have no bound
+    if (used_ > source_.bytes.size())
+      fail(node, "arrays share their data");  // memory would have no bound
     return std::move(data.bytes);
   }
 
@@ -161,22 +165,26 @@ class VtuReader {
       passed_over_ += (passed_over_.empty() ? "text " : ", text ") + shown(name);
       return {};
     }
-    const std::uint64_t components = std::max<std::uint64_t>(count(node, "NumberOfComponents", 1), 1);
+    const std::uint64_t components =
+        std::max<std::uint64_t>(count(node, "NumberOfComponents", 1), 1);
     VtkArray array{name, 1, is_integer(number_type(node)), numbers<double>(node)};
     if (components > (1u << 20) || array.values.size() % components != 0)
-      fail(node, counted(array.values.size(), "value") + " are not tuples of " + std::to_string(components));
+      fail(node, counted(array.values.size(), "value") + " are not tuples of " +
+                     std::to_string(components));
     array.components = static_cast<int>(components);
     return array;
   }
 
   pugi::xml_node array_named(const pugi::xml_node& piece, const char* name) const {
-    const pugi::xml_node array = piece.child("Cells").find_child_by_attribute("DataArray", "Name", name);
+    const pugi::xml_node array =
+        piece.child("Cells").find_child_by_attribute("DataArray", "Name", name);
     if (!array) fail(piece, std::string("has no array of the cells' ") + name);
     return array;
   }
 
   void read_piece(const pugi::xml_node& piece) {
-    const std::uint64_t points = count(piece, "NumberOfPoints", 0), cells = count(piece, "NumberOfCells", 0);
+    const std::uint64_t points = count(piece, "NumberOfPoints", 0),
+                        cells = count(piece, "NumberOfCells", 0);
     const std::size_t first_point = grid_.points.size(), first_cell = grid_.types.size();
     if (points > 0) read_points(piece, points);
     PieceEnd end;
@@ -204,16 +212,18 @@ class VtuReader {
   /// Returns the element of the connectivity.
   pugi::xml_node read_cells(const pugi::xml_node& piece, std::uint64_t points, std::uint64_t n,
                             std::size_t first_point) {
-    const pugi::xml_node list = array_named(piece, "connectivity"), ends = array_named(piece, "offsets");
+    const pugi::xml_node list = array_named(piece, "connectivity"),
+                         ends = array_named(piece, "offsets");
     const std::vector<std::int64_t> types = numbers<std::int64_t>(array_named(piece, "types"));
     const std::vector<std::int64_t> indices = numbers<std::int64_t>(list),
                                     stops = numbers<std::int64_t>(ends);
     if (types.size() != n)
-      fail(array_named(piece, "types"), counted(types.size(), "type") + " for " + counted(n, "cell"));
+      fail(array_named(piece, "types"),
+           counted(types.size(), "type") + " for " + counted(n, "cell"));
     if (stops.size() != n || stops.front() < 0 || !std::is_sorted(stops.begin(), stops.end()) ||
         static_cast<std::uint64_t>(stops.back()) != indices.size()) {
-      fail(ends,
-           "the offsets of " + counted(n, "cell") + " do not ascend to " + std::to_string(indices.size()));
+      fail(ends, "the offsets of " + counted(n, "cell") + " do not ascend to " +
+                     std::to_string(indices.size()));
     }
     const auto base = static_cast<std::int64_t>(grid_.connectivity.size());
     for (const std::int64_t type : types) {
@@ -231,8 +241,8 @@ class VtuReader {
   std::int64_t joined_index(const pugi::xml_node& list, std::int64_t v, std::uint64_t points,
                             std::size_t first_point) const {
     if (v < 0 || static_cast<std::uint64_t>(v) >= points)
-      fail(list,
-           "vertex index " + std::to_string(v) + " is out of range (" + counted(points, "vertex") + ")");
+      fail(list, "vertex index " + std::to_string(v) + " is out of range (" +
+                     counted(points, "vertex") + ")");
     return v + static_cast<std::int64_t>(first_point);
   }
 
@@ -243,10 +253,11 @@ class VtuReader {
       std::optional<VtkArray> array = data_array(node);
       if (!array) continue;
       if (array->values.size() / static_cast<std::size_t>(array->components) != n)
-        fail(node, "array " + shown(array->name) + " has " + counted(array->values.size(), "value") +
-                       " for " + std::to_string(n));
+        fail(node, "array " + shown(array->name) + " has " +
+                       counted(array->values.size(), "value") + " for " + std::to_string(n));
       const auto same = std::find_if(into.begin(), into.end(), [&](const VtkArray& a) {
-        return a.name == array->name && a.components == array->components && a.integer == array->integer;
+        return a.name == array->name && a.components == array->components &&
+               a.integer == array->integer;
       });
       if (same != into.end()) {
         same->values.insert(same->values.end(), array->values.begin(), array->values.end());

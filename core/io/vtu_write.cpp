@@ -18,14 +18,15 @@ class VtuWriter {
     out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
             "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
     if (!grid.field_data.empty()) arrays("FieldData", grid.field_data, true);
-    out_ << "<Piece NumberOfPoints=\"" << grid.points.size() << "\" NumberOfCells=\"" << grid.types.size()
-         << "\">\n";
+    out_ << "<Piece NumberOfPoints=\"" << grid.points.size() << "\" NumberOfCells=\""
+         << grid.types.size() << "\">\n";
     arrays("PointData", grid.point_data, false);
     arrays("CellData", grid.cell_data, false);
     points(grid);
     cells(grid);
     out_ << "</Piece>\n</UnstructuredGrid>\n";
-    if (binary_) out_ << "<AppendedData encoding=\"raw\">\n_" << appended_.take() << "\n</AppendedData>\n";
+    if (binary_)
+      out_ << "<AppendedData encoding=\"raw\">\n_" << appended_.take() << "\n</AppendedData>\n";
     out_ << "</VTKFile>\n";
     return out_.take();
   }
@@ -77,7 +78,8 @@ class VtuWriter {
   }
 
   /// `components` and `tuples` are left out where they are 0.
-  void begin(std::string_view type, std::string_view name, std::size_t components, std::size_t tuples) {
+  void begin(std::string_view type, std::string_view name, std::size_t components,
+             std::size_t tuples) {
     out_ << "<DataArray type=\"" << type << "\" Name=\"";
     escaped(name);
     if (components != 0) out_ << "\" NumberOfComponents=\"" << components;
@@ -121,6 +123,8 @@ class VtuWriter {
 
 }  // namespace
 
-std::string write_vtu(const MeshData& mesh, bool binary) { return VtuWriter(binary).write(grid_of(mesh)); }
+std::string write_vtu(const MeshData& mesh, bool binary) {
+  return VtuWriter(binary).write(grid_of(mesh));
+}
 
 }  // namespace aomd::io::detail

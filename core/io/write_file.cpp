@@ -97,8 +97,9 @@ void write_file(const fs::path& path, std::string_view bytes) {
   const fs::path temporary = temporary_beside(target);
   OutputFile file(temporary, O_CREAT | O_EXCL);
   if (!file.is_open()) fail(path);
-  const bool written = (!exists || file.set_mode(old.st_mode)) && file.write(bytes) && file.flush() &&
-                       file.close() && ::rename(temporary.c_str(), target.c_str()) == 0;
+  const bool written = (!exists || file.set_mode(old.st_mode)) && file.write(bytes) &&
+                       file.flush() && file.close() &&
+                       ::rename(temporary.c_str(), target.c_str()) == 0;
   if (!written) {
     const int cause = errno;
     ::unlink(temporary.c_str());

@@ -6,15 +6,16 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/parallel.h"
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
-#include "core/mesh/parallel.h"
 
 namespace aomd::measure {
 namespace {
 
-// Points of the unit square, any stretch of which is spread evenly: the additive recurrence of the plastic
-// number (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in fractions of 2^64.
+// Points of the unit square, any stretch of which is spread evenly: the additive recurrence of the
+// plastic number (Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018), in
+// fractions of 2^64.
 class EvenPoints {
  public:
   void next() {
@@ -25,12 +26,14 @@ class EvenPoints {
   [[nodiscard]] double v() const { return fraction(v_); }
 
  private:
-  [[nodiscard]] static double fraction(std::uint64_t x) { return static_cast<double>(x >> 11) * 0x1p-53; }
+  [[nodiscard]] static double fraction(std::uint64_t x) {
+    return static_cast<double>(x >> 11) * 0x1p-53;
+  }
   std::uint64_t u_ = std::uint64_t{1} << 63, v_ = std::uint64_t{1} << 63;
 };
 
-// A point of a triangle for a point of the unit square, area for area; the far half of the square is turned
-// onto the near one.
+// A point of a triangle for a point of the unit square, area for area; the far half of the square
+// is turned onto the near one.
 glm::dvec3 point_of(const Triangle& t, double u, double v) {
   if (u + v > 1) u = 1 - u, v = 1 - v;
   return t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
@@ -38,12 +41,14 @@ glm::dvec3 point_of(const Triangle& t, double u, double v) {
 
 double area(const Triangle& t) { return 0.5 * glm::length(area_normal(t[0], t[1], t[2])); }
 
-// Collects the distances of one side: many points are searched for at once, then added up in their order. The
-// triangle found last is the hint for the next point; of equally near ones it decides, so that it is
-// forgotten at the same points for any number of threads.
+// Collects the distances of one side: many points are searched for at once, then added up in their
+// order. The triangle found last is the hint for the next point; of equally near ones it decides,
+// so that it is forgotten at the same points for any number of threads.
 class Probe {
  public:
-  Probe(const TriangleTree& to, int threads) : to_(to), threads_(threads) { points_.reserve(most_points); }
+  Probe(const TriangleTree& to, int threads) : to_(to), threads_(threads) {
+    points_.reserve(most_points);
+  }
 
   /// Counts in the largest distance only, or in the mean as well.
   void measure(const glm::dvec3& p) { add({p, false, {}}); }
@@ -76,7 +81,8 @@ class Probe {
     const std::size_t pieces = (points_.size() + points_a_hint - 1) / points_a_hint;
     parallel_for(pieces, threads_, 1, [this](std::size_t begin, std::size_t end) {
       std::uint32_t hint = no_index;
-      for (std::size_t i = begin * points_a_hint; i < std::min(end * points_a_hint, points_.size()); ++i) {
+      for (std::size_t i = begin * points_a_hint; i < std::min(end * points_a_hint, points_.size());
+           ++i) {
         if (i % points_a_hint == 0) hint = no_index;
         points_[i].found = to_.nearest(points_[i].place, hint);
         hint = points_[i].found.triangle;

@@ -12,11 +12,12 @@
 
 namespace aomd::measure {
 
-/// A surface with what measuring at it needs, built once: the faces of a mesh, which must outlive it.
-/// O(n log n); about 200 bytes a face.
+/// A surface with what measuring at it needs, built once: the faces of a mesh, which must outlive
+/// it. O(n log n); about 200 bytes a face.
 class Surface {
  public:
-  explicit Surface(const Mesh& mesh, int threads = 1) : Surface(mesh, triangles_of(mesh), threads) {}
+  explicit Surface(const Mesh& mesh, int threads = 1)
+      : Surface(mesh, triangles_of(mesh), threads) {}
 
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
   /// Its triangles; neighbours in the tree's order are mostly neighbours in space.
@@ -33,7 +34,8 @@ class Surface {
   std::vector<Face> faces_;
 };
 
-/// Distances from points of one surface to the nearest point of another, in the meshes' unit of length.
+/// Distances from points of one surface to the nearest point of another, in the meshes' unit of
+/// length.
 struct Distance {
   double max = 0;           ///< over the area samples and all vertices
   double rms = 0;           ///< root of the mean of the squares, over the area samples
@@ -43,12 +45,13 @@ struct Distance {
   std::size_t samples = 0;  ///< area samples; the vertices come on top
 };
 
-/// Measures from `from` to `to` at every vertex that a face of `from` uses and at `samples` points, spread
-/// evenly over its area (surfaces without area: at the vertices alone). The points follow from the surface
-/// and the number alone: equal input, equal result, for any number of threads. `max` is a lower bound of the
-/// one-sided Hausdorff distance; the area that a sample stands for tells how much may be missing: about the
-/// square root of area / samples. About a microsecond a point. All zero when either surface has no faces.
-/// Sampling and definitions after Cignoni, Rocchini, Scopigno: Metro (Computer Graphics Forum 17, 1998).
+/// Measures from `from` to `to` at every vertex that a face of `from` uses and at `samples` points,
+/// spread evenly over its area (surfaces without area: at the vertices alone). The points follow
+/// from the surface and the number alone: equal input, equal result, for any number of threads.
+/// `max` is a lower bound of the one-sided Hausdorff distance; the area that a sample stands for
+/// tells how much may be missing: about the square root of area / samples. About a microsecond a
+/// point. All zero when either surface has no faces. Sampling and definitions after Cignoni,
+/// Rocchini, Scopigno: Metro (Computer Graphics Forum 17, 1998).
 [[nodiscard]] Distance distance_from(const Surface& from, const Surface& to, std::size_t samples,
                                      int threads = 1);
 

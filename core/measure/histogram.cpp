@@ -60,7 +60,8 @@ std::size_t Histogram::bin(double value) const {
   return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(counts.size() - 1)));
 }
 
-Histogram make_histogram(std::span<const Sample> samples, double low, double high, std::size_t bins) {
+Histogram make_histogram(std::span<const Sample> samples, double low, double high,
+                         std::size_t bins) {
   Histogram result{low, high, std::vector<std::size_t>(bins, 0), samples.size()};
   if (samples.empty()) return result;
   result.least = result.largest = samples[0].value;

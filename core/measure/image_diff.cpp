@@ -66,8 +66,8 @@ double mean_ssim(const io::Image& a, const io::Image& b) {
       WindowSums sums;
       for (int y = y0; y < std::min(a.height, y0 + window_size); ++y) {
         for (int x = x0; x < std::min(a.width, x0 + window_size); ++x) {
-          const auto i =
-              static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x);
+          const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
+                         static_cast<std::size_t>(x);
           sums.add(la[i], lb[i]);
         }
       }
@@ -86,7 +86,8 @@ int pixel_difference(const std::uint8_t* p, const std::uint8_t* q) {
 
 bool inside(const io::Image& image, int x, int y) { return x < image.width && y < image.height; }
 
-/// Writes one pixel of the difference picture: dimmed grey `base`, drowned in red by `amount` in [0,1].
+/// Writes one pixel of the difference picture: dimmed grey `base`, drowned in red by `amount` in
+/// [0,1].
 void paint(std::uint8_t* out, double base, double amount) {
   const double dim = 0.35 * base;
   out[0] = static_cast<std::uint8_t>(std::lround(dim + (255.0 - dim) * amount));
@@ -126,8 +127,8 @@ io::Image difference_picture(const io::Image& a, const io::Image& b) {
         base = 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
       }
       if (inside(a, x, y) && inside(b, x, y))
-        amount =
-            std::min(1.0, static_cast<double>(pixel_difference(a.pixel(x, y), b.pixel(x, y))) / full_red_at);
+        amount = std::min(
+            1.0, static_cast<double>(pixel_difference(a.pixel(x, y), b.pixel(x, y))) / full_red_at);
       paint(result.pixel(x, y), base, amount);
     }
   }

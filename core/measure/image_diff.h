@@ -7,7 +7,8 @@
 
 namespace aomd::measure {
 
-/// The difference of two pictures. Where the sizes differ nothing is compared: ssim is 0, all pixels differ.
+/// The difference of two pictures. Where the sizes differ nothing is compared: ssim is 0, all
+/// pixels differ.
 struct ImageDifference {
   bool same_size = false;
   double ssim = 0;  ///< mean structural similarity of the luminance: 1 equal, about 0 unrelated
@@ -18,14 +19,14 @@ struct ImageDifference {
   [[nodiscard]] bool identical() const { return same_size && differing_pixels == 0; }
 };
 
-/// Compares two pictures. SSIM (Wang, Bovik, Sheikh, Simoncelli 2004) over 8x8 windows that step by 4 pixels,
-/// smaller at pictures below 8 pixels; luminance after Rec. 709. Cost: linear in the pixels. Never throws
-/// for content; empty pictures are equal.
+/// Compares two pictures. SSIM (Wang, Bovik, Sheikh, Simoncelli 2004) over 8x8 windows that step by
+/// 4 pixels, smaller at pictures below 8 pixels; luminance after Rec. 709. Cost: linear in the
+/// pixels. Never throws for content; empty pictures are equal.
 [[nodiscard]] ImageDifference compare_images(const io::Image& a, const io::Image& b);
 
-/// A picture that shows where `b` departs from `a`: `a` in dimmed grey, differences in red, amplified so
-/// that a difference of 16 in any channel is already full red. Where the sizes differ: both in the frame of
-/// the larger one, and all that only one of them covers is red.
+/// A picture that shows where `b` departs from `a`: `a` in dimmed grey, differences in red,
+/// amplified so that a difference of 16 in any channel is already full red. Where the sizes differ:
+/// both in the frame of the larger one, and all that only one of them covers is red.
 [[nodiscard]] io::Image difference_picture(const io::Image& a, const io::Image& b);
 
 }  // namespace aomd::measure

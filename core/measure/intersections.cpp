@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
 #include "core/model/triangle_intersection.h"
 #include "core/model/triangle_tree.h"
 

@@ -15,11 +15,12 @@ struct IntersectingPair {
   friend constexpr auto operator<=>(const IntersectingPair&, const IntersectingPair&) = default;
 };
 
-/// Every pair of faces that intersect in more than a shared vertex or edge, in ascending order. Vertices are
-/// shared when their positions are equal, so seams do not count. Two faces with the same three corners are
-/// one pair; two that lie on each other beside a common edge too; faces without area are passed over. Exact:
-/// doubtful cases are decided by CGAL's exact predicates; coordinates must be finite. About O(n log n): 10 ms
-/// for 10 000 faces, and the same for any number of threads. Touches nothing of the mesh.
+/// Every pair of faces that intersect in more than a shared vertex or edge, in ascending order.
+/// Vertices are shared when their positions are equal, so seams do not count. Two faces with the
+/// same three corners are one pair; two that lie on each other beside a common edge too; faces
+/// without area are passed over. Exact: doubtful cases are decided by CGAL's exact predicates;
+/// coordinates must be finite. About O(n log n): 10 ms for 10 000 faces, and the same for any
+/// number of threads. Touches nothing of the mesh.
 [[nodiscard]] std::vector<IntersectingPair> self_intersections(const Mesh& mesh, int threads = 1);
 
 }  // namespace aomd::measure

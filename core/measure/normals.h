@@ -8,7 +8,8 @@
 
 namespace aomd::measure {
 
-/// Numbers of triangles by the angle between their normal and the original's, seen from their middle.
+/// Numbers of triangles by the angle between their normal and the original's, seen from their
+/// middle.
 struct NormalDeviation {
   std::size_t triangles = 0;  ///< all, also those without area, which are counted nowhere else
   std::size_t above_10deg = 0;
@@ -21,10 +22,10 @@ struct NormalDeviation {
   }
 };
 
-/// Compares every triangle of `result` (a quad counts as two) with the triangle of the original that is
-/// nearest to its barycentre. Where several are equally near, at edges and vertices, the one that agrees best
-/// counts. Without an original nothing deviates. The same for any number of threads. About O(faces log
-/// originals).
+/// Compares every triangle of `result` (a quad counts as two) with the triangle of the original
+/// that is nearest to its barycentre. Where several are equally near, at edges and vertices, the
+/// one that agrees best counts. Without an original nothing deviates. The same for any number of
+/// threads. About O(faces log originals).
 [[nodiscard]] NormalDeviation measure_normals(const TriangleTree& original, const Mesh& result,
                                               int threads = 1);
 

@@ -13,8 +13,8 @@
 namespace aomd::measure {
 namespace {
 
-// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no hash and
-// no sort of the whole.
+// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no
+// hash and no sort of the whole.
 class Sides {
  public:
   explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
@@ -30,7 +30,8 @@ class Sides {
   void count(Counts& counts) {
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
       const auto ends = std::span(ends_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-      std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.vertex < b.vertex; });
+      std::sort(ends.begin(), ends.end(),
+                [](const End& a, const End& b) { return a.vertex < b.vertex; });
       for (std::size_t i = 0; i < ends.size();) {
         std::uint32_t faces = 0;
         const std::uint32_t other = ends[i].vertex;
@@ -109,7 +110,8 @@ void count_vertices(const Mesh& mesh, Counts& counts) {
   for (const Edge e : mesh.edges())
     for (const Vertex v : mesh.edge_vertices(e)) on_edge[v.index] = 1;
   counts.vertices = mesh.count(0);
-  for (const Vertex v : mesh.vertices()) counts.unused_vertices += !components.used(v) && !on_edge[v.index];
+  for (const Vertex v : mesh.vertices())
+    counts.unused_vertices += !components.used(v) && !on_edge[v.index];
 }
 
 void count_classes(const Mesh& mesh, Counts& counts) {

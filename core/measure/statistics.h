@@ -14,24 +14,26 @@ namespace aomd::measure {
 struct Counts {
   std::size_t vertices = 0;
   std::size_t unused_vertices = 0;  ///< of those: used by no region, no face and no listed edge
-  std::size_t edges = 0;            ///< pairs of vertices that are a side of something, or a listed edge
-  std::size_t faces = 0;            ///< with regions: their sides, each once, and listed faces
+  std::size_t edges = 0;  ///< pairs of vertices that are a side of something, or a listed edge
+  std::size_t faces = 0;  ///< with regions: their sides, each once, and listed faces
   std::size_t regions = 0;
   std::size_t boundary_edges = 0;     ///< sides of one listed face
   std::size_t nonmanifold_edges = 0;  ///< sides of three or more listed faces
   std::size_t boundary_faces = 0;     ///< sides of one region
   std::size_t nonmanifold_faces = 0;  ///< sides of three or more regions
-  std::size_t components = 0;         ///< sets of faces and regions connected through shared vertices
-  std::int64_t euler = 0;             ///< used vertices - edges + faces - regions
+  std::size_t components = 0;  ///< sets of faces and regions connected through shared vertices
+  std::int64_t euler = 0;      ///< used vertices - edges + faces - regions
   std::array<std::size_t, max_shapes> by_shape{};  ///< faces and regions, indexed by Shape
   std::array<std::size_t, 4>
       by_class{};  ///< entities of all kinds that lie on a model entity of dimension 0..3
 };
 
-/// Whether or not the mesh has edges and faces: they are counted from what they are sides of. O(entities).
+/// Whether or not the mesh has edges and faces: they are counted from what they are sides of.
+/// O(entities).
 [[nodiscard]] Counts count_entities(const Mesh& mesh);
 
-/// Smallest angles of the faces, each in degrees; a quad counts as its two triangles. Zero without faces.
+/// Smallest angles of the faces, each in degrees; a quad counts as its two triangles. Zero without
+/// faces.
 struct Quality {
   double min_angle_mean_deg = 0;  ///< mean over the faces of the smallest angle of each
   double min_angle_worst_deg = 0;

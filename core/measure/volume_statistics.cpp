@@ -35,7 +35,8 @@ double angle_between_deg(const glm::dvec3& a, const glm::dvec3& b) {
 }  // namespace
 
 void count_volume_faces(const Mesh& mesh, Counts& counts) {
-  using Side = std::tuple<std::uint32_t, std::uint64_t, bool>;  // smallest vertex, tag, side of a region
+  using Side =
+      std::tuple<std::uint32_t, std::uint64_t, bool>;  // smallest vertex, tag, side of a region
   std::vector<Side> sides;
   const auto add = [&](std::span<const std::uint32_t> v, bool of_region) {
     const FaceKey key(v);

@@ -11,8 +11,8 @@ namespace aomd::measure {
 /// nonmanifold_faces and regions. O(sides log sides).
 void count_volume_faces(const Mesh& mesh, Counts& counts);
 
-/// Volume enclosed by a region's faces, in cubed units of length: negative where they look inward. Quads
-/// count as the fan of triangles from their first vertex. O(1).
+/// Volume enclosed by a region's faces, in cubed units of length: negative where they look inward.
+/// Quads count as the fan of triangles from their first vertex. O(1).
 [[nodiscard]] double signed_volume(const Mesh& mesh, Region r);
 
 /// Smallest angle between two faces of a region that share an edge, in degrees. O(1).

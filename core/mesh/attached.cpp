@@ -51,7 +51,8 @@ void AttachedData::forget() {
     for (const auto& column : list) column->forget(0);
 }
 
-void AttachedData::compact(int dim, std::span<const std::uint32_t> new_index, std::uint32_t entities) {
+void AttachedData::compact(int dim, std::span<const std::uint32_t> new_index,
+                           std::uint32_t entities) {
   for (const auto& column : columns(dim)) column->compact(new_index, entities);
 }
 

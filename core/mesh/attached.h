@@ -1,5 +1,6 @@
 #pragma once
-// Data attached to the entities of a mesh by name and type (paper, figure 7: the vertices' "spacing").
+// Data attached to the entities of a mesh by name and type (paper, figure 7: the vertices'
+// "spacing").
 
 #include <array>
 #include <cstdint>
@@ -15,9 +16,9 @@
 
 namespace aomd {
 
-/// What a mesh does to attached data of any type. Values of new entities are the column's initial value.
-/// Where the creation is recorded in a journal, the value that it covers and the value that undoing it
-/// removes are kept, so that undo and redo bring both back.
+/// What a mesh does to attached data of any type. Values of new entities are the column's initial
+/// value. Where the creation is recorded in a journal, the value that it covers and the value that
+/// undoing it removes are kept, so that undo and redo bring both back.
 class AttachedBase {
  public:
   virtual ~AttachedBase() = default;
@@ -32,8 +33,8 @@ class AttachedBase {
   friend class AttachedData;
   virtual void resize(std::uint32_t entities) = 0;
   virtual void reset(std::uint32_t id) = 0;
-  /// An entity was created, and the journal counts it as the level's creation number `creation`: the value
-  /// that it covers is kept, those kept from there on are forgotten.
+  /// An entity was created, and the journal counts it as the level's creation number `creation`:
+  /// the value that it covers is kept, those kept from there on are forgotten.
   virtual void cover(std::uint32_t id, std::size_t creation) = 0;
   /// That creation is undone, or done again: the value and the kept one change places.
   virtual void uncover(std::uint32_t id, std::size_t creation) = 0;
@@ -82,7 +83,8 @@ class Attached final : public AttachedBase {
       first_creation_ = creations;
       kept_.clear();
     }
-    if (creations - first_creation_ < kept_.size()) kept_.resize(creations - first_creation_, initial_);
+    if (creations - first_creation_ < kept_.size())
+      kept_.resize(creations - first_creation_, initial_);
   }
   void compact(std::span<const std::uint32_t> new_index, std::uint32_t entities) override {
     for (std::size_t old = 0; old < new_index.size(); ++old)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 namespace {
@@ -13,15 +13,18 @@ bool has_holes(const Mesh& mesh, int dim) { return !mesh.ids(dim).free_ids().emp
 std::uint32_t widest(const VertexRows& rows, int lower) {
   if (rows.uniform()) return static_cast<std::uint32_t>(rows.uniform()->count(lower));
   int most = 0;
-  rows.each(
-      [&](std::uint32_t id, const std::uint32_t*) { most = std::max(most, rows.shape(id).count(lower)); });
+  rows.each([&](std::uint32_t id, const std::uint32_t*) {
+    most = std::max(most, rows.shape(id).count(lower));
+  });
   return static_cast<std::uint32_t>(std::max(most, 1));
 }
 
-bool all_triangles(const VertexRows& faces) { return faces.uniform() && faces.uniform()->vertex_count == 3; }
+bool all_triangles(const VertexRows& faces) {
+  return faces.uniform() && faces.uniform()->vertex_count == 3;
+}
 
-// Calls work(shape, each) with the one shape of all entities, or with none: a loop over entities of one shape
-// need not look it up for each.
+// Calls work(shape, each) with the one shape of all entities, or with none: a loop over entities of
+// one shape need not look it up for each.
 template <typename Work>
 void for_shape(const VertexRows& rows, Work&& work) {
   if (rows.uniform())
@@ -31,8 +34,8 @@ void for_shape(const VertexRows& rows, Work&& work) {
 }
 
 template <typename Key, typename ShapeOf, typename MakeKey, typename Same>
-void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf shape_of, MakeKey key,
-           Same same, bool with_directions, DownRows& result) {
+void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf shape_of,
+           MakeKey key, Same same, bool with_directions, DownRows& result) {
   std::uint32_t* const out = result.row(0);
   const std::size_t stride = result.stride();
   rows.each([&, out, stride](std::uint32_t id, const std::uint32_t* v) {
@@ -42,7 +45,8 @@ void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf s
     unsigned bits = 0;
     for (int k = 0; k < n; ++k) {
       const Key wanted = key(shape, k, v);
-      const auto hit = index.find(wanted, [&](std::uint32_t side) { return same(side, shape, k, v); });
+      const auto hit =
+          index.find(wanted, [&](std::uint32_t side) { return same(side, shape, k, v); });
       AOMD_CHECK(hit.valid());
       row[k] = hit.id();
       bits |= unsigned{hit.forward() == wanted.forward} << k;
@@ -75,22 +79,26 @@ void match_faces(const Mesh& mesh, const VertexRows& rows, DownRows& result) {
       const auto& corners = shape.faces[static_cast<std::size_t>(k)].vertices;
       return FaceKey(v[corners[0]], v[corners[1]], v[corners[2]]);
     };
-    return for_shape(
-        rows, [&](auto shape_of) { match(rows, 2, index, shape_of, key, no_second_look, true, result); });
+    return for_shape(rows, [&](auto shape_of) {
+      match(rows, 2, index, shape_of, key, no_second_look, true, result);
+    });
   }
   const auto key = [](const ShapeTemplate& shape, int k, const std::uint32_t* v) {
     return FaceKey(SideVertices(shape.sub(2, k), v).span());
   };
-  const auto same = [&](std::uint32_t face, const ShapeTemplate& shape, int k, const std::uint32_t* v) {
+  const auto same = [&](std::uint32_t face, const ShapeTemplate& shape, int k,
+                        const std::uint32_t* v) {
     return same_set(faces.vertices(face), SideVertices(shape.sub(2, k), v).span());
   };
   for_shape(rows, [&](auto shape_of) { match(rows, 2, index, shape_of, key, same, true, result); });
 }
 
-// Calls visit(value, id) for every value of every row. Rows of 2, 3, 4 and 6 values are unrolled; the pointer
-// moves on in a register, since what visit writes might be any number that is read from memory.
+// Calls visit(value, id) for every value of every row. Rows of 2, 3, 4 and 6 values are unrolled;
+// the pointer moves on in a register, since what visit writes might be any number that is read from
+// memory.
 template <typename Visit>
-void each_entry(const Mesh& mesh, int i, int j, const std::uint32_t* row, std::size_t stride, Visit visit) {
+void each_entry(const Mesh& mesh, int i, int j, const std::uint32_t* row, std::size_t stride,
+                Visit visit) {
   const IdPool& ids = mesh.ids(j);
   const std::uint32_t n = ids.capacity();
   const auto unrolled = [&]<int N>(std::integral_constant<int, N>) {
@@ -132,8 +140,9 @@ VertexRows::VertexRows(const Mesh& mesh, int dim) : mesh_(mesh), dim_(dim) {
   uniform_ = mesh.uniform_shape(dim);
   const DownRows* rows = &mesh.representation().down(dim, 0);
   if (!rows->stored()) {
-    made_.allocate(mesh.capacity(dim),
-                   static_cast<std::uint32_t>(uniform_ ? uniform_->vertex_count : max_shape_vertices), false);
+    made_.allocate(
+        mesh.capacity(dim),
+        static_cast<std::uint32_t>(uniform_ ? uniform_->vertex_count : max_shape_vertices), false);
     VertexBuffer buffer;
     each([&](std::uint32_t id, const std::uint32_t*) {
       const auto v = mesh.vertices_of(EntityRef(dim, id), buffer);
@@ -209,7 +218,8 @@ MissingEntities missing_edges(const Mesh& mesh) {
     sides_of(regions, Region());
   };
   std::vector<std::uint32_t> begin(mesh.capacity(0) + std::size_t{1}, 0);
-  each_side([&](std::uint32_t a, std::uint32_t b, auto) { ++begin[std::min(a, b) + std::size_t{1}]; });
+  each_side(
+      [&](std::uint32_t a, std::uint32_t b, auto) { ++begin[std::min(a, b) + std::size_t{1}]; });
   for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
   RawVector<Side> sides(begin.back());
   each_side([&](std::uint32_t a, std::uint32_t b, auto of) {
@@ -250,8 +260,9 @@ MissingEntities missing_faces(const Mesh& mesh) {
     first[key.low] = static_cast<std::uint32_t>(known.size() - 1);
     corners.insert(corners.end(), v.begin(), v.end());
   };
-  faces.each(
-      [&](std::uint32_t id, const std::uint32_t*) { add(FaceKey(faces.vertices(id)), faces.vertices(id)); });
+  faces.each([&](std::uint32_t id, const std::uint32_t*) {
+    add(FaceKey(faces.vertices(id)), faces.vertices(id));
+  });
   const std::size_t listed = corners.size();
   regions.each([&](std::uint32_t id, const std::uint32_t* v) {
     const ShapeTemplate& shape = regions.shape(id);
@@ -261,8 +272,9 @@ MissingEntities missing_faces(const Mesh& mesh) {
       const FaceKey key(side.span());
       std::uint32_t at = first[key.low];
       while (at != no_index) {
-        const std::uint32_t next_begin =
-            at + 1 < known.size() ? known[at + 1].begin : static_cast<std::uint32_t>(corners.size());
+        const std::uint32_t next_begin = at + 1 < known.size()
+                                             ? known[at + 1].begin
+                                             : static_cast<std::uint32_t>(corners.size());
         const std::span own(corners.data() + known[at].begin, next_begin - known[at].begin);
         if (known[at].tag == key.tag && same_set(own, side.span())) break;
         at = known[at].next;

@@ -1,5 +1,6 @@
 #pragma once
-// The vertices of a whole level as plain rows, and loops over them without a decision for each entity.
+// The vertices of a whole level as plain rows, and loops over them without a decision for each
+// entity.
 
 #include <cstdint>
 
@@ -8,14 +9,16 @@
 
 namespace aomd {
 
-/// The vertices of all entities of level 1 to 3: T(dim,0) itself where it is stored, else a copy made from
-/// what is. Valid until the next edit.
+/// The vertices of all entities of level 1 to 3: T(dim,0) itself where it is stored, else a copy
+/// made from what is. Valid until the next edit.
 class VertexRows {
  public:
   VertexRows(const Mesh& mesh, int dim);
 
   [[nodiscard]] std::uint32_t stride() const { return stride_; }
-  [[nodiscard]] const std::uint32_t* row(std::uint32_t id) const { return data_ + std::size_t{id} * stride_; }
+  [[nodiscard]] const std::uint32_t* row(std::uint32_t id) const {
+    return data_ + std::size_t{id} * stride_;
+  }
   /// The shape of all entities, or none where they differ.
   [[nodiscard]] const ShapeTemplate* uniform() const { return uniform_; }
   [[nodiscard]] const ShapeTemplate& shape(std::uint32_t id) const {
@@ -58,8 +61,8 @@ class VertexRows {
 /// Upward rows from downward ones: count, prefix sum, fill. O(entries).
 void build_upward(const Mesh& mesh, int i, int j, UpRows& result);
 
-/// T(i,j), i > j > 0, with use directions where j is the level below: every side found by its vertices.
-/// O(entities of both levels).
+/// T(i,j), i > j > 0, with use directions where j is the level below: every side found by its
+/// vertices. O(entities of both levels).
 void build_sides(const Mesh& mesh, int i, int j, DownRows& result);
 
 /// Entities that a level lacks to be complete, in the order of their ids to be.
@@ -69,11 +72,11 @@ struct MissingEntities {
   std::vector<ModelRef> classes;
 };
 
-/// Edges in ascending order of their smaller vertex, then of the first entity that uses them (faces before
-/// regions), whose direction and classification they take. O(sides).
+/// Edges in ascending order of their smaller vertex, then of the first entity that uses them (faces
+/// before regions), whose direction and classification they take. O(sides).
 [[nodiscard]] MissingEntities missing_edges(const Mesh& mesh);
-/// Faces in the order of the regions, outward from the first region that has them, with its classification.
-/// O(sides).
+/// Faces in the order of the regions, outward from the first region that has them, with its
+/// classification. O(sides).
 [[nodiscard]] MissingEntities missing_faces(const Mesh& mesh);
 
 }  // namespace aomd

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 
@@ -23,7 +23,8 @@ std::size_t ClassLists::bytes() const {
   std::size_t sum = 0;
   for (const Level& l : levels_) {
     sum += l.place.capacity() * 4;
-    for (const auto& [bits, list] : l.lists) sum += list.capacity() * 4 + sizeof(list) + sizeof(bits);
+    for (const auto& [bits, list] : l.lists)
+      sum += list.capacity() * 4 + sizeof(list) + sizeof(bits);
   }
   return sum;
 }

@@ -12,9 +12,9 @@
 
 namespace aomd {
 
-/// For every level and model entity, the ids of the mesh entities classified on it. Insert and erase O(1);
-/// the order within a list is unspecified. Unclassified entities have a list of their own, that of
-/// ModelRef().
+/// For every level and model entity, the ids of the mesh entities classified on it. Insert and
+/// erase O(1); the order within a list is unspecified. Unclassified entities have a list of their
+/// own, that of ModelRef().
 class ClassLists {
  public:
   [[nodiscard]] std::span<const std::uint32_t> entities(int dim, ModelRef model) const;
@@ -32,8 +32,8 @@ class ClassLists {
  private:
   struct Level {
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> lists;  ///< by ModelRef::bits
-    std::vector<std::uint32_t> place;                                     ///< by id: position in its list
-    std::size_t used = 0;                                                 ///< lists that are not empty
+    std::vector<std::uint32_t> place;  ///< by id: position in its list
+    std::size_t used = 0;              ///< lists that are not empty
   };
   [[nodiscard]] Level& level(int dim) { return levels_[static_cast<std::size_t>(dim)]; }
   [[nodiscard]] const Level& level(int dim) const { return levels_[static_cast<std::size_t>(dim)]; }

@@ -27,8 +27,8 @@ class Column {
   std::vector<T> values_;
 };
 
-/// The values of some entities, one after the other: for a copy in which these are all. T() where an entity
-/// came after the column was made.
+/// The values of some entities, one after the other: for a copy in which these are all. T() where
+/// an entity came after the column was made.
 template <typename H, typename T>
 [[nodiscard]] Column<H, T> closed_up(const Column<H, T>& column, std::span<const H> entities) {
   Column<H, T> result(entities.size());

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
 
@@ -62,7 +62,8 @@ class Explorer {
       offer(Kind::Upward, {0, 1, 2, 3}, row_cost(mesh_, {0, 1, 2, 3}));
   }
 
-  // The rows of all lower entities are looked at for the shortest; its entries are tested by their vertices.
+  // The rows of all lower entities are looked at for the shortest; its entries are tested by their
+  // vertices.
   void offer_shared() {
     for (int k = 0; k < i_; ++k) {
       if (!mesh_.stored(k, j_) || (k > 0 && !mesh_.stored(i_, k))) continue;
@@ -80,10 +81,12 @@ class Explorer {
     if (!mesh_.complete(j_)) return;
     if (mesh_.stored(i_, 2) && i_ == 3 && j_ == 1 && mesh_.stored(2, 1))
       offer(Kind::Downward, {3, 2, 1}, corners + 3 * row_cost(mesh_, {3, 2, 1}));
-    const bool adjacency = mesh_.stored(0, j_) || (j_ == 2 && mesh_.stored(0, 1) && mesh_.stored(1, 2));
-    const double query = mesh_.stored(0, j_) ? mesh_.representation().average_row(0, j_) * (j_ == 1 ? 2 : 4)
-                         : adjacency         ? mesh_.representation().average_row(0, 1) * 2 + 8
-                                             : hash_cost;
+    const bool adjacency =
+        mesh_.stored(0, j_) || (j_ == 2 && mesh_.stored(0, 1) && mesh_.stored(1, 2));
+    const double query = mesh_.stored(0, j_)
+                             ? mesh_.representation().average_row(0, j_) * (j_ == 1 ? 2 : 4)
+                         : adjacency ? mesh_.representation().average_row(0, 1) * 2 + 8
+                                     : hash_cost;
     levels.push_back(j_);
     offer(Kind::Sides, levels, corners + query * mesh_.dimension() * 2, !adjacency);
   }
@@ -131,7 +134,8 @@ void go_shared(const Mesh& mesh, EntityRef e, const LevelPath& levels, Ids& resu
              static_cast<std::size_t>(shape_template(mesh.shape(e)).count(k))};
   auto shortest = mesh.representation().up(k, j).row(lower[0]);
   for (const std::uint32_t l : lower.subspan(1))
-    if (const auto row = mesh.representation().up(k, j).row(l); row.size() < shortest.size()) shortest = row;
+    if (const auto row = mesh.representation().up(k, j).row(l); row.size() < shortest.size())
+      shortest = row;
   for (const std::uint32_t id : shortest)
     if (has_side(mesh, EntityRef(j, id), e.dimension, own)) result.push_back(id);
 }
@@ -144,7 +148,8 @@ void go_down(const Mesh& mesh, EntityRef region, Ids& result) {
     for (const Face f : mesh.row<2>(Region(region.index)))
       for (const Edge e : mesh.row<1>(f)) {
         const auto ends = mesh.edge_vertices(e);
-        if ((ends[0].index == a && ends[1].index == b) || (ends[0].index == b && ends[1].index == a))
+        if ((ends[0].index == a && ends[1].index == b) ||
+            (ends[0].index == b && ends[1].index == a))
           return e.index;
       }
     return no_index;
@@ -164,8 +169,8 @@ void go_sides(const Mesh& mesh, EntityRef e, int j, Ids& result) {
     const SideVertices side(shape.sub(j, i), vertices.data());
     std::array<Vertex, max_face_vertices> v;
     for (std::uint32_t k = 0; k < side.count; ++k) v[k] = Vertex(side.ids[k]);
-    const std::uint32_t found =
-        j == 1 ? mesh.find_edge(v[0], v[1]).index : mesh.find_face(std::span(v).first(side.count)).index;
+    const std::uint32_t found = j == 1 ? mesh.find_edge(v[0], v[1]).index
+                                       : mesh.find_face(std::span(v).first(side.count)).index;
     AOMD_CHECK(found != no_index);
     result.push_back(found);
   }
@@ -177,7 +182,8 @@ void go_sides(const Mesh& mesh, EntityRef e, int j, Ids& result) {
                            " exists: request " + relation_name(i, j));
   std::string others;
   for (int k = i + 1; k < j; ++k)
-    others += ", or " + (mesh.stored(i, k) ? "" : relation_name(i, k) + " and ") + relation_name(k, j);
+    others +=
+        ", or " + (mesh.stored(i, k) ? "" : relation_name(i, k) + " and ") + relation_name(k, j);
   if (i > 0) others += ", or " + relation_name(0, j);
   throw std::logic_error(relation_name(i, j) + " is not stored and no path leads there: request " +
                          relation_name(i, j) + others);
@@ -218,7 +224,8 @@ bool has_side(const Mesh& mesh, EntityRef e, int k, std::span<const std::uint32_
   if (k == 0 || simplex) return side.size() == static_cast<std::size_t>(k + 1);
   for (int i = 0; i < shape.count(k); ++i) {
     const SideVertices s(shape.sub(k, i), vertices.data());
-    if (s.count == side.size() && std::is_permutation(side.begin(), side.end(), s.ids.begin())) return true;
+    if (s.count == side.size() && std::is_permutation(side.begin(), side.end(), s.ids.begin()))
+      return true;
   }
   return false;
 }

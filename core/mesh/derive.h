@@ -49,16 +49,18 @@ struct AdjacencyPath {
   [[nodiscard]] std::string text() const;
 };
 
-/// The cheapest path of stored relations that answers T(i,j) now. Kind::None where there is none. O(1).
-/// Throws std::invalid_argument for the diagonal.
+/// The cheapest path of stored relations that answers T(i,j) now. Kind::None where there is none.
+/// O(1). Throws std::invalid_argument for the diagonal.
 [[nodiscard]] AdjacencyPath explain(const Mesh& mesh, int i, int j);
 
-/// True where `side` (any order) is just the vertices of one of e's lower entities of level k. O(1).
-[[nodiscard]] bool has_side(const Mesh& mesh, EntityRef e, int k, std::span<const std::uint32_t> side);
+/// True where `side` (any order) is just the vertices of one of e's lower entities of level k.
+/// O(1).
+[[nodiscard]] bool has_side(const Mesh& mesh, EntityRef e, int k,
+                            std::span<const std::uint32_t> side);
 
-/// The entities of level j adjacent to e, into `result`: lower ones in template order, higher ones sorted.
-/// Through explain()'s path. Throws std::logic_error naming what to request where there is no path, and where
-/// a lower entity is asked for of a level that is not complete.
+/// The entities of level j adjacent to e, into `result`: lower ones in template order, higher ones
+/// sorted. Through explain()'s path. Throws std::logic_error naming what to request where there is
+/// no path, and where a lower entity is asked for of a level that is not complete.
 void adjacent(const Mesh& mesh, EntityRef e, int j, std::vector<std::uint32_t>& result);
 
 /// The same as handles.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 namespace {
@@ -26,8 +26,8 @@ std::uint64_t EntityHash::key(std::span<const std::uint32_t> vertices) {
 
 EntityHash::Statistics EntityHash::statistics() const {
   const auto worst = std::max_element(length_.begin(), length_.end());
-  return {static_cast<std::uint32_t>(first_.size()), used_, crowded_, worst == length_.end() ? 0u : *worst,
-          static_cast<std::uint32_t>(rehashes_.size())};
+  return {static_cast<std::uint32_t>(first_.size()), used_, crowded_,
+          worst == length_.end() ? 0u : *worst, static_cast<std::uint32_t>(rehashes_.size())};
 }
 
 std::vector<std::uint32_t> EntityHash::lengths() const {
@@ -78,9 +78,11 @@ void EntityHash::erase(std::uint32_t entity) {
 }
 
 void EntityHash::grow_when_crowded() {
-  // With eight buckets an entity, chains are long because keys are equal: no number of buckets parts those.
+  // With eight buckets an entity, chains are long because keys are equal: no number of buckets
+  // parts those.
   const bool parts_nothing = first_.size() > 8 * keys_.size();
-  if (crowded_ * std::uint64_t{10} <= used_ || first_.size() * 10 > bucket_limit || parts_nothing) return;
+  if (crowded_ * std::uint64_t{10} <= used_ || first_.size() * 10 > bucket_limit || parts_nothing)
+    return;
   std::vector<std::uint32_t> old = std::move(first_);
   std::vector<std::uint32_t> old_next = next_;
   first_.assign(old.size() * 10 | 1u, no_index);
@@ -89,8 +91,8 @@ void EntityHash::grow_when_crowded() {
   std::uint32_t entities = 0;
   for (const std::uint32_t head : old)
     for (std::uint32_t e = head; e != no_index; e = old_next[e], ++entities) link(e);
-  rehashes_.push_back(
-      {entities, static_cast<std::uint32_t>(old.size()), static_cast<std::uint32_t>(first_.size())});
+  rehashes_.push_back({entities, static_cast<std::uint32_t>(old.size()),
+                       static_cast<std::uint32_t>(first_.size())});
 }
 
 }  // namespace aomd

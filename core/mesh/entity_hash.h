@@ -9,9 +9,10 @@
 
 namespace aomd {
 
-/// A chained hash set of the entities of one level. The key is the sum of randomised vertex ids, the same on
-/// every platform; different entities may share a key, so the caller compares vertices. The set watches
-/// itself: when more than 10 % of its used buckets hold 10 or more entities it grows tenfold, up to a limit.
+/// A chained hash set of the entities of one level. The key is the sum of randomised vertex ids,
+/// the same on every platform; different entities may share a key, so the caller compares vertices.
+/// The set watches itself: when more than 10 % of its used buckets hold 10 or more entities it
+/// grows tenfold, up to a limit.
 class EntityHash {
  public:
   [[nodiscard]] static std::uint64_t mix(std::uint32_t vertex);
@@ -32,11 +33,12 @@ class EntityHash {
   [[nodiscard]] Statistics statistics() const;
   /// Since it was built, the first one first.
   [[nodiscard]] const std::vector<Rehash>& rehashes() const { return rehashes_; }
-  /// How many buckets hold 0, 1, 2, ... entities, up to the worst; lengths past 65,535 count as that.
-  /// O(buckets).
+  /// How many buckets hold 0, 1, 2, ... entities, up to the worst; lengths past 65,535 count as
+  /// that. O(buckets).
   [[nodiscard]] std::vector<std::uint32_t> lengths() const;
   [[nodiscard]] std::size_t bytes() const {
-    return (first_.capacity() + next_.capacity()) * 4 + keys_.capacity() * 8 + length_.capacity() * 2;
+    return (first_.capacity() + next_.capacity()) * 4 + keys_.capacity() * 8 +
+           length_.capacity() * 2;
   }
 
   [[nodiscard]] std::uint64_t key_of(std::uint32_t entity) const { return keys_[entity]; }

@@ -8,8 +8,9 @@
 
 namespace aomd {
 
-/// The entities of one level that are alive, in ascending order of ids. Creating or deleting entities while
-/// iterating is allowed: deleted ones are skipped, those with a larger id than the present one are visited.
+/// The entities of one level that are alive, in ascending order of ids. Creating or deleting
+/// entities while iterating is allowed: deleted ones are skipped, those with a larger id than the
+/// present one are visited.
 template <int Dim>
 class EntityRange {
  public:

@@ -14,15 +14,16 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 TurnLimit::TurnLimit(double angle_deg)
     : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)), square_(cosine_ * cosine_) {}
 
-LeastAngle::LeastAngle(double angle_deg) : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)) {}
+LeastAngle::LeastAngle(double angle_deg)
+    : angle_deg_(angle_deg), cosine_(std::cos(angle_deg / degrees)) {}
 
 double cosine_between(const glm::dvec3& a, const glm::dvec3& b) {
   const double squares = glm::dot(a, a) * glm::dot(b, b);
   return squares > 0 ? glm::dot(a, b) / std::sqrt(squares) : 0;
 }
 
-// The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared sides
-// alone.
+// The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared
+// sides alone.
 double smallest_angle_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a, v = c - b, w = a - c;
   double x = glm::dot(u, u), y = glm::dot(v, v), z = glm::dot(w, w);

@@ -1,5 +1,6 @@
 #pragma once
-// Small geometry that the operators share: normals compared without square roots, angles of triangles.
+// Small geometry that the operators share: normals compared without square roots, angles of
+// triangles.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,8 @@
 namespace aomd {
 
 /// Normal of a triangle, its length twice the area.
-[[nodiscard]] inline glm::dvec3 area_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+[[nodiscard]] inline glm::dvec3 area_normal(const glm::dvec3& a, const glm::dvec3& b,
+                                            const glm::dvec3& c) {
   return glm::cross(b - a, c - a);
 }
 
@@ -21,11 +23,13 @@ class TurnLimit {
  public:
   explicit TurnLimit(double angle_deg);
   [[nodiscard]] double angle_deg() const { return angle_deg_; }
-  /// True when the angle between two normals of any lengths is at most the limit. A zero normal never passes.
+  /// True when the angle between two normals of any lengths is at most the limit. A zero normal
+  /// never passes.
   [[nodiscard]] bool allows(const glm::dvec3& before, const glm::dvec3& after) const {
     const double dot = glm::dot(before, after);
     const double bound = square_ * glm::dot(before, before) * glm::dot(after, after);
-    return cosine_ >= 0 ? dot > 0 && dot * dot >= bound : dot > 0 || (bound > 0 && dot * dot <= bound);
+    return cosine_ >= 0 ? dot > 0 && dot * dot >= bound
+                        : dot > 0 || (bound > 0 && dot * dot <= bound);
   }
 
  private:
@@ -38,8 +42,8 @@ class LeastAngle {
   explicit LeastAngle(double angle_deg);
   [[nodiscard]] double angle_deg() const { return angle_deg_; }
   [[nodiscard]] bool binds() const { return angle_deg_ > 0; }
-  /// True when a smallest angle with the cosine `now` is at least the limit, or no smaller than the one
-  /// whose cosine `before` is called for.
+  /// True when a smallest angle with the cosine `now` is at least the limit, or no smaller than the
+  /// one whose cosine `before` is called for.
   template <typename Before>
   [[nodiscard]] bool allows(double now, Before&& before) const {
     return now <= cosine_ || now <= before();
@@ -52,8 +56,8 @@ class LeastAngle {
 /// The cosine of the angle between two vectors; 0 where one has no length.
 [[nodiscard]] double cosine_between(const glm::dvec3& a, const glm::dvec3& b);
 
-/// True when a triangle has no area worth the name: an area normal shorter than 1e-12 of its squared sides at
-/// `a`.
+/// True when a triangle has no area worth the name: an area normal shorter than 1e-12 of its
+/// squared sides at `a`.
 [[nodiscard]] inline bool is_flat(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                   const glm::dvec3& normal) {
   const glm::dvec3 u = b - a, v = c - a;
@@ -62,9 +66,11 @@ class LeastAngle {
 }
 
 /// Cosine of the smallest angle of a triangle (so larger is worse); 1 for one without area.
-[[nodiscard]] double smallest_angle_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+[[nodiscard]] double smallest_angle_cosine(const glm::dvec3& a, const glm::dvec3& b,
+                                           const glm::dvec3& c);
 
 /// Smallest angle of a triangle in degrees.
-[[nodiscard]] double smallest_angle_deg(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+[[nodiscard]] double smallest_angle_deg(const glm::dvec3& a, const glm::dvec3& b,
+                                        const glm::dvec3& c);
 
 }  // namespace aomd

@@ -10,8 +10,9 @@ namespace aomd {
 /// An index that means "no entity".
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
-/// A mesh entity of dimension Dim (0 vertex, 1 edge, 2 face, 3 region): an index into the mesh's arrays.
-/// Ids are stable while the entity lives; the id of a deleted entity is given to a later one.
+/// A mesh entity of dimension Dim (0 vertex, 1 edge, 2 face, 3 region): an index into the mesh's
+/// arrays. Ids are stable while the entity lives; the id of a deleted entity is given to a later
+/// one.
 template <int Dim>
 struct Handle {
   static_assert(Dim >= 0 && Dim <= 3);
@@ -38,7 +39,8 @@ struct EntityRef {
   std::uint32_t index = no_index;
 
   constexpr EntityRef() = default;
-  constexpr EntityRef(int dim, std::uint32_t i) : dimension(static_cast<std::uint8_t>(dim)), index(i) {}
+  constexpr EntityRef(int dim, std::uint32_t i)
+      : dimension(static_cast<std::uint8_t>(dim)), index(i) {}
   template <int Dim>
   constexpr EntityRef(Handle<Dim> h) : EntityRef(Dim, h.index) {}
   [[nodiscard]] constexpr bool valid() const { return index != no_index; }

@@ -1,6 +1,6 @@
 #include "core/mesh/id_pool.h"
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 

@@ -1,7 +1,10 @@
 #pragma once
-// The id stack (paper, section 2.1.1): ids of deleted entities are given to the next ones, last freed first.
+// The id stack (paper, section 2.1.1): ids of deleted entities are given to the next ones, last
+// freed first.
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -31,7 +34,9 @@ class IdPool {
   /// One past the largest id ever alive: the size of arrays indexed by id.
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// How many ids are alive.
-  [[nodiscard]] std::uint32_t size() const { return capacity_ - static_cast<std::uint32_t>(free_.size()); }
+  [[nodiscard]] std::uint32_t size() const {
+    return capacity_ - static_cast<std::uint32_t>(free_.size());
+  }
   /// The stack of freed ids, the next one to be given out last.
   [[nodiscard]] const std::vector<std::uint32_t>& free_ids() const { return free_; }
   [[nodiscard]] std::size_t bytes() const { return bits_.capacity() * 8 + free_.capacity() * 4; }
@@ -55,5 +60,14 @@ class IdPool {
   std::vector<std::uint32_t> free_;
   std::uint32_t capacity_ = 0;
 };
+
+/// Calls visit(id) for the ids in [begin, end) that are alive, in ascending order.
+template <typename Visit>
+void each_alive(const IdPool& ids, std::size_t begin, std::size_t end, Visit&& visit) {
+  const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(end, ids.capacity()));
+  for (std::uint32_t id = ids.next_alive(static_cast<std::uint32_t>(begin)); id < last;
+       id = ids.next_alive(id + 1))
+    visit(id);
+}
 
 }  // namespace aomd

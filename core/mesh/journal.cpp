@@ -4,16 +4,16 @@
 #include <bit>
 #include <stdexcept>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
+#include "core/base/parallel.h"
 #include "core/mesh/journal_replay.h"
-#include "core/mesh/parallel.h"
 
 namespace aomd {
 namespace {
 
-/// From so many words of records for each entity on, a move through the history lets go of what can be
-/// derived and builds it anew afterwards: building costs about as much as keeping relations up to date for a
-/// twelfth of the entities.
+/// From so many words of records for each entity on, a move through the history lets go of what can
+/// be derived and builds it anew afterwards: building costs about as much as keeping relations up
+/// to date for a twelfth of the entities.
 constexpr std::size_t far_words_per_entity = 1;
 
 }  // namespace
@@ -100,8 +100,8 @@ void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fre
   open_record();
   VertexBuffer buffer;
   const auto vertices = mesh.vertices_of(e, buffer);
-  words_.push_back(RecordHead{create ? RecordKind::Create : RecordKind::Destroy, e.dimension, mesh.shape(e),
-                              fresh, static_cast<std::uint32_t>(vertices.size())}
+  words_.push_back(RecordHead{create ? RecordKind::Create : RecordKind::Destroy, e.dimension,
+                              mesh.shape(e), fresh, static_cast<std::uint32_t>(vertices.size())}
                        .packed());
   words_.push_back(e.index);
   words_.push_back(mesh.classification(e).bits());
@@ -114,9 +114,9 @@ void Journal::record_entity(bool create, const Mesh& mesh, EntityRef e, bool fre
 
 void Journal::record_rebind(std::span<const Rebinding> items) {
   open_record();
-  words_.push_back(
-      RecordHead{RecordKind::Rebind, 0, Shape::Point, false, static_cast<std::uint32_t>(items.size())}
-          .packed());
+  words_.push_back(RecordHead{RecordKind::Rebind, 0, Shape::Point, false,
+                              static_cast<std::uint32_t>(items.size())}
+                       .packed());
   for (const Rebinding& r : items) {
     words_.push_back(std::uint32_t{r.entity.dimension} << 8 | r.slot);
     words_.push_back(r.entity.index);
@@ -160,7 +160,8 @@ bool Journal::redo(Mesh& mesh) {
 
 bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
   const auto [first, last] = std::minmax(cursor_, step);
-  const std::size_t entities = std::size_t{mesh.count(0)} + mesh.count(1) + mesh.count(2) + mesh.count(3);
+  const std::size_t entities =
+      std::size_t{mesh.count(0)} + mesh.count(1) + mesh.count(2) + mesh.count(3);
   return words_of(first, last) > far_words_per_entity * entities;
 }
 
@@ -196,7 +197,8 @@ void Journal::restore(std::vector<std::uint32_t> words, std::vector<JournalStep>
   std::uint64_t at = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const std::uint64_t end = i + 1 < steps.size() ? steps[i + 1].begin : words.size();
-    if (steps[i].begin != at || end > words.size()) throw std::runtime_error("journal: step out of order");
+    if (steps[i].begin != at || end > words.size())
+      throw std::runtime_error("journal: step out of order");
     while (at < end) {
       const RecordHead head = RecordHead::unpack(words[at]);
       if (head.kind > RecordKind::Classify || at + head.length() > end)

@@ -1,6 +1,6 @@
 #pragma once
-// Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in different
-// directions.
+// Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in
+// different directions.
 
 #include <cstdint>
 #include <optional>
@@ -34,14 +34,16 @@ struct JournalStep {
 struct JournalPart {
   std::vector<std::uint32_t> words;
   std::vector<JournalStep> steps;  ///< the first one begins at word 0
-  [[nodiscard]] std::size_t bytes() const { return words.size() * 4 + steps.size() * sizeof(JournalStep); }
+  [[nodiscard]] std::size_t bytes() const {
+    return words.size() * 4 + steps.size() * sizeof(JournalStep);
+  }
 };
 
-/// A linear history of one mesh. Edits made after an undo cut off what had been undone. Undo and redo restore
-/// ids, id stack, connectivity, positions and classification exactly; cost O(records of the step).
-/// Attach it when the levels that T asks for exist: edges that a later change of T creates are not recorded.
-/// Records name entities by vertices only, so a history replays under any representation that has the same
-/// levels.
+/// A linear history of one mesh. Edits made after an undo cut off what had been undone. Undo and
+/// redo restore ids, id stack, connectivity, positions and classification exactly; cost O(records
+/// of the step). Attach it when the levels that T asks for exist: edges that a later change of T
+/// creates are not recorded. Records name entities by vertices only, so a history replays under any
+/// representation that has the same levels.
 class Journal {
  public:
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
@@ -62,37 +64,37 @@ class Journal {
   /// Changes whenever a history is cut or cleared, so that readers of cursors know to start afresh.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 
-  /// Collects the edits that follow into one step, until end_step; steps do not nest. A step without edits
-  /// leaves no trace, not even on what could be redone.
+  /// Collects the edits that follow into one step, until end_step; steps do not nest. A step
+  /// without edits leaves no trace, not even on what could be redone.
   void begin_step(StepKind kind, EntityRef entity);
   void end_step();
 
   /// Each returns false at its end of the history.
   bool undo(Mesh& mesh);
   bool redo(Mesh& mesh);
-  /// Undoes or redoes until `step` steps are applied (clamped to the history). O(records in between); far
-  /// away, only what defines the entities follows each record, on two threads where T allows it, and what T
-  /// stores besides is built anew at the end, O(size).
+  /// Undoes or redoes until `step` steps are applied (clamped to the history). O(records in
+  /// between); far away, only what defines the entities follows each record, on two threads where T
+  /// allows it, and what T stores besides is built anew at the end, O(size).
   void seek(Mesh& mesh, std::size_t step);
   void clear();
 
   /// Whether the last part that new edits cut off is kept, for take_cut(); else it is gone.
   void keep_cut(bool on) { keeps_cut_ = on; }
   [[nodiscard]] std::optional<JournalPart> take_cut() { return std::exchange(cut_, std::nullopt); }
-  /// Puts other steps behind the cursor and returns those that were there. The part must have been recorded
-  /// from the present state of the mesh. O(both).
+  /// Puts other steps behind the cursor and returns those that were there. The part must have been
+  /// recorded from the present state of the mesh. O(both).
   JournalPart exchange_future(const JournalPart& part);
 
-  /// Calls visit(EntityRef) for every entity that steps [first, last) created, deleted, rebound, moved or
-  /// classified; some more than once. O(records).
+  /// Calls visit(EntityRef) for every entity that steps [first, last) created, deleted, rebound,
+  /// moved or classified; some more than once. O(records).
   template <typename Visit>
   void touched(std::size_t first, std::size_t last, Visit&& visit) const;
 
   /// The raw history, for writing it to a file and reading it back (core/io/journal_file).
   [[nodiscard]] std::span<const std::uint32_t> words() const { return words_; }
   [[nodiscard]] std::span<const JournalStep> steps() const { return steps_; }
-  /// Takes over a history read from a file, nothing of it applied yet. Throws std::runtime_error when a
-  /// record is malformed. Whether it fits a mesh shows only when it is applied.
+  /// Takes over a history read from a file, nothing of it applied yet. Throws std::runtime_error
+  /// when a record is malformed. Whether it fits a mesh shows only when it is applied.
   void restore(std::vector<std::uint32_t> words, std::vector<JournalStep> steps);
 
  private:

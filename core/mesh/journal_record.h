@@ -1,5 +1,6 @@
 #pragma once
-// How a journal packs one edit into words: the one description that recording, undoing and checking read.
+// How a journal packs one edit into words: the one description that recording, undoing and checking
+// read.
 //
 //   Create, Destroy   head, id, class, then 6 words of a position (vertices) or `count` vertices
 //   Rebind            head, then `count` times: dimension << 8 | slot, id, from, to
@@ -33,8 +34,8 @@ struct RecordHead {
   bool fresh = false;  ///< the id was the maximum plus one, not taken from the stack
   std::uint32_t count = 0;
 
-  // A Rebind may hold more items than 18 bits count: the high part stands where others keep dim, fresh and
-  // shape.
+  // A Rebind may hold more items than 18 bits count: the high part stands where others keep dim,
+  // fresh and shape.
   [[nodiscard]] constexpr std::uint32_t packed() const {
     const auto low = static_cast<std::uint32_t>(kind);
     if (kind == RecordKind::Rebind) return low | (count >> 18) << 3 | count << 14;
@@ -45,8 +46,8 @@ struct RecordHead {
     const auto kind = static_cast<RecordKind>(w & 7u);
     if (kind == RecordKind::Rebind)
       return {kind, 0, Shape::Point, false, w >> 14 | ((w >> 3) & 0x7ffu) << 18};
-    return {kind, static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u), ((w >> 5) & 1u) != 0,
-            w >> 14};
+    return {kind, static_cast<int>((w >> 3) & 3u), static_cast<Shape>((w >> 6) & 255u),
+            ((w >> 5) & 1u) != 0, w >> 14};
   }
   /// Words of the whole record, the head included.
   [[nodiscard]] constexpr std::size_t length() const {

@@ -2,14 +2,15 @@
 
 #include <ranges>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/journal_record.h"
 
 namespace aomd {
 
 void JournalReplay::redo(std::span<const std::uint32_t> records) {
   const std::uint32_t* const end = records.data() + records.size();
-  for (const std::uint32_t* w = records.data(); w < end; w += RecordHead::unpack(*w).length()) apply(w, true);
+  for (const std::uint32_t* w = records.data(); w < end; w += RecordHead::unpack(*w).length())
+    apply(w, true);
 }
 
 void JournalReplay::undo(std::span<const std::uint32_t> records) {
@@ -67,7 +68,8 @@ void JournalReplay::destroy(const std::uint32_t* w) {
   IdPool& ids = mesh_.level(head.dim).ids;
   if (!bare_) mesh_.detach_entity(head.dim, id);
   if (head.kind == RecordKind::Destroy) return ids.destroy(id);
-  mesh_.attached_.uncover(head.dim, id, --mesh_.recorded_creations_[static_cast<std::size_t>(head.dim)]);
+  mesh_.attached_.uncover(head.dim, id,
+                          --mesh_.recorded_creations_[static_cast<std::size_t>(head.dim)]);
   ids.undo_create(id, head.fresh);
   if (head.fresh) mesh_.grow_level(head.dim);
 }
@@ -81,7 +83,8 @@ void JournalReplay::rebind(const std::uint32_t* w, bool forward) {
     const Vertex from(w[2]), to(w[3]);
     if (!mine(entity.dimension)) continue;
     if (bare_)
-      mesh_.representation_.down(entity.dimension, 0).row(entity.index)[w[0] & 255u] = w[forward ? 3 : 2];
+      mesh_.representation_.down(entity.dimension, 0).row(entity.index)[w[0] & 255u] =
+          w[forward ? 3 : 2];
     else
       rebindings_.push_back({entity, w[0] & 255u, forward ? from : to, forward ? to : from});
   }

@@ -13,13 +13,13 @@ namespace aomd {
 class JournalReplay {
  public:
   explicit JournalReplay(Mesh& mesh) : mesh_(mesh) {}
-  /// Passes over the records of other levels, and neither reads nor writes anything of theirs: each level can
-  /// have a thread of its own. The mesh must be bare (Mesh::release_derived).
+  /// Passes over the records of other levels, and neither reads nor writes anything of theirs: each
+  /// level can have a thread of its own. The mesh must be bare (Mesh::release_derived).
   JournalReplay(Mesh& bare, int first_level, int last_level)
       : mesh_(bare), first_(first_level), last_(last_level), bare_(true) {}
 
-  /// The records of one step, which must follow, or be the last that led to, the state of these levels.
-  /// O(records).
+  /// The records of one step, which must follow, or be the last that led to, the state of these
+  /// levels. O(records).
   void redo(std::span<const std::uint32_t> records);
   void undo(std::span<const std::uint32_t> records);
 

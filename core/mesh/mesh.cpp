@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/journal.h"
 
 namespace aomd {
@@ -56,9 +56,10 @@ std::span<const std::uint32_t> Mesh::vertices_of(EntityRef e, VertexBuffer& buff
   return {buffer.data(), n};
 }
 
-// Each vertex is told by the set of sides on which it lies, which is different for each in every shape that
-// may be held this way (can_hold).
-bool Mesh::corners_from_sides(Shape whole, int k, const std::uint32_t* sides, VertexBuffer& buffer) const {
+// Each vertex is told by the set of sides on which it lies, which is different for each in every
+// shape that may be held this way (can_hold).
+bool Mesh::corners_from_sides(Shape whole, int k, const std::uint32_t* sides,
+                              VertexBuffer& buffer) const {
   const ShapeTemplate& shape = shape_template(whole);
   VertexBuffer found;
   std::array<std::uint32_t, max_shape_vertices> masks{};
@@ -74,8 +75,9 @@ bool Mesh::corners_from_sides(Shape whole, int k, const std::uint32_t* sides, Ve
   }
   const auto expected = side_masks(shape, k);
   for (int v = 0; v < shape.vertex_count; ++v) {
-    const auto at = std::find(masks.begin(), masks.begin() + count, expected[static_cast<std::size_t>(v)]) -
-                    masks.begin();
+    const auto at =
+        std::find(masks.begin(), masks.begin() + count, expected[static_cast<std::size_t>(v)]) -
+        masks.begin();
     if (at == count) return false;
     buffer[static_cast<std::size_t>(v)] = found[static_cast<std::size_t>(at)];
   }
@@ -84,14 +86,16 @@ bool Mesh::corners_from_sides(Shape whole, int k, const std::uint32_t* sides, Ve
 
 bool Mesh::use_direction(Face f, Edge e) const {
   const Row<1> sides = row<1>(f);
-  const auto k = std::find(sides.indices().begin(), sides.indices().end(), e.index) - sides.indices().begin();
+  const auto k =
+      std::find(sides.indices().begin(), sides.indices().end(), e.index) - sides.indices().begin();
   AOMD_CHECK(static_cast<std::size_t>(k) < sides.size());
   return (representation_.down(2, 1).directions(f.index) >> k & 1u) != 0;
 }
 
 bool Mesh::use_direction(Region r, Face f) const {
   const Row<2> sides = row<2>(r);
-  const auto k = std::find(sides.indices().begin(), sides.indices().end(), f.index) - sides.indices().begin();
+  const auto k =
+      std::find(sides.indices().begin(), sides.indices().end(), f.index) - sides.indices().begin();
   AOMD_CHECK(static_cast<std::size_t>(k) < sides.size());
   return (representation_.down(3, 2).directions(r.index) >> k & 1u) != 0;
 }
@@ -110,10 +114,11 @@ void Mesh::attach(Journal* journal) {
 }
 
 std::size_t Mesh::entity_bytes() const {
-  std::size_t sum = positions_.capacity() * sizeof(glm::dvec3) + (class_lists_ ? class_lists_->bytes() : 0) +
-                    attached_.bytes();
+  std::size_t sum = positions_.capacity() * sizeof(glm::dvec3) +
+                    (class_lists_ ? class_lists_->bytes() : 0) + attached_.bytes();
   for (const Level& l : levels_)
-    sum += l.ids.bytes() + l.classes.capacity() * sizeof(ModelRef) + l.shapes.capacity() * sizeof(Shape);
+    sum += l.ids.bytes() + l.classes.capacity() * sizeof(ModelRef) +
+           l.shapes.capacity() * sizeof(Shape);
   return sum;
 }
 

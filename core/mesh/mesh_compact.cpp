@@ -11,7 +11,8 @@ namespace aomd {
 namespace {
 
 template <typename T>
-void close_up(std::vector<T>& values, std::span<const std::uint32_t> new_index, std::uint32_t count) {
+void close_up(std::vector<T>& values, std::span<const std::uint32_t> new_index,
+              std::uint32_t count) {
   if (values.empty()) return;
   for (std::size_t old = 0; old < new_index.size(); ++old)
     if (new_index[old] != no_index) values[new_index[old]] = values[old];
@@ -30,7 +31,8 @@ std::vector<std::uint32_t> consecutive(const IdPool& ids) {
 }  // namespace
 
 std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
-  if (journal_) throw std::logic_error("a journal is attached, and its records name the present ids");
+  if (journal_)
+    throw std::logic_error("a journal is attached, and its records name the present ids");
   std::array<std::vector<std::uint32_t>, 4> maps;
   for (int dim = 0; dim < 4; ++dim) maps[static_cast<std::size_t>(dim)] = consecutive(ids(dim));
   Representation compacted;
@@ -75,14 +77,15 @@ std::vector<std::uint8_t> Mesh::edges_to_keep() {
       faces = request(1, 2, "letting go of edges");
       if (count(3) > 0) regions = request(1, 3, "letting go of edges");
     }
-    stays[e.index] =
-        on.valid() ? on.dimension() <= 1 : row<2>(e).empty() && (count(3) == 0 || row<3>(e).empty());
+    stays[e.index] = on.valid() ? on.dimension() <= 1
+                                : row<2>(e).empty() && (count(3) == 0 || row<3>(e).empty());
   }
   return stays;
 }
 
 void Mesh::keep_model_edges_only() {
-  if (journal_) throw std::logic_error("a journal is attached, and its records name the present edges");
+  if (journal_)
+    throw std::logic_error("a journal is attached, and its records name the present edges");
   constexpr std::pair<int, int> relations[] = {{0, 1}, {1, 2}, {1, 3}, {2, 1}, {3, 1}};
   for (const auto& [i, j] : relations) {
     if (representation_.demand(i, j).requests > 0)
@@ -113,7 +116,8 @@ void Mesh::keep_model_edges_only() {
   if (class_lists_) keep_class_lists(true);
 }
 
-DownRows Mesh::compact_rows(int i, int j, const std::array<std::vector<std::uint32_t>, 4>& maps) const {
+DownRows Mesh::compact_rows(int i, int j,
+                            const std::array<std::vector<std::uint32_t>, 4>& maps) const {
   const DownRows& old = representation_.down(i, j);
   DownRows rows;
   rows.allocate(count(i), old.stride(), j == i - 1 && j > 0);

@@ -62,10 +62,14 @@ void check_data(const MeshData& data) {
 
 // A file may list an edge twice: the last one with a class counts.
 EntityList without_duplicates(const EntityList& edges, std::size_t vertices) {
-  const auto key = [&](std::size_t e) { return EdgeKey(edges.vertices[2 * e], edges.vertices[2 * e + 1]); };
-  const SideIndex<EdgeKey> index(static_cast<std::uint32_t>(vertices), edges.size(), [&](auto&& visit) {
-    for (std::uint32_t e = 0; e < edges.size(); ++e) visit(e, key(e));
-  });
+  const auto key = [&](std::size_t e) {
+    return EdgeKey(edges.vertices[2 * e], edges.vertices[2 * e + 1]);
+  };
+  const SideIndex<EdgeKey> index(static_cast<std::uint32_t>(vertices), edges.size(),
+                                 [&](auto&& visit) {
+                                   for (std::uint32_t e = 0; e < edges.size(); ++e)
+                                     visit(e, key(e));
+                                 });
   EntityList unique;
   std::vector<std::uint32_t> place(edges.size());
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
@@ -115,7 +119,8 @@ std::vector<std::uint8_t> used_sides(const Mesh& mesh, int dim) {
 }
 
 void drop_if_unclassified(std::vector<ModelRef>& classes) {
-  if (std::none_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); })) classes.clear();
+  if (std::none_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); }))
+    classes.clear();
 }
 
 using Ids = std::vector<std::uint32_t>;
@@ -124,7 +129,11 @@ template <typename H, typename T>
 void add_attribute(const Mesh& mesh, const AttachedBase& column, const Ids& ids, MeshData& data) {
   const auto* values = mesh.find_column<H, T>(column.name());
   if (!values) return;
-  Attribute a{column.name(), H::dimension, std::is_same_v<T, glm::dvec3> ? 3 : 1, std::is_integral_v<T>, {}};
+  Attribute a{column.name(),
+              H::dimension,
+              std::is_same_v<T, glm::dvec3> ? 3 : 1,
+              std::is_integral_v<T>,
+              {}};
   for (const std::uint32_t id : ids) {
     if constexpr (std::is_same_v<T, glm::dvec3>)
       for (int k = 0; k < 3; ++k) a.values.push_back((*values)[H(id)][k]);
@@ -169,7 +178,8 @@ Mesh::Mesh(const MeshData& data) : positions_(data.positions), model_table_(data
   take_list(3, data.regions);
   if (dimension() > 1) representation_.demand(dimension(), 0).user = true;
   for (const Attribute& a : data.attributes) {
-    if ((a.components != 1 && a.components != 3) || (a.dimension == 1 && edges.size() != data.edges.size()))
+    if ((a.components != 1 && a.components != 3) ||
+        (a.dimension == 1 && edges.size() != data.edges.size()))
       continue;
     if (a.dimension == 0) take_attribute<Vertex>(*this, a);
     if (a.dimension == 1) take_attribute<Edge>(*this, a);
@@ -214,10 +224,12 @@ MeshData to_data(const Mesh& mesh) {
     const auto used = some ? used_sides(mesh, dim) : std::vector<std::uint8_t>();
     for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
       const EntityRef e(dim, id);
-      if (!mesh.alive(e) || (some && used[id] && mesh.classification(e).dimension() != dim)) continue;
+      if (!mesh.alive(e) || (some && used[id] && mesh.classification(e).dimension() != dim))
+        continue;
       VertexBuffer buffer;
       EntityList& list = data.list(dim);
-      for (const std::uint32_t v : mesh.vertices_of(e, buffer)) list.vertices.push_back(new_index[v]);
+      for (const std::uint32_t v : mesh.vertices_of(e, buffer))
+        list.vertices.push_back(new_index[v]);
       list.shapes.push_back(mesh.shape(e));
       list.classes.push_back(mesh.classification(e));
       listed[static_cast<std::size_t>(dim)].push_back(id);

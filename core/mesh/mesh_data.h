@@ -1,5 +1,6 @@
 #pragma once
-// A mesh as plain arrays: what a file holds and what a generator makes, before a Mesh is built from it.
+// A mesh as plain arrays: what a file holds and what a generator makes, before a Mesh is built from
+// it.
 
 #include <cstdint>
 #include <initializer_list>
@@ -43,9 +44,9 @@ struct Attribute {
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
-/// Vertex positions and the entities that a file lists. Edges and faces are listed only where the file names
-/// them (feature lines, classified surfaces): the Mesh makes the others when its T asks for them.
-/// Indices are 0-based into `positions`. Vertices that nothing uses are kept.
+/// Vertex positions and the entities that a file lists. Edges and faces are listed only where the
+/// file names them (feature lines, classified surfaces): the Mesh makes the others when its T asks
+/// for them. Indices are 0-based into `positions`. Vertices that nothing uses are kept.
 struct MeshData {
   std::vector<glm::dvec3> positions;
   std::vector<ModelRef> vertex_classes;  ///< one a vertex, or empty

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/derive.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
@@ -23,8 +23,9 @@ void require_alive(const Mesh& mesh, EntityRef e) {
 
 void require_class(EntityRef e, ModelRef model) {
   if (model.may_classify(e.dimension)) return;
-  throw std::invalid_argument(std::string("a mesh ") + entity_name(e.dimension) + " cannot be on a model " +
-                              entity_name(model.dimension() & 3) + ": M^I on G^J only if J >= I");
+  throw std::invalid_argument(std::string("a mesh ") + entity_name(e.dimension) +
+                              " cannot be on a model " + entity_name(model.dimension() & 3) +
+                              ": M^I on G^J only if J >= I");
 }
 
 }  // namespace
@@ -47,14 +48,16 @@ void Mesh::grow_level(int dim) {
 
 void Mesh::ensure_level(int dim, std::size_t vertices) {
   if (!representation_.has_level(dim))
-    representation_.down(dim, 0).allocate(capacity(dim), static_cast<std::uint32_t>(vertices), false);
+    representation_.down(dim, 0).allocate(capacity(dim), static_cast<std::uint32_t>(vertices),
+                                          false);
 }
 
 void Mesh::set_shape(int dim, std::uint32_t id, Shape shape) {
   Level& l = level(dim);
   for (int k = 0; k < dim; ++k)  // rows that were built while the level was empty may be narrow
     if (stored(dim, k))
-      representation_.down(dim, k).widen(static_cast<std::uint32_t>(shape_template(shape).count(k)));
+      representation_.down(dim, k).widen(
+          static_cast<std::uint32_t>(shape_template(shape).count(k)));
   if (l.shapes.empty() && shape == l.uniform) return;
   if (l.shapes.empty()) l.shapes.assign(capacity(dim), l.uniform);
   l.shapes[id] = shape;
@@ -66,13 +69,15 @@ void Mesh::attach_vertex(std::uint32_t id, const glm::dvec3& position, ModelRef 
   if (class_lists_) class_lists_->insert(0, id, model);
 }
 
-void Mesh::attach_entity(int dim, std::uint32_t id, Shape shape, std::span<const std::uint32_t> vertices,
-                         ModelRef model) {
-  ensure_level(dim, vertices.size());  // undo may fill a level again that was empty when T let go of it
+void Mesh::attach_entity(int dim, std::uint32_t id, Shape shape,
+                         std::span<const std::uint32_t> vertices, ModelRef model) {
+  ensure_level(dim,
+               vertices.size());  // undo may fill a level again that was empty when T let go of it
   level(dim).classes[id] = model;
   if (class_lists_) class_lists_->insert(dim, id, model);
   set_shape(dim, id, shape);
-  if (stored(dim, 0)) std::copy(vertices.begin(), vertices.end(), representation_.down(dim, 0).row(id));
+  if (stored(dim, 0))
+    std::copy(vertices.begin(), vertices.end(), representation_.down(dim, 0).row(id));
   if (stored(0, dim))
     for (const std::uint32_t v : vertices) representation_.up(0, dim).insert(v, id);
   if (hash_of(dim).built()) hash_of(dim).insert(EntityHash::key(vertices), id);
@@ -92,8 +97,8 @@ void Mesh::attach_sides(EntityRef e, int k, std::span<const std::uint32_t> verti
   if (k == dim - 1 && stored(dim, k)) find_use_directions(e, vertices);
 }
 
-// A side is used in its own direction when its first two vertices, in its own order, follow each other the
-// same way in the template's.
+// A side is used in its own direction when its first two vertices, in its own order, follow each
+// other the same way in the template's.
 void Mesh::find_use_directions(EntityRef e, std::span<const std::uint32_t> vertices) {
   const int k = e.dimension - 1;
   DownRows& sides = representation_.down(e.dimension, k);
@@ -148,21 +153,24 @@ Vertex Mesh::create_vertex(const glm::dvec3& position, ModelRef model) {
   return Vertex(id);
 }
 
-void Mesh::check_new(int dim, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model) const {
+void Mesh::check_new(int dim, Shape shape, std::span<const std::uint32_t> vertices,
+                     ModelRef model) const {
   require_class(EntityRef(dim, no_index), model);
-  require(static_cast<std::size_t>(shape) < shape_count() && shape_template(shape).dimension == dim &&
+  require(static_cast<std::size_t>(shape) < shape_count() &&
+              shape_template(shape).dimension == dim &&
               shape_template(shape).vertex_count == static_cast<int>(vertices.size()),
-          std::string("a ") + entity_name(dim) + " cannot be made from " + std::to_string(vertices.size()) +
-              " vertices in this shape");
+          std::string("a ") + entity_name(dim) + " cannot be made from " +
+              std::to_string(vertices.size()) + " vertices in this shape");
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     require(alive(Vertex(vertices[i])), name_of(Vertex(vertices[i])) + " does not exist");
-    require(std::find(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, vertices.end(), vertices[i]) ==
-                vertices.end(),
+    require(std::find(vertices.begin() + static_cast<std::ptrdiff_t>(i) + 1, vertices.end(),
+                      vertices[i]) == vertices.end(),
             name_of(Vertex(vertices[i])) + " is used twice");
   }
 }
 
-void Mesh::ensure_sides(int dim, Shape shape, std::span<const std::uint32_t> vertices, ModelRef model) {
+void Mesh::ensure_sides(int dim, Shape shape, std::span<const std::uint32_t> vertices,
+                        ModelRef model) {
   for (int k = 1; k < dim; ++k) {
     if (!complete(k)) continue;
     for (int i = 0; i < shape_template(shape).count(k); ++i) {
@@ -218,7 +226,8 @@ Face Mesh::create_face(std::span<const Edge> edges, ModelRef model) {
     const auto [a, b] = edge_vertices(edges[k]);
     const auto before = edge_vertices(edges[(k + n - 1) % n]);
     const bool first = a == before[0] || a == before[1], second = b == before[0] || b == before[1];
-    require(first != second, name_of(edges[k]) + " does not follow " + name_of(edges[(k + n - 1) % n]));
+    require(first != second,
+            name_of(edges[k]) + " does not follow " + name_of(edges[(k + n - 1) % n]));
     vertices[k] = first ? a : b;
   }
   return create_face(std::span<const Vertex>(vertices.data(), n), model);
@@ -233,7 +242,8 @@ Region Mesh::create_region(Shape shape, std::span<const Vertex> vertices, ModelR
   return Region(create_entity(3, shape, ids, model));
 }
 
-Region Mesh::create_region_of(Shape shape, int k, std::span<const std::uint32_t> sides, ModelRef model) {
+Region Mesh::create_region_of(Shape shape, int k, std::span<const std::uint32_t> sides,
+                              ModelRef model) {
   for (const std::uint32_t s : sides) require_alive(*this, EntityRef(k, s));
   VertexBuffer buffer;
   require(static_cast<std::size_t>(shape) < shape_count() &&
@@ -272,7 +282,8 @@ std::vector<EntityRef> Mesh::users(EntityRef e) const {
       adjacent(*this, e, j, found);
     else
       for (std::uint32_t id = 0; id < capacity(j); ++id)
-        if (ids(j).alive(id) && has_side(*this, EntityRef(j, id), e.dimension, own)) found.push_back(id);
+        if (ids(j).alive(id) && has_side(*this, EntityRef(j, id), e.dimension, own))
+          found.push_back(id);
     for (const std::uint32_t id : found) result.emplace_back(j, id);
   }
   return result;

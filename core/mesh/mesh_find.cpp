@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/side_index.h"
 
@@ -30,8 +30,9 @@ void Mesh::build_hash(int dim, std::uint32_t buckets) const {
 
 std::uint32_t Mesh::find_by_hash(int dim, std::span<const std::uint32_t> vertices) const {
   build_hash(dim);
-  return hash(dim).find(EntityHash::key(vertices),
-                        [&](std::uint32_t id) { return same_vertices(EntityRef(dim, id), vertices); });
+  return hash(dim).find(EntityHash::key(vertices), [&](std::uint32_t id) {
+    return same_vertices(EntityRef(dim, id), vertices);
+  });
 }
 
 std::uint32_t Mesh::find_edge_index(std::uint32_t a, std::uint32_t b) const {
@@ -55,7 +56,8 @@ std::uint32_t Mesh::find(int dim, std::span<const std::uint32_t> vertices) const
   if (stored(0, dim)) {
     row = representation_.up(0, dim).row(vertices[0]);
     for (const std::uint32_t v : vertices.subspan(1))
-      if (const auto other = representation_.up(0, dim).row(v); other.size() < row.size()) row = other;
+      if (const auto other = representation_.up(0, dim).row(v); other.size() < row.size())
+        row = other;
   } else if (vertices.size() == 3 && stored(0, 1) && stored(1, 2)) {
     const std::uint32_t e = find_edge_index(vertices[0], vertices[1]);
     if (e == no_index) return no_index;
@@ -85,9 +87,12 @@ std::uint32_t Mesh::find_on(int dim, std::span<const Vertex> vertices) const {
 
 Face Mesh::find_face(std::span<const Vertex> vertices) const { return Face(find_on(2, vertices)); }
 
-Region Mesh::find_region(std::span<const Vertex> vertices) const { return Region(find_on(3, vertices)); }
+Region Mesh::find_region(std::span<const Vertex> vertices) const {
+  return Region(find_on(3, vertices));
+}
 
-std::uint32_t Mesh::side_of(EntityRef e, int k, int i, std::span<const std::uint32_t> vertices) const {
+std::uint32_t Mesh::side_of(EntityRef e, int k, int i,
+                            std::span<const std::uint32_t> vertices) const {
   if (stored(e.dimension, k)) return representation_.down(e.dimension, k).row(e.index)[i];
   return find(k, SideVertices(shape_template(shape(e)).sub(k, i), vertices.data()).span());
 }

@@ -1,9 +1,10 @@
-// Rebinding: entities stretch to another vertex and keep their identity (the inner loop of a collapse).
+// Rebinding: entities stretch to another vertex and keep their identity (the inner loop of a
+// collapse).
 
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 
@@ -34,16 +35,17 @@ Held& held_of(std::vector<Held>& held, std::uint32_t id) {
 std::vector<Held> hold(const Mesh& mesh, Items items) {
   std::vector<Held> held;
   for (const Rebinding& r : items)
-    if (std::none_of(held.begin(), held.end(), [&](const Held& h) { return h.id == r.entity.index; }))
+    if (std::none_of(held.begin(), held.end(),
+                     [&](const Held& h) { return h.id == r.entity.index; }))
       held.emplace_back(mesh, r.entity);
   return held;
 }
 
 Items of_dimension(Items items, int dim) {
-  const auto low = std::partition_point(items.begin(), items.end(),
-                                        [&](const Rebinding& r) { return r.entity.dimension < dim; });
-  const auto high =
-      std::partition_point(low, items.end(), [&](const Rebinding& r) { return r.entity.dimension == dim; });
+  const auto low = std::partition_point(
+      items.begin(), items.end(), [&](const Rebinding& r) { return r.entity.dimension < dim; });
+  const auto high = std::partition_point(
+      low, items.end(), [&](const Rebinding& r) { return r.entity.dimension == dim; });
   return {low, high};
 }
 
@@ -76,8 +78,8 @@ void Mesh::rebind_face(const Rebinding& item, std::span<std::uint32_t> vertices)
   replace_in_row(item);
 }
 
-// The two sides at the replaced vertex. A side whose edge was itself rebound keeps that edge: then the old
-// pair of vertices is no longer found, or the new pair is found to be the same edge.
+// The two sides at the replaced vertex. A side whose edge was itself rebound keeps that edge: then
+// the old pair of vertices is no longer found, or the new pair is found to be the same edge.
 void Mesh::rebind_face_sides(const Rebinding& item, std::span<const std::uint32_t> vertices) {
   const auto n = static_cast<std::uint32_t>(vertices.size());
   const std::uint32_t slots[] = {(item.slot + n - 1) % n, item.slot};
@@ -127,7 +129,8 @@ void Mesh::apply_rebindings(Items items) {
     replace_in_row(item);
   }
   for (Held& h : held_regions) {
-    if (stored(3, 0)) std::copy_n(h.vertices.begin(), h.count, representation_.down(3, 0).row(h.id));
+    if (stored(3, 0))
+      std::copy_n(h.vertices.begin(), h.count, representation_.down(3, 0).row(h.id));
     if (hash_of(3).built()) hash_of(3).insert(EntityHash::key(h.span()), h.id);
     for (int k = 1; k < 3; ++k) attach_sides(Region(h.id), k, h.span());
   }
@@ -135,9 +138,10 @@ void Mesh::apply_rebindings(Items items) {
 
 void Mesh::rebind(Items items) {
   if (items.empty()) return;
-  AOMD_DEBUG_CHECK(std::is_sorted(items.begin(), items.end(), [](const Rebinding& a, const Rebinding& b) {
-    return a.entity.dimension < b.entity.dimension;
-  }));
+  AOMD_DEBUG_CHECK(
+      std::is_sorted(items.begin(), items.end(), [](const Rebinding& a, const Rebinding& b) {
+        return a.entity.dimension < b.entity.dimension;
+      }));
   apply_rebindings(items);
   if (journal_) journal_->record_rebind(items);
 }

@@ -6,11 +6,11 @@
 #include <string>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/mesh/bulk.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/names.h"
-#include "core/mesh/parallel.h"
 
 namespace aomd {
 namespace {
@@ -127,9 +127,10 @@ void Mesh::build_up(int i, int j) {
   if (i == 0) hash_of(j).release();
 }
 
-/// Makes the mesh bare: lets go of all relations but those of higher levels to vertices, which define the
-/// entities, of hash sets and of the lists of model entities; of nothing where other relations define a
-/// level. For changes of large parts, which build_again() ends; for those who look T stays what it was.
+/// Makes the mesh bare: lets go of all relations but those of higher levels to vertices, which
+/// define the entities, of hash sets and of the lists of model entities; of nothing where other
+/// relations define a level. For changes of large parts, which build_again() ends; for those who
+/// look T stays what it was.
 Mesh::Derived Mesh::release_derived() {
   Derived released;
   for (int i = 1; i < 4; ++i)
@@ -193,21 +194,25 @@ void Mesh::build_vertices(int i) {
   representation_.down(i, 0) = std::move(rows);
 }
 
-// The new ids are fresh, in the order given. Nothing that an incomplete level may have stored needs more than
-// the vertices: other relations complete the level first.
+// The new ids are fresh, in the order given. Nothing that an incomplete level may have stored needs
+// more than the vertices: other relations complete the level first.
 void Mesh::complete_level(int dim) {
   if (complete(dim)) return;
-  // A history that has known higher entities would bring some back, or take some away, without their sides.
+  // A history that has known higher entities would bring some back, or take some away, without
+  // their sides.
   const bool only_ever_below = capacity(3) == 0 && (dim == 2 || capacity(2) == 0);
-  if (journal_ && journal_->size() > 0 && !(only_ever_below && journal_->cursor() == journal_->size()))
-    throw std::logic_error("the " + std::string(entity_name(dim)) +
-                           "s that this relation needs would not be part of the journal's history: request "
-                           "it before the first edit, or clear the journal");
+  if (journal_ && journal_->size() > 0 &&
+      !(only_ever_below && journal_->cursor() == journal_->size()))
+    throw std::logic_error(
+        "the " + std::string(entity_name(dim)) +
+        "s that this relation needs would not be part of the journal's history: request "
+        "it before the first edit, or clear the journal");
   level(dim).complete = true;
   if (count(3) == 0 && (dim == 2 || count(2) == 0)) return;
   const MissingEntities missing = dim == 1 ? missing_edges(*this) : missing_faces(*this);
   if (missing.shapes.empty()) return;
-  const std::uint32_t first = level(dim).ids.create_many(static_cast<std::uint32_t>(missing.shapes.size()));
+  const std::uint32_t first =
+      level(dim).ids.create_many(static_cast<std::uint32_t>(missing.shapes.size()));
   DownRows& rows = representation_.down(dim, 0);
   if (!representation_.has_level(dim)) rows.allocate(0, static_cast<std::uint32_t>(dim + 1), false);
   hash_of(dim).release();

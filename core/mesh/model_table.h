@@ -1,5 +1,6 @@
 #pragma once
-// What a file says about the model itself: its entities, what bounds them, and named groups of them.
+// What a file says about the model itself: its entities, what bounds them, and named groups of
+// them.
 
 #include <array>
 #include <cstdint>
@@ -13,9 +14,11 @@ namespace aomd {
 /// One model entity as a file describes it.
 struct ModelEntity {
   ModelRef ref;
-  std::vector<std::int32_t> groups;    ///< tags of the physical groups it belongs to, negative where reversed
-  std::vector<std::int32_t> boundary;  ///< tags of the entities one dimension lower, negative where reversed
-  std::array<double, 6> box{};         ///< smallest x, y, z, then largest; a point's position twice
+  std::vector<std::int32_t>
+      groups;  ///< tags of the physical groups it belongs to, negative where reversed
+  std::vector<std::int32_t>
+      boundary;  ///< tags of the entities one dimension lower, negative where reversed
+  std::array<double, 6> box{};  ///< smallest x, y, z, then largest; a point's position twice
   friend bool operator==(const ModelEntity&, const ModelEntity&) = default;
 };
 

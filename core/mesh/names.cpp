@@ -11,10 +11,13 @@ const char* entity_plural(int dimension) {
   return names[dimension];
 }
 
-std::string relation_name(int i, int j) { return "T(" + std::to_string(i) + "," + std::to_string(j) + ")"; }
+std::string relation_name(int i, int j) {
+  return "T(" + std::to_string(i) + "," + std::to_string(j) + ")";
+}
 
 std::string capitalized(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
 

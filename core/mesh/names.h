@@ -1,5 +1,6 @@
 #pragma once
-// What entities and relations are called in messages; model entities: name_of() in core/model/model.h.
+// What entities and relations are called in messages; model entities: name_of() in
+// core/model/model.h.
 
 #include <string>
 

@@ -30,7 +30,8 @@ class Part {
   }
 
   void take_sides(EntityRef e, int level) {
-    if (!mesh_.complete(level) || explain(mesh_, e.dimension, level).kind == AdjacencyPath::Kind::None)
+    if (!mesh_.complete(level) ||
+        explain(mesh_, e.dimension, level).kind == AdjacencyPath::Kind::None)
       return;
     adjacent(mesh_, e, level, ids_);
     for (const std::uint32_t id : ids_)
@@ -66,6 +67,8 @@ class Part {
 
 }  // namespace
 
-MeshData part_of(const Mesh& mesh, std::span<const EntityRef> entities) { return Part(mesh, entities).run(); }
+MeshData part_of(const Mesh& mesh, std::span<const EntityRef> entities) {
+  return Part(mesh, entities).run();
+}
 
 }  // namespace aomd

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 namespace {
 
-// Block sizes: every number up to 16, then two an octave, so that typical rows fit exactly and 6 bits name
-// them all.
+// Block sizes: every number up to 16, then two an octave, so that typical rows fit exactly and 6
+// bits name them all.
 constexpr std::array<std::uint32_t, 64> block_sizes = [] {
   std::array<std::uint32_t, 64> sizes{};
   for (std::uint32_t i = 0; i < 64; ++i) {

@@ -1,14 +1,14 @@
 #pragma once
-// One stored adjacency T(I,J): rows of indices. Downward rows (I > J) have a fixed length by shape; upward
-// rows (I < J) grow and shrink in a pool and are always sorted, so that they depend on the mesh alone, never
-// on the order of the edits that led to it.
+// One stored adjacency T(I,J): rows of indices. Downward rows (I > J) have a fixed length by shape;
+// upward rows (I < J) grow and shrink in a pool and are always sorted, so that they depend on the
+// mesh alone, never on the order of the edits that led to it.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/base/raw_vector.h"
 #include "core/mesh/handle.h"
-#include "core/mesh/raw_vector.h"
 
 namespace aomd {
 
@@ -52,11 +52,15 @@ class DownRows {
   [[nodiscard]] const std::uint32_t* row(std::uint32_t i) const {
     return data_.data() + std::size_t{i} * stride_;
   }
-  [[nodiscard]] std::uint32_t* row(std::uint32_t i) { return data_.data() + std::size_t{i} * stride_; }
+  [[nodiscard]] std::uint32_t* row(std::uint32_t i) {
+    return data_.data() + std::size_t{i} * stride_;
+  }
   /// Bit k: the row's k-th entity is used in its own direction. Kept for T(2,1) and T(3,2) only.
   [[nodiscard]] std::uint16_t directions(std::uint32_t i) const { return directions_[i]; }
   void set_directions(std::uint32_t i, std::uint16_t bits) { directions_[i] = bits; }
-  [[nodiscard]] std::size_t bytes() const { return data_.capacity() * 4 + directions_.capacity() * 2; }
+  [[nodiscard]] std::size_t bytes() const {
+    return data_.capacity() * 4 + directions_.capacity() * 2;
+  }
 
   /// Rows to be filled: no_index first, or nothing where every place is written anyway.
   void allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions, bool fill = true);
@@ -72,7 +76,8 @@ class DownRows {
   bool with_directions_ = false;
 };
 
-/// Upward rows, sorted. insert and erase cost O(row). Blocks that a grown row leaves behind are used again.
+/// Upward rows, sorted. insert and erase cost O(row). Blocks that a grown row leaves behind are
+/// used again.
 class UpRows {
  public:
   static constexpr std::uint32_t max_row_size = (1u << 26) - 1;
@@ -86,8 +91,8 @@ class UpRows {
   [[nodiscard]] std::size_t entries() const { return entries_; }
   [[nodiscard]] std::size_t rows() const { return heads_.size(); }
 
-  /// Makes rows of the given sizes and returns the pool that holds them, to be filled in ascending order of
-  /// values: `sizes[i]` becomes the place of row i in it. O(rows + entries).
+  /// Makes rows of the given sizes and returns the pool that holds them, to be filled in ascending
+  /// order of values: `sizes[i]` becomes the place of row i in it. O(rows + entries).
   std::uint32_t* allocate(std::span<std::uint32_t> sizes);
   void resize(std::uint32_t rows);
   /// Room for edits to come, so that the first of them does not move all rows. O(entries).

@@ -12,7 +12,9 @@ namespace aomd {
 /// Which relations are stored, who wants them, and their rows. Mesh owns one and keeps it true.
 class Representation {
  public:
-  [[nodiscard]] bool stored(int i, int j) const { return i > j ? down(i, j).stored() : up(i, j).stored(); }
+  [[nodiscard]] bool stored(int i, int j) const {
+    return i > j ? down(i, j).stored() : up(i, j).stored();
+  }
   [[nodiscard]] std::size_t bytes(int i, int j) const {
     return i > j ? down(i, j).bytes() : up(i, j).bytes();
   }
@@ -27,7 +29,9 @@ class Representation {
   [[nodiscard]] double average_row(int i, int j) const {
     if (i > j) return down(i, j).stride();
     const UpRows& rows = up(i, j);
-    return rows.rows() == 0 ? 0 : static_cast<double>(rows.entries()) / static_cast<double>(rows.rows());
+    return rows.rows() == 0
+               ? 0
+               : static_cast<double>(rows.entries()) / static_cast<double>(rows.rows());
   }
 
   /// Who keeps a relation alive: the user (set), algorithms (requests), or both.
@@ -62,7 +66,9 @@ class Representation {
     constexpr std::uint8_t places[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 4, 5, 0};
     return places[at(high, low)];
   }
-  static constexpr std::size_t at(int i, int j) { return static_cast<std::size_t>(4 * i + j) & 15u; }
+  static constexpr std::size_t at(int i, int j) {
+    return static_cast<std::size_t>(4 * i + j) & 15u;
+  }
 
   std::array<DownRows, 6> down_;
   std::array<UpRows, 6> up_;

@@ -10,7 +10,8 @@ class Request {
  public:
   Request() = default;
   Request(Mesh& mesh, int i, int j, const char* by) : mesh_(&mesh), i_(i), j_(j), by_(by) {}
-  Request(Request&& other) noexcept : mesh_(other.mesh_), i_(other.i_), j_(other.j_), by_(other.by_) {
+  Request(Request&& other) noexcept
+      : mesh_(other.mesh_), i_(other.i_), j_(other.j_), by_(other.by_) {
     other.mesh_ = nullptr;
   }
   Request& operator=(Request&& other) noexcept;

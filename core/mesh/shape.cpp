@@ -29,22 +29,26 @@ VertexSet vertex_set(const SubEntity& sub) {
 }
 
 void require(bool condition, const ShapeTemplate& shape, const char* what) {
-  if (!condition) throw std::invalid_argument("template \"" + std::string(shape.name) + "\": " + what);
+  if (!condition)
+    throw std::invalid_argument("template \"" + std::string(shape.name) + "\": " + what);
 }
 
 // Positions in range and different, no lower entity twice.
 void check_subs(const ShapeTemplate& shape, int dim) {
   for (int i = 0; i < shape.count(dim); ++i) {
     const SubEntity& sub = shape.sub(dim, i);
-    require(static_cast<std::size_t>(sub.shape) < shape_count() && shape_template(sub.shape).dimension == dim,
+    require(static_cast<std::size_t>(sub.shape) < shape_count() &&
+                shape_template(sub.shape).dimension == dim,
             shape, "a lower entity has a shape of another dimension");
     const int n = shape_template(sub.shape).vertex_count;
     for (int k = 0; k < n; ++k)
       require(sub.vertices[static_cast<std::size_t>(k)] < shape.vertex_count, shape,
               "a position is out of range");
-    require(vertex_set(sub).count() == static_cast<std::size_t>(n), shape, "a lower entity repeats a vertex");
+    require(vertex_set(sub).count() == static_cast<std::size_t>(n), shape,
+            "a lower entity repeats a vertex");
     for (int k = 0; k < i; ++k)
-      require(vertex_set(shape.sub(dim, k)) != vertex_set(sub), shape, "a lower entity is listed twice");
+      require(vertex_set(shape.sub(dim, k)) != vertex_set(sub), shape,
+              "a lower entity is listed twice");
   }
 }
 
@@ -58,18 +62,22 @@ bool has_edge(const ShapeTemplate& shape, std::uint8_t a, std::uint8_t b) {
 void check(const ShapeTemplate& shape) {
   require(shape.dimension == 2 || shape.dimension == 3, shape, "the dimension is 2 or 3");
   const bool face = shape.dimension == 2;
-  require(shape.vertex_count >= 3 && shape.vertex_count <= (face ? max_face_vertices : max_shape_vertices),
+  require(shape.vertex_count >= 3 &&
+              shape.vertex_count <= (face ? max_face_vertices : max_shape_vertices),
           shape, "too few or too many vertices");
-  require(shape.edge_count >= 3 && shape.edge_count <= max_shape_edges, shape, "too few or too many edges");
-  require(face ? shape.face_count == 0 : shape.face_count >= 3 && shape.face_count <= max_shape_faces, shape,
-          "too few or too many faces");
+  require(shape.edge_count >= 3 && shape.edge_count <= max_shape_edges, shape,
+          "too few or too many edges");
+  require(
+      face ? shape.face_count == 0 : shape.face_count >= 3 && shape.face_count <= max_shape_faces,
+      shape, "too few or too many faces");
   check_subs(shape, 1);
   check_subs(shape, 2);
   for (int k = 0; face && k < shape.vertex_count; ++k)
-    require(shape.edge_count == shape.vertex_count &&
-                shape.edges[static_cast<std::size_t>(k)].vertices[0] == k &&
-                shape.edges[static_cast<std::size_t>(k)].vertices[1] == (k + 1) % shape.vertex_count,
-            shape, "edge k of a face joins its vertices k and k + 1");
+    require(
+        shape.edge_count == shape.vertex_count &&
+            shape.edges[static_cast<std::size_t>(k)].vertices[0] == k &&
+            shape.edges[static_cast<std::size_t>(k)].vertices[1] == (k + 1) % shape.vertex_count,
+        shape, "edge k of a face joins its vertices k and k + 1");
   for (int i = 0; i < shape.face_count; ++i) {
     const SubEntity& f = shape.sub(2, i);
     const int n = shape_template(f.shape).vertex_count;
@@ -109,23 +117,24 @@ constinit std::array<ShapeTemplate, max_shapes> detail::shape_templates = {{
      5,
      8,
      5,
-     {edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0), edge(0, 4), edge(1, 4), edge(2, 4), edge(3, 4)},
+     {edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0), edge(0, 4), edge(1, 4), edge(2, 4),
+      edge(3, 4)},
      {quad(0, 3, 2, 1), tri(0, 1, 4), tri(1, 2, 4), tri(2, 3, 4), tri(3, 0, 4)}},
     {"prism",
      3,
      6,
      9,
      5,
-     {edge(0, 1), edge(1, 2), edge(2, 0), edge(3, 4), edge(4, 5), edge(5, 3), edge(0, 3), edge(1, 4),
-      edge(2, 5)},
+     {edge(0, 1), edge(1, 2), edge(2, 0), edge(3, 4), edge(4, 5), edge(5, 3), edge(0, 3),
+      edge(1, 4), edge(2, 5)},
      {tri(0, 2, 1), tri(3, 4, 5), quad(0, 1, 4, 3), quad(1, 2, 5, 4), quad(2, 0, 3, 5)}},
     {"hexahedron",
      3,
      8,
      12,
      6,
-     {edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0), edge(4, 5), edge(5, 6), edge(6, 7), edge(7, 4),
-      edge(0, 4), edge(1, 5), edge(2, 6), edge(3, 7)},
+     {edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0), edge(4, 5), edge(5, 6), edge(6, 7),
+      edge(7, 4), edge(0, 4), edge(1, 5), edge(2, 6), edge(3, 7)},
      {quad(0, 3, 2, 1), quad(4, 5, 6, 7), quad(0, 1, 5, 4), quad(1, 2, 6, 5), quad(2, 3, 7, 6),
       quad(3, 0, 4, 7)}},
 }};
@@ -144,7 +153,8 @@ Shape add_template(ShapeTemplate shape) {
 void override_template(Shape shape, ShapeTemplate replacement) {
   const ShapeTemplate& present = shape_template(shape);
   check(replacement);
-  require(static_cast<std::size_t>(shape) < shape_count() && replacement.dimension == present.dimension &&
+  require(static_cast<std::size_t>(shape) < shape_count() &&
+              replacement.dimension == present.dimension &&
               replacement.vertex_count == present.vertex_count,
           replacement, "dimension and vertex count must stay");
   detail::shape_templates[static_cast<std::size_t>(shape)] = std::move(replacement);

@@ -8,7 +8,16 @@
 namespace aomd {
 
 /// The type of an entity. Values from `builtin_shapes` on belong to templates that a program adds.
-enum class Shape : std::uint8_t { Point, Line, Triangle, Quad, Tetrahedron, Pyramid, Prism, Hexahedron };
+enum class Shape : std::uint8_t {
+  Point,
+  Line,
+  Triangle,
+  Quad,
+  Tetrahedron,
+  Pyramid,
+  Prism,
+  Hexahedron
+};
 
 inline constexpr std::size_t builtin_shapes = 8;
 inline constexpr std::size_t max_shapes = 32;
@@ -23,7 +32,8 @@ struct SubEntity {
   std::array<std::uint8_t, max_face_vertices> vertices{};
 };
 
-/// One template: the lower entities of a shape, oriented as in Gmsh and VTK (faces of a region look outward).
+/// One template: the lower entities of a shape, oriented as in Gmsh and VTK (faces of a region look
+/// outward).
 struct ShapeTemplate {
   std::string_view name;  ///< must outlive the program's use of the template
   int dimension = 0;
@@ -54,22 +64,24 @@ extern std::array<ShapeTemplate, max_shapes> shape_templates;
 /// How many shapes there are: the built-in ones and those added so far.
 [[nodiscard]] std::size_t shape_count();
 
-/// Adds a template for faces or regions and returns its shape. Templates are shared by all meshes of the
-/// program and not locked: add them before meshes use them. Throws std::invalid_argument when the template
-/// contradicts itself (limits above, positions out of range, a face that does not follow the edges, edges or
-/// faces listed twice) and std::length_error when all max_shapes are taken.
+/// Adds a template for faces or regions and returns its shape. Templates are shared by all meshes
+/// of the program and not locked: add them before meshes use them. Throws std::invalid_argument
+/// when the template contradicts itself (limits above, positions out of range, a face that does not
+/// follow the edges, edges or faces listed twice) and std::length_error when all max_shapes are
+/// taken.
 Shape add_template(ShapeTemplate shape);
-/// Replaces the template of a shape that no mesh uses, a built-in one included: to number its lower entities
-/// differently. Vertex count and dimension must stay. Throws as add_template does.
+/// Replaces the template of a shape that no mesh uses, a built-in one included: to number its lower
+/// entities differently. Vertex count and dimension must stay. Throws as add_template does.
 void override_template(Shape shape, ShapeTemplate replacement);
 
-/// The face shape with `n` vertices: triangle, quad, or the first added one. Throws std::invalid_argument
-/// where there is none.
+/// The face shape with `n` vertices: triangle, quad, or the first added one. Throws
+/// std::invalid_argument where there is none.
 [[nodiscard]] Shape face_shape(std::size_t n);
 
-/// For each vertex of a template, the set of lower entities of dimension `dim` on which it lies: bit i for
-/// the i-th. Where the sets differ, the vertices can be told from those entities alone.
-[[nodiscard]] std::array<std::uint32_t, max_shape_vertices> side_masks(const ShapeTemplate& shape, int dim);
+/// For each vertex of a template, the set of lower entities of dimension `dim` on which it lies:
+/// bit i for the i-th. Where the sets differ, the vertices can be told from those entities alone.
+[[nodiscard]] std::array<std::uint32_t, max_shape_vertices> side_masks(const ShapeTemplate& shape,
+                                                                       int dim);
 /// True where they differ and none is empty.
 [[nodiscard]] bool told_by_sides(const ShapeTemplate& shape, int dim);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Lower entities looked up by their vertices in bulk: what building T(2,1), T(3,1) and T(3,2) is made of.
+// Lower entities looked up by their vertices in bulk: what building T(2,1), T(3,1) and T(3,2) is
+// made of.
 
 #include <algorithm>
 #include <array>
@@ -12,10 +13,10 @@
 #include <emmintrin.h>
 #endif
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
+#include "core/base/raw_vector.h"
 #include "core/mesh/entity_hash.h"
 #include "core/mesh/handle.h"
-#include "core/mesh/raw_vector.h"
 #include "core/mesh/shape.h"
 
 namespace aomd {
@@ -43,9 +44,9 @@ struct EdgeKey {
       : low(std::min(from, to)), tag(std::max(from, to)), forward(from < to) {}
 };
 
-/// By what faces are told apart: a triangle by its vertices, exactly; another polygon by a hash of them, so
-/// that a hit needs a second look. `forward`: round from the smallest vertex, the smaller of its neighbours
-/// first.
+/// By what faces are told apart: a triangle by its vertices, exactly; another polygon by a hash of
+/// them, so that a hit needs a second look. `forward`: round from the smallest vertex, the smaller
+/// of its neighbours first.
 struct FaceKey {
   using Tag = std::uint64_t;
   std::uint32_t low;
@@ -55,7 +56,8 @@ struct FaceKey {
   // Without branches: which of three is smallest cannot be foretold.
   FaceKey(std::uint32_t a, std::uint32_t b, std::uint32_t c) : low(std::min(std::min(a, b), c)) {
     const std::uint32_t high = std::max(std::max(a, b), c), middle = a ^ b ^ c ^ low ^ high;
-    forward = ((a == low) & (b == middle)) | ((b == low) & (c == middle)) | ((c == low) & (a == middle));
+    forward =
+        ((a == low) & (b == middle)) | ((b == low) & (c == middle)) | ((c == low) & (a == middle));
     tag = Tag{middle} << 32 | high;
   }
   explicit FaceKey(std::span<const std::uint32_t> v) : FaceKey(v[0], v[1], v[2]) {
@@ -80,8 +82,8 @@ struct FaceKey {
 #endif
 }
 
-/// The entities of one level, sorted by smallest vertex. Building is a counting sort; finding reads one byte
-/// of each entity at the smallest vertex, 16 at a time, and then the one that is meant.
+/// The entities of one level, sorted by smallest vertex. Building is a counting sort; finding reads
+/// one byte of each entity at the smallest vertex, 16 at a time, and then the one that is meant.
 template <typename Key>
 class SideIndex {
  public:
@@ -98,8 +100,8 @@ class SideIndex {
     std::uint32_t bits_ = no_index;
   };
 
-  /// `each(visit)` calls visit(id, Key) for every entity, the same on both of its calls. Of equal entities
-  /// find() meets the one visited first. Ids lie below 2^31.
+  /// `each(visit)` calls visit(id, Key) for every entity, the same on both of its calls. Of equal
+  /// entities find() meets the one visited first. Ids lie below 2^31.
   template <typename Each>
   SideIndex(std::uint32_t vertices, std::size_t entities, Each&& each)
       : begin_(vertices + std::size_t{2}, 0), bytes_(entities + 15), entries_(entities) {

@@ -110,7 +110,9 @@ class Verifier {
   }
 
   struct Hasher {
-    std::size_t operator()(const Ids& key) const { return static_cast<std::size_t>(EntityHash::key(key)); }
+    std::size_t operator()(const Ids& key) const {
+      return static_cast<std::size_t>(EntityHash::key(key));
+    }
   };
 
   void collect(int dim) {
@@ -162,21 +164,23 @@ class Verifier {
     const std::uint32_t side = mesh_.representation().down(e.dimension, k).row(e.index)[i];
     if (side != expected)
       return report("wrong side", e,
-                    name_of(e) + " names " + name_of(EntityRef(k, side)) + " where its vertices say " +
-                        name_of(EntityRef(k, expected)));
+                    name_of(e) + " names " + name_of(EntityRef(k, side)) +
+                        " where its vertices say " + name_of(EntityRef(k, expected)));
     if (k + 1 == e.dimension) check_direction(e, k, i, side);
   }
 
   void check_direction(EntityRef e, int k, std::size_t i, std::uint32_t side) {
     VertexBuffer buffer, own_buffer;
     const auto v = mesh_.vertices_of(e, buffer);
-    const SideVertices expected(shape_template(mesh_.shape(e)).sub(k, static_cast<int>(i)), v.data());
+    const SideVertices expected(shape_template(mesh_.shape(e)).sub(k, static_cast<int>(i)),
+                                v.data());
     const auto own = mesh_.vertices_of(EntityRef(k, side), own_buffer);
     Ids turned(expected.span().begin(), expected.span().end());
     std::rotate(turned.begin(), std::find(turned.begin(), turned.end(), own[0]), turned.end());
     const bool along =
         k == 1 ? expected.ids[0] == own[0] : std::equal(own.begin(), own.end(), turned.begin());
-    const bool stored = (mesh_.representation().down(e.dimension, k).directions(e.index) >> i & 1u) != 0;
+    const bool stored =
+        (mesh_.representation().down(e.dimension, k).directions(e.index) >> i & 1u) != 0;
     if (stored != along)
       report("wrong use direction", e,
              name_of(e) + " uses " + name_of(EntityRef(k, side)) + " the other way round");
@@ -214,8 +218,9 @@ class Verifier {
       each(dim, [&](EntityRef e) {
         const ModelRef m = mesh_.classification(e);
         if (!m.may_classify(dim))
-          report("classification order", e,
-                 name_of(e) + " is on a model entity of dimension " + std::to_string(m.dimension()));
+          report(
+              "classification order", e,
+              name_of(e) + " is on a model entity of dimension " + std::to_string(m.dimension()));
         for (int k = 0; m.valid() && k < dim; ++k) check_closure(e, k, m);
       });
   }
@@ -241,7 +246,8 @@ class Verifier {
       if (id >= mesh_.capacity(dim) || !mesh_.alive(e) || found[id]++)
         report("hash set", e, "the hash set holds " + name_of(e) + ", which it should not");
       else if (mesh_.hash(dim).key_of(id) != EntityHash::key(mesh_.vertices_of(e, buffer)))
-        report("hash set", e, "the hash set holds " + name_of(e) + " under the key of other vertices");
+        report("hash set", e,
+               "the hash set holds " + name_of(e) + " under the key of other vertices");
     });
     each(dim, [&](EntityRef e) {
       if (!found[e.index]) report("hash set", e, name_of(e) + " is missing from the hash set");
@@ -257,7 +263,8 @@ class Verifier {
           const EntityRef e(dim, id);
           ++listed;
           if (!mesh_.alive(e) || mesh_.classification(e) != model)
-            report("class list", e, name_of(e) + " is in the list of a model entity that it is not on");
+            report("class list", e,
+                   name_of(e) + " is in the list of a model entity that it is not on");
         }
       if (listed != mesh_.count(dim))
         report("class list", EntityRef(dim, no_index),
@@ -267,8 +274,9 @@ class Verifier {
 
   const Mesh& mesh_;
   VerifyOptions options_;
-  std::array<std::unordered_map<Ids, std::uint32_t, Hasher>, 4> known_;  ///< by sorted vertices; smallest id
-  std::map<std::uint32_t, std::uint32_t> repeated_;                      ///< faces: the first one, another
+  std::array<std::unordered_map<Ids, std::uint32_t, Hasher>, 4>
+      known_;                                        ///< by sorted vertices; smallest id
+  std::map<std::uint32_t, std::uint32_t> repeated_;  ///< faces: the first one, another
   std::vector<Finding> findings_;
 };
 

@@ -19,23 +19,25 @@ struct VerifyOptions {
   bool unused = false;  ///< report entities that no higher one uses
 };
 
-/// Checks everything that T stores against the entities' vertices, and returns what is wrong. An empty result
-/// means:
+/// Checks everything that T stores against the entities' vertices, and returns what is wrong. An
+/// empty result means:
 ///  - "dead reference", "repeated vertex": entities use living, different ones;
 ///  - "not finite": coordinates are numbers;
-///  - "duplicate edge", "duplicate region": no two on the same vertices; "duplicate face": none under a
-///  region;
+///  - "duplicate edge", "duplicate region": no two on the same vertices; "duplicate face": none
+///  under a region;
 ///  - "missing edge", "missing face": a complete level has all sides of all higher entities;
 ///  - "wrong side", "wrong use direction": T(2,1), T(3,1) and T(3,2) agree with the vertices;
 ///  - "upward list": T(I,J), I < J, holds just what the entities say, sorted;
 ///  - "classification order": M^I on G^J only if J >= I (paper, section 2.1);
-///  - "classification closure": no entity is on a model entity of higher dimension than one that it bounds;
+///  - "classification closure": no entity is on a model entity of higher dimension than one that it
+///  bounds;
 ///  - "class list": the lists of model entities agree with the entities;
 ///  - "id stack": every id is alive or on the stack, once;
 ///  - "hash set": existence queries find every entity under its own key, and nothing else.
-/// Edges with any number of faces and repeated faces of surfaces are legal, and so is what nothing uses
-/// (scans leave thousands of vertices) unless it is asked for:
-///  - "isolated vertex", "dangling edge", "dangling face": below the highest level, and a side of nothing.
+/// Edges with any number of faces and repeated faces of surfaces are legal, and so is what nothing
+/// uses (scans leave thousands of vertices) unless it is asked for:
+///  - "isolated vertex", "dangling edge", "dangling face": below the highest level, and a side of
+///  nothing.
 /// O(entities).
 [[nodiscard]] std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options = {});
 

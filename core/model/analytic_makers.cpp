@@ -12,8 +12,8 @@ Frame at_height(double z) { return Frame::around({0, 0, z}, up); }
 ModelRef edge(std::int32_t tag) { return {1, tag}; }
 ModelRef face(std::int32_t tag) { return {2, tag}; }
 
-// The eight vertices, twelve edges and six sides of a box around the origin. Corner i has the high x, y, z
-// where bit 0, 1, 2 of i is set.
+// The eight vertices, twelve edges and six sides of a box around the origin. Corner i has the high
+// x, y, z where bit 0, 1, 2 of i is set.
 class BoxParts {
  public:
   explicit BoxParts(const glm::dvec3& size) : half_(0.5 * size) {
@@ -40,7 +40,8 @@ class BoxParts {
   void add_side(int axis, int high) {
     glm::dvec3 outward(0);
     outward[axis] = high ? 1 : -1;
-    AnalyticEntity side{2 * axis + high + 1, PlaneShape{Frame::around(half_ * outward, outward)}, {}};
+    AnalyticEntity side{
+        2 * axis + high + 1, PlaneShape{Frame::around(half_ * outward, outward)}, {}};
     for (std::size_t k = 0; k < edges_.size(); ++k)
       if ((edges_[k][0] >> axis & 1) == high && (edges_[k][1] >> axis & 1) == high)
         side.boundary.push_back(edge(static_cast<std::int32_t>(k) + 1));
@@ -74,7 +75,8 @@ AnalyticModel torus_model(double major, double minor) {
 AnalyticModel drilled_box_model(const glm::dvec3& size, double hole_radius) {
   std::vector<AnalyticEntity> entities = BoxParts(size).take();
   for (AnalyticEntity& e : entities)
-    if (std::holds_alternative<PlaneShape>(e.shape) && e.tag >= 5) e.boundary.push_back(edge(e.tag + 8));
+    if (std::holds_alternative<PlaneShape>(e.shape) && e.tag >= 5)
+      e.boundary.push_back(edge(e.tag + 8));
   entities.push_back({13, ArcShape{at_height(-0.5 * size.z), hole_radius}, {}});
   entities.push_back({14, ArcShape{at_height(0.5 * size.z), hole_radius}, {}});
   entities.push_back({7, CylinderShape{Frame(), hole_radius}, {edge(13), edge(14)}});

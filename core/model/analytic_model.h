@@ -12,14 +12,16 @@ namespace aomd {
 struct Frame {
   glm::dvec3 origin{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
-  /// z along `axis` (any length but 0); x as near as can be to `toward`, or any where that is parallel.
+  /// z along `axis` (any length but 0); x as near as can be to `toward`, or any where that is
+  /// parallel.
   [[nodiscard]] static Frame around(const glm::dvec3& origin, const glm::dvec3& axis,
                                     const glm::dvec3& toward = {1, 0, 0});
   /// The point at distance `radius` from the origin, `angle` radians from x towards y.
   [[nodiscard]] glm::dvec3 on_circle(double radius, double angle) const;
 };
 
-// The shapes of entities, each with its parameters (lengths in units of the model, angles in radians).
+// The shapes of entities, each with its parameters (lengths in units of the model, angles in
+// radians).
 
 /// A model vertex.
 struct PointShape {
@@ -34,7 +36,8 @@ struct ArcShape {
   Frame frame;
   double radius = 1;
   double from = 0,
-         to = 6.283185307179586476925;  ///< from < to <= from + 2 pi: a full circle when equal to it
+         to =
+             6.283185307179586476925;  ///< from < to <= from + 2 pi: a full circle when equal to it
 };
 /// The x-y plane of the frame; parameters x and y; normal z.
 struct PlaneShape {
@@ -45,8 +48,8 @@ struct CylinderShape {
   Frame frame;
   double radius = 1;
 };
-/// The nappe of a cone that opens from its apex, the origin, towards z; parameters angle and z; the normal
-/// points away from the axis (at the apex: against z).
+/// The nappe of a cone that opens from its apex, the origin, towards z; parameters angle and z; the
+/// normal points away from the axis (at the apex: against z).
 struct ConeShape {
   Frame frame;
   double half_angle = 0.5;  ///< between axis and surface, more than 0 and less than pi / 2
@@ -56,7 +59,8 @@ struct SphereShape {
   Frame frame;
   double radius = 1;
 };
-/// A torus around z; parameters the angle around z and, in the tube, from its outermost circle towards z.
+/// A torus around z; parameters the angle around z and, in the tube, from its outermost circle
+/// towards z.
 struct TorusShape {
   Frame frame;
   double major = 1, minor = 0.25;  ///< radius of the tube's centre line, of the tube; major > minor
@@ -64,8 +68,8 @@ struct TorusShape {
 /// A model region has no shape of its own.
 struct RegionShape {};
 
-using AnalyticShape = std::variant<PointShape, SegmentShape, ArcShape, PlaneShape, CylinderShape, ConeShape,
-                                   SphereShape, TorusShape, RegionShape>;
+using AnalyticShape = std::variant<PointShape, SegmentShape, ArcShape, PlaneShape, CylinderShape,
+                                   ConeShape, SphereShape, TorusShape, RegionShape>;
 
 struct AnalyticEntity {
   std::int32_t tag = 0;
@@ -73,9 +77,10 @@ struct AnalyticEntity {
   std::vector<ModelRef> boundary;
 };
 
-/// A modeler over formulas: closest points, normals and parametrisations to rounding, in constant time.
-/// Curves end at their ends; surfaces have no border: a face gives the closest point of the whole surface
-/// that it lies on, and its box may be larger than what is bounded. Infinite surfaces add nothing to boxes.
+/// A modeler over formulas: closest points, normals and parametrisations to rounding, in constant
+/// time. Curves end at their ends; surfaces have no border: a face gives the closest point of the
+/// whole surface that it lies on, and its box may be larger than what is bounded. Infinite surfaces
+/// add nothing to boxes.
 class AnalyticModel final : public Model {
  public:
   /// Throws std::invalid_argument as Model does, and for radii and angles out of range.
@@ -85,22 +90,24 @@ class AnalyticModel final : public Model {
   [[nodiscard]] ClosestPoint closest_on(std::size_t index, const glm::dvec3& point) const override;
   [[nodiscard]] glm::dvec3 normal_of(std::size_t index, const glm::dvec3& point) const override;
   [[nodiscard]] std::optional<ParameterRange> range_of(std::size_t index) const override;
-  [[nodiscard]] glm::dvec3 evaluate_at(std::size_t index, const glm::dvec2& parameters) const override;
+  [[nodiscard]] glm::dvec3 evaluate_at(std::size_t index,
+                                       const glm::dvec2& parameters) const override;
   [[nodiscard]] Box box_of(std::size_t index) const override;
 
   std::vector<AnalyticShape> shapes_;  ///< by entity
 };
 
-/// A cylinder around z with flat ends at z = 0 and `height`: its side is face 1, the ends 2 and 3, their
-/// circles edges 1 and 2, all of it region 1. The sample "cylinder" lies on it (radius 1, height 2).
+/// A cylinder around z with flat ends at z = 0 and `height`: its side is face 1, the ends 2 and 3,
+/// their circles edges 1 and 2, all of it region 1. The sample "cylinder" lies on it (radius 1,
+/// height 2).
 [[nodiscard]] AnalyticModel cylinder_model(double radius, double height);
 /// A sphere around the origin: face 1, region 1.
 [[nodiscard]] AnalyticModel sphere_model(double radius);
 /// A torus around z: face 1, region 1.
 [[nodiscard]] AnalyticModel torus_model(double major, double minor);
-/// A box from `-size / 2` to `size / 2` with a hole around z: faces 1 to 6 are the sides at low x, high x,
-/// low y, high y, low z, high z; face 7 the hole; edges 1 to 12 and vertices 1 to 8 those of the box, edges
-/// 13 and 14 the circles at low and high z; region 1.
+/// A box from `-size / 2` to `size / 2` with a hole around z: faces 1 to 6 are the sides at low x,
+/// high x, low y, high y, low z, high z; face 7 the hole; edges 1 to 12 and vertices 1 to 8 those
+/// of the box, edges 13 and 14 the circles at low and high z; region 1.
 [[nodiscard]] AnalyticModel drilled_box_model(const glm::dvec3& size, double hole_radius);
 
 }  // namespace aomd

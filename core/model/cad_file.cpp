@@ -10,22 +10,20 @@
 #include <iterator>
 #include <string_view>
 
+#include "core/base/text.h"
 #include "core/model/gmsh_model.h"
 
 namespace aomd {
 namespace {
 
 std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower(std::filesystem::path(path).extension().string());
 }
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// A script's words that reach beyond the model. Comments and strings are searched too: refusing one that is
-// harmless costs little.
+// A script's words that reach beyond the model. Comments and strings are searched too: refusing one
+// that is harmless costs little.
 std::string_view forbidden_word(std::string_view text) {
   constexpr std::array<std::string_view, 12> forbidden{"SystemCall", "NonBlockingSystemCall",
                                                        "OnelabRun",  "Include",
@@ -46,7 +44,8 @@ std::string_view forbidden_word(std::string_view text) {
 }  // namespace
 
 bool is_cad_file(const std::string& path) {
-  constexpr std::array<std::string_view, 6> known{".step", ".stp", ".brep", ".iges", ".igs", ".geo"};
+  constexpr std::array<std::string_view, 6> known{".step", ".stp", ".brep",
+                                                  ".iges", ".igs", ".geo"};
   return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
 }
 
@@ -60,8 +59,9 @@ void check_cad_file(const std::string& path) {
   if (extension_of(path) != ".geo") return;
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (const std::string_view word = forbidden_word(text); !word.empty())
-    throw ModelError(path + ":" + std::to_string(1 + std::count(text.data(), word.data(), '\n')) + ": uses " +
-                     std::string(word) + ", which is not run; let Gmsh write the model as .brep or .step");
+    throw ModelError(path + ":" + std::to_string(1 + std::count(text.data(), word.data(), '\n')) +
+                     ": uses " + std::string(word) +
+                     ", which is not run; let Gmsh write the model as .brep or .step");
 }
 
 std::string in_file(const std::string& path, std::string what) {

@@ -5,8 +5,9 @@
 
 namespace aomd {
 
-/// Throws ModelError where a CAD file has an unknown extension, cannot be read, or is a .geo script that does
-/// more than describe a model: starts programs, reads or writes files, or ends the process.
+/// Throws ModelError where a CAD file has an unknown extension, cannot be read, or is a .geo script
+/// that does more than describe a model: starts programs, reads or writes files, or ends the
+/// process.
 void check_cad_file(const std::string& path);
 
 /// What Gmsh says is wrong with a file, as one line "FILE:LINE: what" or "FILE: what".

@@ -112,7 +112,8 @@ class ClassEditor {
   void settle_end(Vertex v) {
     if (is_point(v)) return;
     const CurveEnds ends = curve(v);
-    const bool passes = ends.count == 2 && classes_.of(ends.edges[0]) == classes_.of(ends.edges[1]) &&
+    const bool passes = ends.count == 2 &&
+                        classes_.of(ends.edges[0]) == classes_.of(ends.edges[1]) &&
                         !curve_turns(mesh_, v, ends, corner_, on_curve());
     classes_.set(v, passes ? classes_.of(ends.edges[0]) : fresh(0));
   }
@@ -121,7 +122,8 @@ class ClassEditor {
   void release_end(Vertex v) {
     const CurveEnds ends = curve(v);
     if (ends.count == 0) {
-      if (const ModelRef around = lowest_around(v); one_around(v, around)) return classes_.set(v, around);
+      if (const ModelRef around = lowest_around(v); one_around(v, around))
+        return classes_.set(v, around);
     } else if (ends.count == 2 && classes_.of(ends.edges[0]) == classes_.of(ends.edges[1]) &&
                !curve_turns(mesh_, v, ends, corner_, on_curve())) {
       return classes_.set(v, classes_.of(ends.edges[0]));
@@ -172,8 +174,8 @@ class ClassEditor {
     return parts;
   }
 
-  /// The edges of a model edge that are connected with one, not through model vertices. `class_of` tells what
-  /// entities lie on, before or after.
+  /// The edges of a model edge that are connected with one, not through model vertices. `class_of`
+  /// tells what entities lie on, before or after.
   template <typename ClassOf>
   std::vector<Edge> piece(Edge seed, const ClassOf& class_of) const {
     std::vector<Edge> edges{seed};
@@ -192,8 +194,8 @@ class ClassEditor {
     Edge least;
   };
 
-  // What was one piece of a model edge and now is several: the longest keeps the tag. `chained` is a model
-  // edge whose pieces are all new.
+  // What was one piece of a model edge and now is several: the longest keeps the tag. `chained` is
+  // a model edge whose pieces are all new.
   void name_pieces(const std::set<Edge>& at, std::optional<ModelRef> chained) {
     const auto now = [&](EntityRef e) { return classes_.of(e); };
     const auto before = [&](EntityRef e) { return mesh_.classification(e); };
@@ -265,12 +267,14 @@ std::int32_t free_tag(const Mesh& mesh, int dimension) {
   return highest + 1;
 }
 
-ClassOverlay promote(const Mesh& mesh, std::span<const EntityRef> entities, double corner_angle_deg) {
+ClassOverlay promote(const Mesh& mesh, std::span<const EntityRef> entities,
+                     double corner_angle_deg) {
   std::set<Edge> edges;
   std::set<Vertex> vertices;
   for (const EntityRef e : entities) {
     if (e.dimension == 1 && mesh.classification(e).dimension() > 1) edges.insert(Edge(e.index));
-    if (e.dimension == 0 && mesh.classification(e).dimension() > 0) vertices.insert(Vertex(e.index));
+    if (e.dimension == 0 && mesh.classification(e).dimension() > 0)
+      vertices.insert(Vertex(e.index));
   }
   ClassEditor editor(mesh, corner_angle_deg);
   editor.promote_edges(edges, {});
@@ -278,12 +282,14 @@ ClassOverlay promote(const Mesh& mesh, std::span<const EntityRef> entities, doub
   return editor.take();
 }
 
-ClassOverlay demote(const Mesh& mesh, std::span<const EntityRef> entities, double corner_angle_deg) {
+ClassOverlay demote(const Mesh& mesh, std::span<const EntityRef> entities,
+                    double corner_angle_deg) {
   std::set<Edge> edges;
   std::set<Vertex> vertices;
   for (const EntityRef e : entities) {
     if (e.dimension == 1 && mesh.classification(e).dimension() == 1) edges.insert(Edge(e.index));
-    if (e.dimension == 0 && mesh.classification(e).dimension() == 0) vertices.insert(Vertex(e.index));
+    if (e.dimension == 0 && mesh.classification(e).dimension() == 0)
+      vertices.insert(Vertex(e.index));
   }
   ClassEditor editor(mesh, corner_angle_deg);
   editor.demote_edges(edges);
@@ -291,8 +297,8 @@ ClassOverlay demote(const Mesh& mesh, std::span<const EntityRef> entities, doubl
   return editor.take();
 }
 
-ClassOverlay assign(const Mesh& mesh, std::span<const EntityRef> entities, ModelRef model, bool border,
-                    double corner_angle_deg) {
+ClassOverlay assign(const Mesh& mesh, std::span<const EntityRef> entities, ModelRef model,
+                    bool border, double corner_angle_deg) {
   ClassEditor editor(mesh, corner_angle_deg);
   editor.put(entities, model, border);
   return editor.take();

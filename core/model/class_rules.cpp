@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/derive.h"
 #include "core/mesh/journal_scope.h"
 #include "core/mesh/names.h"
@@ -31,7 +31,8 @@ class ClassJudge {
 
  private:
   bool refuse(ClassRule rule, EntityRef e, EntityRef other = {}, std::uint32_t count = 0) {
-    verdict_ = {rule, e, other, classes_.of(e), other.valid() ? classes_.of(other) : ModelRef(), count};
+    verdict_ = {rule, e, other, classes_.of(e), other.valid() ? classes_.of(other) : ModelRef(),
+                count};
     return false;
   }
 
@@ -41,7 +42,8 @@ class ClassJudge {
 
   bool bounds_well(EntityRef side, EntityRef user) {
     const ModelRef low = classes_.of(side), high = classes_.of(user);
-    const bool fits = !low.valid() || !high.valid() || low == high || low.dimension() < high.dimension();
+    const bool fits =
+        !low.valid() || !high.valid() || low == high || low.dimension() < high.dimension();
     return fits || refuse(ClassRule::Closure, side, user);
   }
 
@@ -67,11 +69,13 @@ class ClassJudge {
 
   // Files may put other edges inside model faces: only those that come there are asked.
   bool border_fits(EntityRef e) {
-    const bool comes_inside = e.dimension == 1 && mesh_.count(3) == 0 && classes_.of(e).dimension() == 2 &&
+    const bool comes_inside = e.dimension == 1 && mesh_.count(3) == 0 &&
+                              classes_.of(e).dimension() == 2 &&
                               mesh_.classification(e).dimension() != 2;
     if (!comes_inside) return true;
     adjacent(mesh_, e, 2, ids_);
-    return ids_.size() == 2 || refuse(ClassRule::Border, e, {}, static_cast<std::uint32_t>(ids_.size()));
+    return ids_.size() == 2 ||
+           refuse(ClassRule::Border, e, {}, static_cast<std::uint32_t>(ids_.size()));
   }
 
   std::set<Vertex> vertices_at(const std::vector<EntityRef>& changed) const {
@@ -109,7 +113,8 @@ class ClassJudge {
   bool others_leave_free(const std::unordered_map<std::uint32_t, Vertex>& taken) {
     const auto free_of = [&](Vertex v) {
       const auto found = taken.find(classes_.of(v).bits());
-      return found == taken.end() || found->second == v || refuse(ClassRule::Point, found->second, v);
+      return found == taken.end() || found->second == v ||
+             refuse(ClassRule::Point, found->second, v);
     };
     if (const ClassLists* lists = mesh_.class_lists()) {
       for (const auto& [bits, vertex] : taken)
@@ -153,7 +158,8 @@ ClassVerdict judge_classes(const ClassOverlay& classes) { return ClassJudge(clas
 void apply_classes(Mesh& mesh, const ClassOverlay& classes) {
   AOMD_CHECK(&mesh == &classes.mesh());
   const std::vector<EntityRef> changed = classes.changed();
-  const JournalScope step(mesh, StepKind::Classify, changed.empty() ? EntityRef() : changed.front());
+  const JournalScope step(mesh, StepKind::Classify,
+                          changed.empty() ? EntityRef() : changed.front());
   for (const EntityRef e : changed) mesh.set_classification(e, classes.of(e));
 }
 
@@ -173,7 +179,8 @@ std::string class_words(const ClassVerdict& v) {
              ": what bounds an entity lies on the same model entity or on one of lower dimension";
     case ClassRule::Border:
       return who + " has " + std::to_string(v.count) + (v.count == 1 ? " face" : " faces") +
-             " and would lie inside " + name_of(v.model) + ": inside a model face every edge has two faces";
+             " and would lie inside " + name_of(v.model) +
+             ": inside a model face every edge has two faces";
     case ClassRule::Curve:
       return who + " would lie inside " + name_of(v.model) + ", but " + std::to_string(v.count) +
              (v.count == 1 ? " edge" : " edges") +

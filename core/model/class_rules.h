@@ -1,6 +1,6 @@
 #pragma once
-// The rules that a classification keeps (paper, section 2.1), and a new one on top of the present: judged as
-// a whole, then applied.
+// The rules that a classification keeps (paper, section 2.1), and a new one on top of the present:
+// judged as a whole, then applied.
 
 #include <array>
 #include <cstdint>
@@ -54,11 +54,12 @@ class ClassOverlay {
 };
 
 /// Whether the rules hold wherever something changes; else one that is broken. What
-/// the mesh breaks elsewhere does not matter. Adjacency through core/mesh/derive.h: throws std::logic_error
-/// where T leads to none. O(changed entities and what is adjacent to them).
+/// the mesh breaks elsewhere does not matter. Adjacency through core/mesh/derive.h: throws
+/// std::logic_error where T leads to none. O(changed entities and what is adjacent to them).
 [[nodiscard]] ClassVerdict judge_classes(const ClassOverlay& classes);
 
-/// Writes them into the mesh that the overlay was made for: one step in the journal. They must be accepted.
+/// Writes them into the mesh that the overlay was made for: one step in the journal. They must be
+/// accepted.
 void apply_classes(Mesh& mesh, const ClassOverlay& classes);
 
 }  // namespace aomd

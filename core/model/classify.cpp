@@ -85,7 +85,8 @@ class Classifier {
         for (const Edge e : mesh_.row<1>(f)) {
           if (feature_[e]) continue;
           for (const Face g : mesh_.row<2>(e))
-            if (!mesh_.classification(g).valid()) mesh_.set_classification(g, model), stack.push_back(g);
+            if (!mesh_.classification(g).valid())
+              mesh_.set_classification(g, model), stack.push_back(g);
         }
       }
     }
@@ -152,7 +153,8 @@ class Classifier {
   }
 
   ClassifyResult count() const {
-    return {distinct(mesh_.vertices(), 0), distinct(mesh_.edges(), 1), distinct(mesh_.faces(), 2), features_};
+    return {distinct(mesh_.vertices(), 0), distinct(mesh_.edges(), 1), distinct(mesh_.faces(), 2),
+            features_};
   }
 
   Mesh& mesh_;

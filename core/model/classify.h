@@ -1,5 +1,6 @@
 #pragma once
-// Classification of every mesh entity on a model that the mesh itself implies (paper, sections 2.1 and 3).
+// Classification of every mesh entity on a model that the mesh itself implies (paper, sections 2.1
+// and 3).
 
 #include <optional>
 
@@ -9,13 +10,13 @@
 namespace aomd {
 
 struct ClassifyOptions {
-  /// Edges whose faces meet at more than this become model edges; none: only boundary, non-manifold edges and
-  /// borders between model faces do.
+  /// Edges whose faces meet at more than this become model edges; none: only boundary, non-manifold
+  /// edges and borders between model faces do.
   std::optional<double> feature_angle_deg = 20.0;
   /// A model edge is cut by a model vertex where it turns by more than this.
   double corner_angle_deg = 60.0;
-  /// Edges with more than two faces become model edges. Off for the paper's own loop, which knows no such
-  /// rule.
+  /// Edges with more than two faces become model edges. Off for the paper's own loop, which knows
+  /// no such rule.
   bool nonmanifold_edges = true;
   /// Keep what is classified already (it came with the file, and wins) and derive only the rest.
   bool keep_present = true;
@@ -27,12 +28,13 @@ struct ClassifyResult {
   FeatureCount features;
 };
 
-/// Classifies all vertices, edges and faces. An edge lies on a model edge where it has one face or more than
-/// two, where its faces lie on different model faces, or past the feature angle (see find_features);
-/// elsewhere on its face's model face. Model edges are chained between model vertices, which stand where
-/// other than two of them meet or where the curve turns sharply; model faces are flooded between model edges.
-/// Vertices that nothing uses stay unclassified. The rule cannot always be right (paper, figure 4): what the
-/// file says therefore wins. Creates the edges when there are none. Journalled as one step. O(entities).
+/// Classifies all vertices, edges and faces. An edge lies on a model edge where it has one face or
+/// more than two, where its faces lie on different model faces, or past the feature angle (see
+/// find_features); elsewhere on its face's model face. Model edges are chained between model
+/// vertices, which stand where other than two of them meet or where the curve turns sharply; model
+/// faces are flooded between model edges. Vertices that nothing uses stay unclassified. The rule
+/// cannot always be right (paper, figure 4): what the file says therefore wins. Creates the edges
+/// when there are none. Journalled as one step. O(entities).
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options = {});
 
 }  // namespace aomd

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd {
 namespace {
@@ -88,7 +88,8 @@ class VolumeClassifier {
     }
     for (const Edge e : mesh_.edges())
       if (given(e).dimension() == 1)
-        skin_.edges.add(Shape::Line, {mesh_.edge_vertices(e)[0].index, mesh_.edge_vertices(e)[1].index},
+        skin_.edges.add(Shape::Line,
+                        {mesh_.edge_vertices(e)[0].index, mesh_.edge_vertices(e)[1].index},
                         given(e));
   }
 

@@ -25,7 +25,8 @@ template <typename OnCurve>
 
 /// The vertex so many edges along a curve, or where it branches or ends before.
 template <typename OnCurve>
-[[nodiscard]] Vertex along_curve(const Mesh& mesh, Vertex v, Edge e, int edges, const OnCurve& on_curve) {
+[[nodiscard]] Vertex along_curve(const Mesh& mesh, Vertex v, Edge e, int edges,
+                                 const OnCurve& on_curve) {
   for (int i = 0;; ++i) {
     v = mesh.other_end(e, v);
     const CurveEnds ends = curve_at(mesh, v, on_curve);
@@ -34,11 +35,11 @@ template <typename OnCurve>
   }
 }
 
-/// True at a corner: the curve turns at the vertex, where `ends` counts two, and still does when looked at
-/// from a few edges away, so that the jags of a scan's border cancel each other.
+/// True at a corner: the curve turns at the vertex, where `ends` counts two, and still does when
+/// looked at from a few edges away, so that the jags of a scan's border cancel each other.
 template <typename OnCurve>
-[[nodiscard]] bool curve_turns(const Mesh& mesh, Vertex v, const CurveEnds& ends, const TurnLimit& corner,
-                               const OnCurve& on_curve) {
+[[nodiscard]] bool curve_turns(const Mesh& mesh, Vertex v, const CurveEnds& ends,
+                               const TurnLimit& corner, const OnCurve& on_curve) {
   constexpr int edges_away = 3;
   for (const int away : {1, edges_away}) {
     const glm::dvec3 at = mesh.position(v);

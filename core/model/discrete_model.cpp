@@ -61,7 +61,8 @@ DiscreteModel::DiscreteModel(Mesh& mesh) : Model(entries_of(mesh)) {
     const auto [a, b] = mesh.edge_vertices(e);
     add(e, {mesh.position(a), mesh.position(b), mesh.position(b)});
   }
-  for (const Vertex v : mesh.vertices()) add(v, {mesh.position(v), mesh.position(v), mesh.position(v)});
+  for (const Vertex v : mesh.vertices())
+    add(v, {mesh.position(v), mesh.position(v), mesh.position(v)});
   for (const auto& list : facets) facets_.emplace_back(list);
 }
 

@@ -7,14 +7,14 @@
 
 namespace aomd {
 
-/// A modeler over the faces, edges and vertices of a classified mesh, grouped by the model entity that they
-/// are classified on. Closest points are exact over the facets, and faces end at their borders; about
-/// O(log n). The normal is that of the nearest facet. No parametrisations.
+/// A modeler over the faces, edges and vertices of a classified mesh, grouped by the model entity
+/// that they are classified on. Closest points are exact over the facets, and faces end at their
+/// borders; about O(log n). The normal is that of the nearest facet. No parametrisations.
 class DiscreteModel final : public Model {
  public:
-  /// Copies the geometry: the mesh may change or go afterwards. Creates the edges when the mesh has none.
-  /// O(n log n); about 170 bytes a facet. Entities that are unclassified, and faces on model regions, are no
-  /// part of it.
+  /// Copies the geometry: the mesh may change or go afterwards. Creates the edges when the mesh has
+  /// none. O(n log n); about 170 bytes a facet. Entities that are unclassified, and faces on model
+  /// regions, are no part of it.
   explicit DiscreteModel(Mesh& mesh);
 
  private:

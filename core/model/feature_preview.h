@@ -13,8 +13,8 @@ struct FeaturePreview {
   int model_edges = 0, model_vertices = 0;
 };
 
-/// Counts what classify() would make of a surface of triangles on which nothing is classified, whatever is.
-/// The mesh must store T(0,1), T(1,2), T(2,0), T(2,1). O(entities).
+/// Counts what classify() would make of a surface of triangles on which nothing is classified,
+/// whatever is. The mesh must store T(0,1), T(1,2), T(2,0), T(2,1). O(entities).
 [[nodiscard]] FeaturePreview preview_features(const Mesh& mesh, const ClassifyOptions& options);
 
 }  // namespace aomd

@@ -27,9 +27,10 @@ class FeatureFinder {
   void mark_borders(const FeatureOptions& options) {
     for (const Edge e : mesh_.edges()) {
       const Row<2> faces = mesh_.row<2>(e);
-      const bool given =
-          !options.ignore_classes && (mesh_.classification(e).dimension() == 1 || !same_model_face(faces));
-      const bool border = faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
+      const bool given = !options.ignore_classes &&
+                         (mesh_.classification(e).dimension() == 1 || !same_model_face(faces));
+      const bool border =
+          faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
       mark_[e] = border ? Border : None;
     }
   }
@@ -45,7 +46,8 @@ class FeatureFinder {
       if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit)) mark_[e] = Sharp;
   }
 
-  // Hairs first, all of them, so that shaving one may bare the next; then each set by its share of hair.
+  // Hairs first, all of them, so that shaving one may bare the next; then each set by its share of
+  // hair.
   void drop_roughness() {
     for (const Vertex v : mesh_.vertices()) shave(v);
     for (const Edge e : mesh_.edges())
@@ -57,7 +59,8 @@ class FeatureFinder {
   bool same_model_face(Row<2> faces) const {
     if (faces.size() < 2) return true;
     const ModelRef first = mesh_.classification(faces[0]);
-    return std::all_of(faces.begin(), faces.end(), [&](Face f) { return mesh_.classification(f) == first; });
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](Face f) { return mesh_.classification(f) == first; });
   }
 
   bool past(Edge e, const TurnLimit& limit) const {
@@ -111,8 +114,10 @@ class FeatureFinder {
           if (mark_[e] >= Sharp && !seen_[e]) seen_[e] = 1, set_.push_back(e);
       }
     }
-    const bool tiny = set_.size() < smallest_set && glm::length(high - low) < smallest_extent * diagonal();
-    const bool rough = tiny || static_cast<double>(hairs) > most_hair * static_cast<double>(set_.size());
+    const bool tiny =
+        set_.size() < smallest_set && glm::length(high - low) < smallest_extent * diagonal();
+    const bool rough =
+        tiny || static_cast<double>(hairs) > most_hair * static_cast<double>(set_.size());
     if (!rough) return;
     for (const Edge e : set_) mark_[e] = Hair;
   }

@@ -23,13 +23,14 @@ struct FeatureOptions {
   bool ignore_classes = false;             ///< as if nothing were classified
 };
 
-/// Marks the edges that lie on model edges. Besides borders these are the edges whose faces meet at more than
-/// the angle, except where such edges are roughness: on a scan many edges are past any useful angle but lead
-/// nowhere. A connected set of sharp edges is roughness when more than 15 % of it are hairs (open chains of
-/// fewer than 8 edges), or when it has fewer than 6 edges and spans less than 2 % of the mesh's diagonal.
-/// Hairs of the sets that stay are dropped too. Where more than two thirds of the sharp edges fell so, the
-/// mesh is a scan and the rest falls as well. docs/CLASSIFICATION.md has the measurements behind the numbers.
-/// The mesh must store T(0,1), T(1,2), T(2,0), T(2,1). O(entities).
+/// Marks the edges that lie on model edges. Besides borders these are the edges whose faces meet at
+/// more than the angle, except where such edges are roughness: on a scan many edges are past any
+/// useful angle but lead nowhere. A connected set of sharp edges is roughness when more than 15 %
+/// of it are hairs (open chains of fewer than 8 edges), or when it has fewer than 6 edges and spans
+/// less than 2 % of the mesh's diagonal. Hairs of the sets that stay are dropped too. Where more
+/// than two thirds of the sharp edges fell so, the mesh is a scan and the rest falls as well.
+/// docs/CLASSIFICATION.md has the measurements behind the numbers. The mesh must store T(0,1),
+/// T(1,2), T(2,0), T(2,1). O(entities).
 FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature);
 

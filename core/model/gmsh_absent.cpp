@@ -8,7 +8,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& path) {
   check_cad_file(path);
-  throw ModelError(path + ": built without Gmsh; install libgmsh-dev and build again to read CAD files");
+  throw ModelError(path +
+                   ": built without Gmsh; install libgmsh-dev and build again to read CAD files");
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 
 Functions load() {
   void* library = dlopen(AOMD_GMSH_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw ModelError("Gmsh cannot be loaded (install libgmsh): " + std::string(dlerror()));
+  if (!library)
+    throw ModelError("Gmsh cannot be loaded (install libgmsh): " + std::string(dlerror()));
   Functions f;
   const auto find = [library](auto& function, const char* name) {
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
@@ -129,8 +130,8 @@ File::~File() { session_->remove(name_); }
 
 void File::make_current() const { session_->make_current(name_); }
 
-// An error that throws out of Gmsh's parser spoils every script read afterwards, so errors are only collected
-// here.
+// An error that throws out of Gmsh's parser spoils every script read afterwards, so errors are only
+// collected here.
 void File::merge(const std::string& path) {
   const Functions& f = functions();
   std::string wrong;

@@ -1,6 +1,6 @@
 #pragma once
-// Gmsh's C interface, loaded when it is first needed: linking it would cost every start of every program 0.1
-// s.
+// Gmsh's C interface, loaded when it is first needed: linking it would cost every start of every
+// program 0.1 s.
 
 #include <cstddef>
 #include <memory>
@@ -16,13 +16,15 @@ namespace aomd::gmsh {
 
 /// The functions in use, by their names in gmshc.h without the prefix.
 struct Functions {
-#define AOMD_GMSH_FUNCTIONS(use)                                                                           \
-  use(Initialize) use(Finalize) use(Free) use(Merge) use(OptionSetNumber) use(LoggerStart) use(LoggerGet)  \
-      use(LoggerStop) use(LoggerGetLastError) use(ModelAdd) use(ModelRemove) use(ModelSetCurrent)          \
-          use(ModelGetEntities) use(ModelGetType) use(ModelGetBoundary) use(ModelGetBoundingBox)           \
-              use(ModelGetValue) use(ModelGetDerivative) use(ModelGetSecondDerivative) use(ModelGetNormal) \
-                  use(ModelGetParametrizationBounds) use(ModelMeshGenerate) use(ModelMeshGetNodes)         \
-                      use(ModelMeshGetElements) use(ModelMeshGetEmbedded)
+#define AOMD_GMSH_FUNCTIONS(use)                                                             \
+  use(Initialize) use(Finalize) use(Free) use(Merge) use(OptionSetNumber) use(LoggerStart)   \
+      use(LoggerGet) use(LoggerStop) use(LoggerGetLastError) use(ModelAdd) use(ModelRemove)  \
+          use(ModelSetCurrent) use(ModelGetEntities) use(ModelGetType) use(ModelGetBoundary) \
+              use(ModelGetBoundingBox) use(ModelGetValue) use(ModelGetDerivative)            \
+                  use(ModelGetSecondDerivative) use(ModelGetNormal)                          \
+                      use(ModelGetParametrizationBounds) use(ModelMeshGenerate)              \
+                          use(ModelMeshGetNodes) use(ModelMeshGetElements)                   \
+                              use(ModelMeshGetEmbedded)
 #define AOMD_GMSH_MEMBER(name) decltype(&::gmsh##name) name = nullptr;
   AOMD_GMSH_FUNCTIONS(AOMD_GMSH_MEMBER)
 #undef AOMD_GMSH_MEMBER
@@ -31,7 +33,8 @@ struct Functions {
 /// The library's functions. Throws ModelError where it cannot be loaded.
 [[nodiscard]] const Functions& functions();
 
-/// Calls a function of the interface with its error code appended; throws ModelError with Gmsh's own words.
+/// Calls a function of the interface with its error code appended; throws ModelError with Gmsh's
+/// own words.
 template <typename Function, typename... Arguments>
 void call(Function function, Arguments... arguments);
 /// What Gmsh said last.

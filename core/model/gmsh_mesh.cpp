@@ -46,8 +46,8 @@ class Taker {
   void take_nodes(ModelRef e) {
     gmsh::Array<std::size_t> tags;
     gmsh::Array<double> coordinates, unused;
-    call(functions().ModelMeshGetNodes, &tags.data, &tags.size, &coordinates.data, &coordinates.size,
-         &unused.data, &unused.size, e.dimension(), e.tag(), 0, 0);
+    call(functions().ModelMeshGetNodes, &tags.data, &tags.size, &coordinates.data,
+         &coordinates.size, &unused.data, &unused.size, e.dimension(), e.tag(), 0, 0);
     for (std::size_t i = 0; i < tags.size; ++i) {
       const double* p = coordinates.data + 3 * i;
       if (tags.data[i] >= index_.size()) index_.resize(tags.data[i] + 1, no_index);
@@ -60,8 +60,8 @@ class Taker {
   void take_elements(ModelRef e) {
     gmsh::Array<int> types;
     gmsh::Table<std::size_t> tags, nodes;
-    call(functions().ModelMeshGetElements, &types.data, &types.size, &tags.data, &tags.sizes, &tags.size,
-         &nodes.data, &nodes.sizes, &nodes.size, e.dimension(), e.tag());
+    call(functions().ModelMeshGetElements, &types.data, &types.size, &tags.data, &tags.sizes,
+         &tags.size, &nodes.data, &nodes.sizes, &nodes.size, e.dimension(), e.tag());
     for (std::size_t k = 0; k < types.size; ++k) {
       const auto shape = shape_of(types.data[k]);
       if (!shape) throw ModelError("Gmsh made elements of type " + std::to_string(types.data[k]));

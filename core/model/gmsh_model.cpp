@@ -15,12 +15,14 @@ namespace {
 using gmsh::call;
 using gmsh::functions;
 
-// A function of the interface that takes parameters of an entity and returns numbers, `at least `wanted`.
+// A function of the interface that takes parameters of an entity and returns numbers, `at least
+// `wanted`.
 template <typename Function>
 std::vector<double> evaluate(Function function, ModelRef e, std::vector<double> parameters,
                              std::size_t wanted) {
   gmsh::Array<double> out;
-  call(function, e.dimension(), e.tag(), parameters.data(), parameters.size(), &out.data, &out.size);
+  call(function, e.dimension(), e.tag(), parameters.data(), parameters.size(), &out.data,
+       &out.size);
   if (out.size < wanted) throw ModelError("Gmsh cannot evaluate " + name_of(e));
   return {out.data, out.data + out.size};
 }
@@ -39,7 +41,8 @@ std::vector<double> flat(ModelRef e, const std::vector<glm::dvec2>& parameters) 
 }
 
 std::vector<glm::dvec3> positions_at(ModelRef e, const std::vector<glm::dvec2>& parameters) {
-  const auto numbers = evaluate(functions().ModelGetValue, e, flat(e, parameters), 3 * parameters.size());
+  const auto numbers =
+      evaluate(functions().ModelGetValue, e, flat(e, parameters), 3 * parameters.size());
   std::vector<glm::dvec3> positions;
   for (std::size_t i = 0; i < parameters.size(); ++i) positions.push_back(triple(numbers, i));
   return positions;
@@ -77,8 +80,8 @@ std::array<bool, 2> closed_directions(ModelRef e, const ParameterRange& range) {
 
 ParameterRange range_in_gmsh(ModelRef e) {
   gmsh::Array<double> low, high;
-  call(functions().ModelGetParametrizationBounds, e.dimension(), e.tag(), &low.data, &low.size, &high.data,
-       &high.size);
+  call(functions().ModelGetParametrizationBounds, e.dimension(), e.tag(), &low.data, &low.size,
+       &high.data, &high.size);
   const auto n = static_cast<std::size_t>(e.dimension());
   if (low.size < n || high.size < n) throw ModelError("Gmsh knows no parameters of " + name_of(e));
   ParameterRange range;
@@ -107,21 +110,25 @@ std::vector<Model::Entry> entries_of(const gmsh::File& file) {
     Model::Entry& entry = entries.emplace_back(Model::Entry{e, {}});
     int dim_tag[2] = {e.dimension(), e.tag()};
     gmsh::Array<int> border, embedded;
-    call(functions().ModelGetBoundary, dim_tag, std::size_t{2}, &border.data, &border.size, 0, 0, 0);
+    call(functions().ModelGetBoundary, dim_tag, std::size_t{2}, &border.data, &border.size, 0, 0,
+         0);
     if (e.dimension() >= 2)
-      call(functions().ModelMeshGetEmbedded, e.dimension(), e.tag(), &embedded.data, &embedded.size);
+      call(functions().ModelMeshGetEmbedded, e.dimension(), e.tag(), &embedded.data,
+           &embedded.size);
     for (const auto& list : {border.values(), embedded.values()})
       for (std::size_t i = 0; i + 1 < list.size(); i += 2)
         entry.boundary.emplace_back(list[i], std::abs(list[i + 1]));
     std::sort(entry.boundary.begin(), entry.boundary.end());
-    entry.boundary.erase(std::unique(entry.boundary.begin(), entry.boundary.end()), entry.boundary.end());
+    entry.boundary.erase(std::unique(entry.boundary.begin(), entry.boundary.end()),
+                         entry.boundary.end());
   }
   return entries;
 }
 
 class GmshModel final : public Model {
  public:
-  explicit GmshModel(std::unique_ptr<gmsh::File> file) : Model(entries_of(*file)), file_(std::move(file)) {
+  explicit GmshModel(std::unique_ptr<gmsh::File> file)
+      : Model(entries_of(*file)), file_(std::move(file)) {
     for (std::size_t i = 0; i < size(); ++i) {
       const ModelRef e = entity(i);
       Projection& projection = projections_.emplace_back();
@@ -145,7 +152,8 @@ class GmshModel final : public Model {
   glm::dvec3 normal_of(std::size_t index, const glm::dvec3& point) const override {
     std::vector<double> at = flat(entity(index), {*closest_on(index, point).parameters});
     gmsh::Array<double> out;
-    call(functions().ModelGetNormal, entity(index).tag(), at.data(), at.size(), &out.data, &out.size);
+    call(functions().ModelGetNormal, entity(index).tag(), at.data(), at.size(), &out.data,
+         &out.size);
     const glm::dvec3 normal =
         out.size == 3 ? glm::dvec3(out.data[0], out.data[1], out.data[2]) : glm::dvec3(0);
     const double length = glm::length(normal);
@@ -168,8 +176,8 @@ class GmshModel final : public Model {
     file_->make_current();
     const ModelRef e = entity(index);
     Box b;
-    call(functions().ModelGetBoundingBox, e.dimension(), e.tag(), &b.low.x, &b.low.y, &b.low.z, &b.high.x,
-         &b.high.y, &b.high.z);
+    call(functions().ModelGetBoundingBox, e.dimension(), e.tag(), &b.low.x, &b.low.y, &b.low.z,
+         &b.high.x, &b.high.y, &b.high.z);
     return b;
   }
 

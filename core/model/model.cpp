@@ -6,11 +6,13 @@ namespace aomd {
 
 std::string name_of(ModelRef entity) {
   if (!entity.valid()) return "no model entity";
-  return "model " + std::string(entity_name(entity.dimension())) + " " + std::to_string(entity.tag());
+  return "model " + std::string(entity_name(entity.dimension())) + " " +
+         std::to_string(entity.tag());
 }
 
 Model::Model(std::vector<Entry> entries) : entries_(std::move(entries)) {
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.ref < b.ref; });
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry& a, const Entry& b) { return a.ref < b.ref; });
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const Entry& e = entries_[i];
     if (!e.ref.valid()) throw std::invalid_argument("a model entity without a dimension");
@@ -92,7 +94,8 @@ Box Model::box(ModelRef entity) const {
 
 Box Model::box() const {
   Box all;
-  for (std::size_t i = 0; i < entries_.size() && entries_[i].ref.dimension() < 3; ++i) all.add(box_of(i));
+  for (std::size_t i = 0; i < entries_.size() && entries_[i].ref.dimension() < 3; ++i)
+    all.add(box_of(i));
   return all;
 }
 

@@ -9,8 +9,8 @@
 namespace aomd {
 namespace {
 
-// The squared distance to a point as a function of the parameters: half of it, its gradient, and the second
-// derivatives.
+// The squared distance to a point as a function of the parameters: half of it, its gradient, and
+// the second derivatives.
 struct Distance {
   double value;
   double rounding;  ///< how wrong the value may be
@@ -55,7 +55,8 @@ struct Distance {
     if (can.x && can.y) {
       const double det = uu * vv - uv * uv;
       if (det > 1e-14 * uu * vv)
-        return glm::dvec2(uv * gradient.y - vv * gradient.x, uv * gradient.x - uu * gradient.y) / det;
+        return glm::dvec2(uv * gradient.y - vv * gradient.x, uv * gradient.x - uu * gradient.y) /
+               det;
     }
     return {can.x ? -gradient.x / uu : 0, can.y ? -gradient.y / vv : 0};
   }
@@ -63,7 +64,8 @@ struct Distance {
 
 }  // namespace
 
-std::vector<glm::dvec2> Projection::sample_places(const ParameterRange& range, int dimension, int across) {
+std::vector<glm::dvec2> Projection::sample_places(const ParameterRange& range, int dimension,
+                                                  int across) {
   const int rows = dimension == 2 ? across : 1;
   std::vector<glm::dvec2> places;
   for (int j = 0; j < rows; ++j)
@@ -106,7 +108,8 @@ std::vector<Projection::Start> Projection::starts(const glm::dvec3& point) const
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     bool lowest = true;
     for (int dv = rows_ > 1 ? -1 : 0; lowest && dv <= (rows_ > 1 ? 1 : 0); ++dv)
-      for (int du = -1; lowest && du <= 1; ++du) lowest = distance2[i] <= distance2[neighbour(i, du, dv)];
+      for (int du = -1; lowest && du <= 1; ++du)
+        lowest = distance2[i] <= distance2[neighbour(i, du, dv)];
     if (lowest) found.push_back({std::sqrt(distance2[i]), i});
   }
   constexpr std::size_t most = 6;
@@ -129,7 +132,8 @@ glm::dvec2 Projection::inside(glm::dvec2 t) const {
 }
 
 // Near the end the distance no longer tells better from worse, but its gradient does.
-glm::dvec2 Projection::refine(const Evaluate& evaluate, const glm::dvec3& point, glm::dvec2 t) const {
+glm::dvec2 Projection::refine(const Evaluate& evaluate, const glm::dvec3& point,
+                              glm::dvec2 t) const {
   constexpr int most_steps = 50, most_halvings = 12;
   Distance now(evaluate(t), point);
   for (int step = 0; step < most_steps; ++step) {
@@ -143,7 +147,8 @@ glm::dvec2 Projection::refine(const Evaluate& evaluate, const glm::dvec3& point,
       if (to == t) return t;
       const Distance then(evaluate(to), point);
       better = then.value < now.value * (1 - 1e-9) - now.rounding ||
-               (then.value <= now.value + now.rounding && then.error(then.free(to, range_)) < 0.9 * error);
+               (then.value <= now.value + now.rounding &&
+                then.error(then.free(to, range_)) < 0.9 * error);
       if (better) t = to, now = then;
     }
     if (!better) return t;
@@ -152,15 +157,18 @@ glm::dvec2 Projection::refine(const Evaluate& evaluate, const glm::dvec3& point,
 }
 
 ClosestPoint Projection::closest(const Evaluate& evaluate, const glm::dvec3& point) const {
-  if (spacing_ <= 1e-14 * glm::length(samples_[0])) return {samples_[0], range_.low};  // collapsed to a point
+  if (spacing_ <= 1e-14 * glm::length(samples_[0]))
+    return {samples_[0], range_.low};  // collapsed to a point
   ClosestPoint best;
   double least = std::numeric_limits<double>::infinity();
-  const std::vector<glm::dvec2> places = sample_places(range_, rows_ > 1 ? 2 : 1, static_cast<int>(columns_));
+  const std::vector<glm::dvec2> places =
+      sample_places(range_, rows_ > 1 ? 2 : 1, static_cast<int>(columns_));
   for (const Start& start : starts(point)) {
     if (start.distance - spacing_ > least) break;
     const glm::dvec2 t = refine(evaluate, point, places[start.sample]);
     const glm::dvec3 p = evaluate(t).p;
-    if (const double distance = glm::length(p - point); distance < least) least = distance, best = {p, t};
+    if (const double distance = glm::length(p - point); distance < least)
+      least = distance, best = {p, t};
   }
   return best;
 }

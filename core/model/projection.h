@@ -13,21 +13,22 @@ struct Jet {
   glm::dvec3 p{}, u{}, v{}, uu{}, vv{}, uv{};
 };
 
-/// Finds closest points from samples of the parametrisation and refines them by Newton's method, kept inside
-/// the range. A local method with many starts: it finds the nearest point where the samples show every
-/// hollow of the distance.
+/// Finds closest points from samples of the parametrisation and refines them by Newton's method,
+/// kept inside the range. A local method with many starts: it finds the nearest point where the
+/// samples show every hollow of the distance.
 class Projection {
  public:
   using Evaluate = std::function<Jet(const glm::dvec2&)>;
 
-  /// Where samples have to be evaluated: `across` cell centres in each direction of the range (one on a
-  /// curve in y). Never on the border, where parametrisations may collapse to a point.
-  [[nodiscard]] static std::vector<glm::dvec2> sample_places(const ParameterRange& range, int dimension,
-                                                             int across);
+  /// Where samples have to be evaluated: `across` cell centres in each direction of the range (one
+  /// on a curve in y). Never on the border, where parametrisations may collapse to a point.
+  [[nodiscard]] static std::vector<glm::dvec2> sample_places(const ParameterRange& range,
+                                                             int dimension, int across);
 
   Projection() = default;
   /// `samples` are the points at the sample places.
-  Projection(const ParameterRange& range, int dimension, int across, std::vector<glm::dvec3> samples);
+  Projection(const ParameterRange& range, int dimension, int across,
+             std::vector<glm::dvec3> samples);
 
   [[nodiscard]] const ParameterRange& range() const { return range_; }
   /// The nearest point and its parameters. O(samples) and a few evaluations.
@@ -40,7 +41,8 @@ class Projection {
   };
   [[nodiscard]] std::vector<Start> starts(const glm::dvec3& point) const;
   [[nodiscard]] std::size_t neighbour(std::size_t i, int du, int dv) const;
-  [[nodiscard]] glm::dvec2 refine(const Evaluate& evaluate, const glm::dvec3& point, glm::dvec2 t) const;
+  [[nodiscard]] glm::dvec2 refine(const Evaluate& evaluate, const glm::dvec3& point,
+                                  glm::dvec2 t) const;
   [[nodiscard]] glm::dvec2 inside(glm::dvec2 t) const;
 
   ParameterRange range_;

@@ -17,9 +17,10 @@ using glm::dvec3;
 
 Kernel::Point_3 exact(const dvec3& p) { return {p.x, p.y, p.z}; }
 
-// The sign of direction . (p - origin) as far as rounding allows: -1, +1, or 0 for "cannot tell". The
-// direction is taken as it is, so that any direction found in doubles is as good as an exact one. Three
-// differences, three products and two sums lose less than 6 units in the last place of the sum of sizes.
+// The sign of direction . (p - origin) as far as rounding allows: -1, +1, or 0 for "cannot tell".
+// The direction is taken as it is, so that any direction found in doubles is as good as an exact
+// one. Three differences, three products and two sums lose less than 6 units in the last place of
+// the sum of sizes.
 int side(const dvec3& direction, const dvec3& origin, const dvec3& p) {
   constexpr double bound = 8 * 1.2e-16;
   const dvec3 terms = direction * (p - origin);
@@ -28,10 +29,12 @@ int side(const dvec3& direction, const dvec3& origin, const dvec3& p) {
   return sum > doubt ? 1 : sum < -doubt ? -1 : 0;
 }
 
-// The sign of the volume of (a, b, c, d), or 0 for "cannot tell" (bound after Shewchuk 1997, rounded up).
+// The sign of the volume of (a, b, c, d), or 0 for "cannot tell" (bound after Shewchuk 1997,
+// rounded up).
 int orientation(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
   const dvec3 u = b - a, v = c - a, w = d - a;
-  const dvec3 s(std::abs(u.x), std::abs(u.y), std::abs(u.z)), r(std::abs(v.x), std::abs(v.y), std::abs(v.z)),
+  const dvec3 s(std::abs(u.x), std::abs(u.y), std::abs(u.z)),
+      r(std::abs(v.x), std::abs(v.y), std::abs(v.z)),
       q(std::abs(w.x), std::abs(w.y), std::abs(w.z));
   const double size =
       q.x * (s.y * r.z + s.z * r.y) + q.y * (s.z * r.x + s.x * r.z) + q.z * (s.x * r.y + s.y * r.x);
@@ -46,8 +49,8 @@ bool on_one_side(const Triangle& s, const Triangle& t) {
          orientation(s[0], s[1], s[2], t[2]) == first;
 }
 
-// A plane with all of s strictly below and all of t strictly above some level: found by trying, so that "no"
-// means "do not know".
+// A plane with all of s strictly below and all of t strictly above some level: found by trying, so
+// that "no" means "do not know".
 bool parted_along(const dvec3& direction, const Triangle& s, const Triangle& t) {
   const dvec3& origin = s[0];
   double low[2] = {0, 0}, high[2] = {0, 0}, doubt = 1e-290;
@@ -80,14 +83,16 @@ bool cross_nowhere_shared(const Triangle& s, const Triangle& t) {
                             Kernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2])));
 }
 
-// Two triangles around a common corner v, seen from it as two sectors: do they meet only in v? A plane
-// through v between the sectors proves it; bisectors of one side of each are tried. "No" means "do not know".
+// Two triangles around a common corner v, seen from it as two sectors: do they meet only in v? A
+// plane through v between the sectors proves it; bisectors of one side of each are tried. "No"
+// means "do not know".
 bool sectors_apart(const dvec3& v, const std::array<dvec3, 2>& s, const std::array<dvec3, 2>& t) {
   const auto splits = [&](const dvec3& direction) {
-    return side(direction, v, s[0]) > 0 && side(direction, v, s[1]) > 0 && side(direction, v, t[0]) < 0 &&
-           side(direction, v, t[1]) < 0;
+    return side(direction, v, s[0]) > 0 && side(direction, v, s[1]) > 0 &&
+           side(direction, v, t[0]) < 0 && side(direction, v, t[1]) < 0;
   };
-  if (splits(s[0] + s[1] - t[0] - t[1])) return true;  // enough where sides are about as long: no roots
+  if (splits(s[0] + s[1] - t[0] - t[1]))
+    return true;  // enough where sides are about as long: no roots
   const dvec3 a = glm::normalize(s[0] - v), b = glm::normalize(s[1] - v);
   const dvec3 c = glm::normalize(t[0] - v), d = glm::normalize(t[1] - v);
   return splits(a + b - c - d) || splits(a - c) || splits(a - d) || splits(b - c) || splits(b - d);
@@ -101,15 +106,17 @@ bool cross_at_vertex(const Triangle& s, std::size_t i, const Triangle& t, std::s
   if (a != 0 && a == b) return false;
   const int c = orientation(t[0], t[1], t[2], s1), d = orientation(t[0], t[1], t[2], s2);
   if (c != 0 && c == d) return false;
-  const Kernel::Triangle_3 x(exact(s[0]), exact(s[1]), exact(s[2])), y(exact(t[0]), exact(t[1]), exact(t[2]));
+  const Kernel::Triangle_3 x(exact(s[0]), exact(s[1]), exact(s[2])),
+      y(exact(t[0]), exact(t[1]), exact(t[2]));
   return CGAL::do_intersect(x, Kernel::Segment_3(exact(t1), exact(t2))) ||
          CGAL::do_intersect(y, Kernel::Segment_3(exact(s1), exact(s2)));
 }
 
-// p and q on different sides of the line through e0 and e1, as seen along an axis: then the triangles, should
-// they lie in one plane, lie beside each other in it.
+// p and q on different sides of the line through e0 and e1, as seen along an axis: then the
+// triangles, should they lie in one plane, lie beside each other in it.
 bool unfolded(const dvec3& e0, const dvec3& e1, const dvec3& p, const dvec3& q) {
-  const dvec3 e = e1 - e0, n = glm::cross(e, p - e0), size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
+  const dvec3 e = e1 - e0, n = glm::cross(e, p - e0),
+              size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto turn = [&](const dvec3& r) {

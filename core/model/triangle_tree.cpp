@@ -4,15 +4,17 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
 
 namespace aomd {
 
 namespace {
 
-void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices, const auto& position) {
+void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices,
+            const auto& position) {
   for (std::size_t k = 2; k < vertices.size(); ++k) {
-    all.corners.push_back({position(vertices[0]), position(vertices[k - 1]), position(vertices[k])});
+    all.corners.push_back(
+        {position(vertices[0]), position(vertices[k - 1]), position(vertices[k])});
     all.faces.push_back(face);
   }
 }
@@ -98,19 +100,23 @@ std::size_t TriangleTree::split(std::span<Item> items) {
   const glm::dvec3 size = centres.high - centres.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const double middle = 0.5 * (centres.low[axis] + centres.high[axis]);
-  const auto second = std::partition(items.begin(), items.end(),
-                                     [axis, middle](const Item& item) { return item.centre[axis] < middle; });
+  const auto second = std::partition(items.begin(), items.end(), [axis, middle](const Item& item) {
+    return item.centre[axis] < middle;
+  });
   auto half = static_cast<std::size_t>(second - items.begin());
   if (std::min(half, items.size() - half) * lopsided < items.size()) {
     half = items.size() / 2;
-    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-                     [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
+    std::nth_element(
+        items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+        [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
   }
   return half;
 }
 
-// Where threads share the halves, the right one gets nodes of its own, to be put behind those of the left.
-void TriangleTree::build(std::span<Item> items, std::uint32_t begin, int threads, std::vector<Node>& nodes) {
+// Where threads share the halves, the right one gets nodes of its own, to be put behind those of
+// the left.
+void TriangleTree::build(std::span<Item> items, std::uint32_t begin, int threads,
+                         std::vector<Node>& nodes) {
   constexpr std::size_t worth_a_thread = 4096;
   const std::size_t id = nodes.size();
   nodes.push_back({{}, begin, begin + static_cast<std::uint32_t>(items.size()), 0});
@@ -164,10 +170,11 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
   return best;
 }
 
-double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                           glm::dvec3& at) {
+double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                           const glm::dvec3& c, glm::dvec3& at) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp),
+               d4 = glm::dot(ac, bp);
   const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
   double y, z;  // of b and c
@@ -195,7 +202,8 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
 glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p) {
   glm::dvec3 at;
   nearest_barycentric(p, t[0], t[1], t[2], at);
-  if (at.x == 0) return at.y == 0 ? t[2] : t[1] + at.z * (t[2] - t[1]);  // exact at corners and along sides
+  if (at.x == 0)
+    return at.y == 0 ? t[2] : t[1] + at.z * (t[2] - t[1]);  // exact at corners and along sides
   return t[0] + at.y * (t[1] - t[0]) + at.z * (t[2] - t[0]);
 }
 

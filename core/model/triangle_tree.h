@@ -10,8 +10,8 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/base/box.h"
 #include "core/mesh/mesh.h"
-#include "core/model/box.h"
 
 namespace aomd {
 
@@ -29,9 +29,9 @@ struct Triangles {
 /// The same for plain arrays; the n-th of `faces` is Face(n).
 [[nodiscard]] Triangles triangles_of(const MeshData& data);
 
-/// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median where the
-/// middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the triangles are
-/// copied, about 170 bytes each with the tree.
+/// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median
+/// where the middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the
+/// triangles are copied, about 170 bytes each with the tree.
 class TriangleTree {
  public:
   /// The same tree for any number of threads.
@@ -51,21 +51,22 @@ class TriangleTree {
     glm::dvec3 point{};
     double distance2 = std::numeric_limits<double>::infinity();
   };
-  /// The point of all triangles that is nearest to `p`. A `hint` (a triangle likely to be near, in the tree's
-  /// order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
+  /// The point of all triangles that is nearest to `p`. A `hint` (a triangle likely to be near, in
+  /// the tree's order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
   [[nodiscard]] Nearest nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
 
   struct RayHit {
     std::uint32_t triangle = no_index;                          ///< in the tree's order
     double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
   };
-  /// The first triangle that a ray meets, from either side, among those that takes(n) accepts (asked only
-  /// where the ray meets the triangle). About O(log n). Nothing (no_index) where there is none.
+  /// The first triangle that a ray meets, from either side, among those that takes(n) accepts
+  /// (asked only where the ray meets the triangle). About O(log n). Nothing (no_index) where there
+  /// is none.
   [[nodiscard]] RayHit first_along(const glm::dvec3& origin, const glm::dvec3& direction,
                                    const std::function<bool(std::uint32_t)>& takes) const;
 
-  /// Calls visit(n) for every triangle, in the tree's order, whose squared distance to `p` is at most
-  /// `distance2`.
+  /// Calls visit(n) for every triangle, in the tree's order, whose squared distance to `p` is at
+  /// most `distance2`.
   template <typename Visit>
   void within(const glm::dvec3& p, double distance2, Visit&& visit) const;
 
@@ -87,12 +88,14 @@ class TriangleTree {
     [[nodiscard]] bool leaf() const { return right == 0; }
   };
   static constexpr std::uint32_t leaf_size = 4;
-  // A node keeps at most 7/8 of its parent's triangles: the depth is below log(2^32) / log(8/7), 167.
+  // A node keeps at most 7/8 of its parent's triangles: the depth is below log(2^32) / log(8/7),
+  // 167.
   static constexpr std::size_t lopsided = 8, stack_size = 176;
 
   struct Item;
   static std::size_t split(std::span<Item> items);
-  static void build(std::span<Item> items, std::uint32_t begin, int threads, std::vector<Node>& nodes);
+  static void build(std::span<Item> items, std::uint32_t begin, int threads,
+                    std::vector<Node>& nodes);
   void add_boxes();
   template <typename Visit>
   void pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const;
@@ -103,14 +106,15 @@ class TriangleTree {
   std::vector<std::uint32_t> source_;
 };
 
-/// Where a ray meets a triangle, from either side, in lengths of the direction; infinite where it does not
-/// (Moeller and Trumbore 1997). Rims belong to the triangle.
-[[nodiscard]] double distance_along(const glm::dvec3& origin, const glm::dvec3& direction, const Triangle& t);
+/// Where a ray meets a triangle, from either side, in lengths of the direction; infinite where it
+/// does not (Moeller and Trumbore 1997). Rims belong to the triangle.
+[[nodiscard]] double distance_along(const glm::dvec3& origin, const glm::dvec3& direction,
+                                    const Triangle& t);
 
-/// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time Collision
-/// Detection, section 5.1.5). Returns the squared distance.
-double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                           glm::dvec3& barycentric);
+/// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time
+/// Collision Detection, section 5.1.5). Returns the squared distance.
+double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                           const glm::dvec3& c, glm::dvec3& barycentric);
 
 /// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
 [[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Where a ray enters a box, or infinity. Divisions by zero give infinities, as the comparisons want them.
+/// Where a ray enters a box, or infinity. Divisions by zero give infinities, as the comparisons
+/// want them.
 double entry(const Box& box, const glm::dvec3& origin, const glm::dvec3& inverse) {
   double near = 0, far = unlimited;
   for (int k = 0; k < 3; ++k) {
@@ -37,8 +38,9 @@ double distance_along(const glm::dvec3& origin, const glm::dvec3& direction, con
   return y >= 0 && z >= 0 && y + z <= 1 && distance >= 0 ? distance : unlimited;
 }
 
-TriangleTree::RayHit TriangleTree::first_along(const glm::dvec3& origin, const glm::dvec3& direction,
-                                               const std::function<bool(std::uint32_t)>& takes) const {
+TriangleTree::RayHit TriangleTree::first_along(
+    const glm::dvec3& origin, const glm::dvec3& direction,
+    const std::function<bool(std::uint32_t)>& takes) const {
   RayHit best;
   if (nodes_.empty()) return best;
   const glm::dvec3 inverse = 1.0 / direction;
@@ -52,7 +54,8 @@ TriangleTree::RayHit TriangleTree::first_along(const glm::dvec3& origin, const g
     const Node& node = nodes_[id];
     if (node.leaf()) {
       for (std::uint32_t n = node.begin; n < node.end; ++n)
-        if (const double d = distance_along(origin, direction, triangles_[n]); d < best.distance && takes(n))
+        if (const double d = distance_along(origin, direction, triangles_[n]);
+            d < best.distance && takes(n))
           best = {n, d};
       continue;
     }

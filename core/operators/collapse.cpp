@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/journal_scope.h"
 
@@ -13,14 +13,15 @@ namespace {
 double smallest_angle_around(const Mesh& mesh, const Star& star, const glm::dvec3& centre) {
   double cosine = 0.5;
   for (const StarFace& f : star)
-    cosine =
-        std::max(cosine, smallest_angle_cosine(centre, mesh.position(f.next), mesh.position(f.previous)));
+    cosine = std::max(
+        cosine, smallest_angle_cosine(centre, mesh.position(f.next), mesh.position(f.previous)));
   return cosine;
 }
 
 }  // namespace
 
-Collapser::Collapser(const Mesh& mesh) : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
+Collapser::Collapser(const Mesh& mesh)
+    : mark_(mesh.capacity(0), 0), edge_to_kept_(mesh.capacity(0)) {
   AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
 }
 
@@ -39,7 +40,8 @@ void Collapser::mark_neighbours(Vertex kept, const Star& star) {
   mark_[kept] = stamp_;
 }
 
-// The third vertices of the faces at the edge. False where two of them are one: those faces enclose a pocket.
+// The third vertices of the faces at the edge. False where two of them are one: those faces enclose
+// a pocket.
 bool Collapser::gather_apexes(const Star& star, Vertex other_end) {
   apexes_.clear();
   for (const StarFace& f : star) {
@@ -51,15 +53,16 @@ bool Collapser::gather_apexes(const Star& star, Vertex other_end) {
   return true;
 }
 
-// One bit for each apex; those past the 63rd share the last, which only makes a later check look closer.
+// One bit for each apex; those past the 63rd share the last, which only makes a later check look
+// closer.
 std::uint64_t Collapser::apex_bit(Vertex v) const {
   for (std::size_t i = 0; i < apexes_.size(); ++i)
     if (apexes_[i] == v) return std::uint64_t{1} << std::min<std::size_t>(i, 63);
   return 0;
 }
 
-// The two other edges of a removed face fall together. If neither has a further face, the one that stays has
-// none.
+// The two other edges of a removed face fall together. If neither has a further face, the one that
+// stays has none.
 bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const {
   for (std::size_t i = 0; i < 2; ++i)
     for (const StarFace& f : stars_[i])
@@ -67,14 +70,16 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
   return true;
 }
 
-// The link condition, which is the same whichever end goes: the ends share no neighbour beyond the apexes of
-// their faces, no two faces fall together, no pocket closes, and no edge loses its last face. A collapse then
-// takes one vertex, k faces and k + 1 edges: the Euler number stays.
-Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::array<Vertex, 2>& ends) {
+// The link condition, which is the same whichever end goes: the ends share no neighbour beyond the
+// apexes of their faces, no two faces fall together, no pocket closes, and no edge loses its last
+// face. A collapse then takes one vertex, k faces and k + 1 edges: the Euler number stays.
+Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge,
+                                  const std::array<Vertex, 2>& ends) {
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
   if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
-  if (apexes_.size() == 2 && is_open(stars_[0]) && is_open(stars_[1])) return {Reason::Topology, edge};
+  if (apexes_.size() == 2 && is_open(stars_[0]) && is_open(stars_[1]))
+    return {Reason::Topology, edge};
   std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars_[0]) {
     const bool next = marked(f.next), previous = marked(f.previous);
@@ -89,7 +94,8 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const std::a
       if (g.uses(f.next) && g.uses(f.previous)) return {Reason::Topology, g.face};
   }
   for (const Vertex apex : apexes_)
-    if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, apex)) return {Reason::Topology, apex};
+    if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, apex))
+      return {Reason::Topology, apex};
   return {};
 }
 
@@ -120,9 +126,10 @@ Verdict Collapser::judge_geometry(const Mesh& mesh, const Star& star, const Move
   return {};
 }
 
-// The curve u - deleted - kept becomes u - kept: neither of its two old directions may turn too far.
-Verdict Collapser::judge_curve(const Mesh& mesh, const Star& star, ModelRef model, const Contraction& c,
-                               const TurnLimit& limit) {
+// The curve u - deleted - kept becomes u - kept: neither of its two old directions may turn too
+// far.
+Verdict Collapser::judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
+                               const Contraction& c, const TurnLimit& limit) {
   Verdict verdict;
   const glm::dvec3 from = mesh.position(c.deleted);
   for_edges_at(mesh, c.deleted, star, [&](Edge e, Vertex far) {
@@ -140,7 +147,8 @@ Verdict Collapser::judge_rest_of_curve(const Mesh& mesh, const Star& star, Model
   Verdict verdict;
   for_edges_at(mesh, c.kept, star, [&](Edge e, Vertex far) {
     if (far == c.deleted || mesh.classification(e) != model || !verdict.accepted()) return;
-    const glm::dvec3 end = mesh.position(far), old = end - mesh.position(c.kept), now = end - c.position;
+    const glm::dvec3 end = mesh.position(far), old = end - mesh.position(c.kept),
+                     now = end - c.position;
     if (!limit.allows(old, now)) verdict = {Reason::Angle, e, cosine_between(old, now)};
   });
   return verdict;
@@ -192,9 +200,11 @@ Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseR
         (v == c.deleted || moves) && (own != model || own.dimension() == 0))
       return {Reason::Classification, v};
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}); !v.accepted()) return v;
+    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}); !v.accepted())
+      return v;
   Verdict v = judge_geometry(mesh, stars_[0], {c.deleted, c.kept, c.position}, rules);
-  if (v.accepted() && moves) v = judge_geometry(mesh, stars_[1], {c.kept, c.deleted, c.position}, rules);
+  if (v.accepted() && moves)
+    v = judge_geometry(mesh, stars_[1], {c.kept, c.deleted, c.position}, rules);
   if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
     v = judge_curve(mesh, stars_[0], model, c, rules.max_curve_turn);
   if (v.accepted() && moves && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
@@ -211,7 +221,8 @@ void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
   });
 }
 
-// Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at its end.
+// Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at
+// its end.
 void Collapser::plan(const Mesh& mesh, Vertex deleted, Vertex kept) {
   merges_.clear();
   rebindings_.clear();
@@ -230,7 +241,8 @@ void Collapser::plan(const Mesh& mesh, Vertex deleted, Vertex kept) {
       rebindings_.push_back({f->face, f->slot, deleted, kept});
       continue;
     }
-    if (const Vertex apex = f->third(kept); leaves_bare_edge({deleted, kept}, apex)) bare_.push_back(apex);
+    if (const Vertex apex = f->third(kept); leaves_bare_edge({deleted, kept}, apex))
+      bare_.push_back(apex);
   }
 }
 

@@ -6,7 +6,8 @@
 namespace aomd {
 namespace {
 
-// Average of the neighbours; on a model edge, of those along it. False where there is nothing to average.
+// Average of the neighbours; on a model edge, of those along it. False where there is nothing to
+// average.
 bool find_target(const Mesh& mesh, Vertex v, glm::dvec3& target) {
   const ModelRef model = mesh.classification(v);
   glm::dvec3 sum(0.0);

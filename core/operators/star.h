@@ -32,12 +32,16 @@ inline void gather(const Mesh& mesh, Vertex v, const Row<2>& faces, Star& star) 
   }
 }
 
-/// The faces around a vertex, in ascending order. T(0,2) and T(2,0) must be stored. O(faces around v).
-inline void gather(const Mesh& mesh, Vertex v, Star& star) { gather(mesh, v, mesh.row<2>(v), star); }
+/// The faces around a vertex, in ascending order. T(0,2) and T(2,0) must be stored. O(faces around
+/// v).
+inline void gather(const Mesh& mesh, Vertex v, Star& star) {
+  gather(mesh, v, mesh.row<2>(v), star);
+}
 
-/// The faces around a vertex, in ascending order: the row of T(0,2) where it is stored, else derived (T(0,1)
-/// and T(1,2) stored, say) into `derived`.
-[[nodiscard]] inline Row<2> faces_around(const Mesh& mesh, Vertex v, std::vector<std::uint32_t>& derived) {
+/// The faces around a vertex, in ascending order: the row of T(0,2) where it is stored, else
+/// derived (T(0,1) and T(1,2) stored, say) into `derived`.
+[[nodiscard]] inline Row<2> faces_around(const Mesh& mesh, Vertex v,
+                                         std::vector<std::uint32_t>& derived) {
   if (mesh.stored(0, 2)) return mesh.row<2>(v);
   adjacent(mesh, v, 2, derived);
   return Row<2>(derived);
@@ -49,22 +53,24 @@ inline void gather(const Mesh& mesh, Vertex v, Star& star) { gather(mesh, v, mes
   return (x ^ (x >> 29)) * 0xBF58476D1CE4E5B9u;
 }
 
-/// True where the faces around a vertex do not close: in a closed ring every neighbour occurs twice.
+/// True where the faces around a vertex do not close: in a closed ring every neighbour occurs
+/// twice.
 [[nodiscard]] inline bool is_open(const Star& star) {
   std::uint64_t odd = 0;
   for (const StarFace& f : star) odd ^= spread(f.next) ^ spread(f.previous);
   return odd != 0;
 }
 
-/// True where every neighbour follows a face as often as it precedes one: a closed ring of one orientation.
+/// True where every neighbour follows a face as often as it precedes one: a closed ring of one
+/// orientation.
 [[nodiscard]] inline bool is_ring(const Star& star) {
   std::uint64_t sum = 0;
   for (const StarFace& f : star) sum += spread(f.next) - spread(f.previous);
   return sum == 0;
 }
 
-/// Calls visit(neighbour) once for each vertex that shares a face: as the next one around, or where the faces
-/// do not form rings of one orientation, as the previous one.
+/// Calls visit(neighbour) once for each vertex that shares a face: as the next one around, or where
+/// the faces do not form rings of one orientation, as the previous one.
 template <typename Visit>
 void for_neighbours(const Star& star, Visit&& visit) {
   const bool ring = is_ring(star);
@@ -80,15 +86,17 @@ void for_neighbours(const Star& star, Visit&& visit) {
   }
 }
 
-/// False only where no entity of level 1 can end at a vertex: it lies inside a model face or region.
+/// False only where no entity of level 1 can end at a vertex: it lies inside a model face or
+/// region.
 [[nodiscard]] inline bool may_end_model_edge(const Mesh& mesh, Vertex v) {
   const ModelRef on = mesh.classification(v);
   return !on.valid() || on.dimension() <= 1;
 }
 
-/// What the edge between two vertices lies on, from the faces around the first. Only model edges may be
-/// entities; every other edge lies on the face around it. Invalid where no face joins them.
-[[nodiscard]] inline ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b, const Star& around_a) {
+/// What the edge between two vertices lies on, from the faces around the first. Only model edges
+/// may be entities; every other edge lies on the face around it. Invalid where no face joins them.
+[[nodiscard]] inline ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b,
+                                            const Star& around_a) {
   for (const Vertex v : {a, b})
     if (!may_end_model_edge(mesh, v)) return mesh.classification(v);
   if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
@@ -97,10 +105,10 @@ void for_neighbours(const Star& star, Visit&& visit) {
   return {};
 }
 
-/// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else every edge
-/// must be a side of a face, and they are found by existence queries along the faces around `v`. Where the
-/// mesh lists model edges only, just between vertices that may end one; where it holds them all, in the order
-/// in which T(0,1) gives them, the last one first.
+/// Calls visit(edge, far end) for every edge entity at `v`: from T(0,1) where it is stored; else
+/// every edge must be a side of a face, and they are found by existence queries along the faces
+/// around `v`. Where the mesh lists model edges only, just between vertices that may end one; where
+/// it holds them all, in the order in which T(0,1) gives them, the last one first.
 template <typename Visit>
 void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
   if (mesh.stored(0, 1)) {
@@ -122,7 +130,8 @@ void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
       if (e.valid() && !all) visit(e, far);
     }
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return b.first < a.first; });
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return b.first < a.first; });
   for (const auto& [edge, far] : found) visit(edge, far);
 }
 

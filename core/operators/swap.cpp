@@ -15,8 +15,8 @@ std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
   return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3;
 }
 
-// Fills the pair from faces at its first vertex; false unless exactly two of them use the edge, in opposite
-// directions.
+// Fills the pair from faces at its first vertex; false unless exactly two of them use the edge, in
+// opposite directions.
 bool find_faces(const Mesh& mesh, const Row<2>& faces, EdgePair& pair) {
   for (const Face face : faces) {
     const auto t = mesh.triangle(face);
@@ -55,17 +55,20 @@ Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
     pair = {{}, {}, a, b, {}, {}};
     return {Reason::Topology, a};
   }
-  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, pair.f};
+  if (mesh.classification(pair.f) != mesh.classification(pair.g))
+    return {Reason::Classification, pair.f};
   if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return {};
   const Edge edge = mesh.find_edge(a, b);
-  if (edge.valid() && mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
+  if (edge.valid() && mesh.classification(edge).dimension() == 1)
+    return {Reason::Classification, edge};
   return {};
 }
 
 bool joined(const Mesh& mesh, Vertex a, Vertex b) {
   for (const Face f : mesh.row<2>(a))
     if (slot_of(mesh.triangle(f), b) != 3) return true;
-  if (!mesh.stored(0, 1) && !(may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b))) return false;
+  if (!mesh.stored(0, 1) && !(may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b)))
+    return false;
   return mesh.find_edge(a, b).valid();
 }
 
@@ -75,9 +78,11 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
   pair = {{}, {}, a, b, {}, {}};
   const Row<2> faces = mesh.stored(0, 2) ? mesh.row<2>(a) : mesh.row<2>(edge);
   if (!find_faces(mesh, faces, pair)) return {Reason::Topology, edge};
-  if (mesh.classification(pair.f) != mesh.classification(pair.g)) return {Reason::Classification, edge};
+  if (mesh.classification(pair.f) != mesh.classification(pair.g))
+    return {Reason::Classification, edge};
   if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
-  if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid()) return {Reason::Topology, other};
+  if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid())
+    return {Reason::Topology, other};
   return {};
 }
 

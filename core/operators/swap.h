@@ -1,5 +1,6 @@
 #pragma once
-// Edge swap on surfaces: the other diagonal of two triangles (paper, section 3; there V_swapOpEdges_).
+// Edge swap on surfaces: the other diagonal of two triangles (paper, section 3; there
+// V_swapOpEdges_).
 //
 //        c                 c
 //      / f \             / | \          .
@@ -21,21 +22,23 @@ struct EdgePair {
   Vertex a, b, c, d;
 };
 
-/// Fills `pair` with the two triangles at the edge between two vertices. Refusals: Classification (the edge
-/// lies on a model edge, or its faces differ), Topology (not exactly two faces, oppositely oriented, or two
-/// faces on the same vertices; `pair` then has none). T(0,2) and T(2,0) must be stored; edges need not be
-/// entities (see for_edges_at). O(faces around a).
+/// Fills `pair` with the two triangles at the edge between two vertices. Refusals: Classification
+/// (the edge lies on a model edge, or its faces differ), Topology (not exactly two faces,
+/// oppositely oriented, or two faces on the same vertices; `pair` then has none). T(0,2) and T(2,0)
+/// must be stored; edges need not be entities (see for_edges_at). O(faces around a).
 [[nodiscard]] Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair);
 
-/// Whether an edge or a face joins two vertices already. T(0,2) and T(2,0) must be stored. O(faces around a).
+/// Whether an edge or a face joins two vertices already. T(0,2) and T(2,0) must be stored. O(faces
+/// around a).
 [[nodiscard]] bool joined(const Mesh& mesh, Vertex a, Vertex b);
 
-/// What swapping an edge would do. Accepted only where the smallest angle of the two triangles grows.
-/// Refusals: Classification (the edge is on a model edge, or its faces differ), Topology (not exactly two
-/// faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new normal further than
-/// `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2) or T(1,2), T(2,0), and hold
-/// triangles only. `pair` receives what was found.
-[[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgePair& pair);
+/// What swapping an edge would do. Accepted only where the smallest angle of the two triangles
+/// grows. Refusals: Classification (the edge is on a model edge, or its faces differ), Topology
+/// (not exactly two faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new
+/// normal further than `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2)
+/// or T(1,2), T(2,0), and hold triangles only. `pair` receives what was found.
+[[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn,
+                                 EdgePair& pair);
 
 /// Swaps: both faces keep their ids, and so does the edge where it is an entity. One journal step.
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair);

@@ -90,11 +90,12 @@ pRegion_ R_create_(pMesh_ mesh, pVertex_ v0, pVertex_ v1, pVertex_ v2, pVertex_ 
   return R_create_(mesh, {v0, v1, v2, v3}, type, classification, tag);
 }
 
-pRegion_ R_create_(pMesh_ mesh, std::initializer_list<pVertex_> vertices, RTip_ type, int classification,
-                   int tag) {
+pRegion_ R_create_(pMesh_ mesh, std::initializer_list<pVertex_> vertices, RTip_ type,
+                   int classification, int tag) {
   std::vector<Vertex> v;
   for (const pVertex_& vertex : vertices) v.push_back(entity_in(mesh, vertex));
-  return {mesh, mesh->mesh.create_region(static_cast<Shape>(type), v, model_of(classification, tag))};
+  return {mesh,
+          mesh->mesh.create_region(static_cast<Shape>(type), v, model_of(classification, tag))};
 }
 
 void F_delete_(pMesh_ mesh, pFace_ face) { mesh->mesh.destroy(entity_in(mesh, face)); }
@@ -123,7 +124,8 @@ int R_dirFace_(pRegion_ region, pFace_ face) {
   const Face f = entity_in(region.session(), face);
   if (!m.stored(3, 2)) region.session()->region_faces = m.request(3, 2, "paper session");
   const auto faces = m.row<2>(region.entity()).indices();
-  require(std::find(faces.begin(), faces.end(), f.index) != faces.end(), "the region does not use this face");
+  require(std::find(faces.begin(), faces.end(), f.index) != faces.end(),
+          "the region does not use this face");
   return m.use_direction(region.entity(), f);
 }
 
@@ -133,7 +135,9 @@ double E_length_(pEdge_ edge) {
   return glm::length(m.position(a) - m.position(b));
 }
 
-void G_snapVertex_(pModel_ model, pVertex_ vertex) { snap(*model, mesh_of(vertex), vertex.entity()); }
+void G_snapVertex_(pModel_ model, pVertex_ vertex) {
+  snap(*model, mesh_of(vertex), vertex.entity());
+}
 
 pGFace_ F_modeling_(pFace_ face) {
   const ModelRef model = mesh_of(face).classification(face.entity());
@@ -178,7 +182,9 @@ int V_swapOpEdges_(pMesh_ mesh, pVertex_ vertex) {
   mesh->opposite.clear();
   for (const Face f : m.row<2>(v)) {
     const auto [a, b, c] = m.triangle(f);
-    mesh->opposite.push_back(a == v ? m.find_edge(b, c) : b == v ? m.find_edge(c, a) : m.find_edge(a, b));
+    mesh->opposite.push_back(a == v   ? m.find_edge(b, c)
+                             : b == v ? m.find_edge(c, a)
+                                      : m.find_edge(a, b));
   }
   int swaps = 0;
   for (const Edge e : mesh->opposite) {

@@ -13,14 +13,15 @@
 
 namespace aomd::paper {
 
-/// What stands behind a pMesh_: a mesh, which must outlive it, the limits of the operators, and the scratch
-/// space that makes a call cost what the operator costs. `Session session(mesh); pMesh_ mesh = &session;`
+/// What stands behind a pMesh_: a mesh, which must outlive it, the limits of the operators, and the
+/// scratch space that makes a call cost what the operator costs. `Session session(mesh); pMesh_
+/// mesh = &session;`
 struct Session {
   explicit Session(Mesh& m) : mesh(m) {}
   Mesh& mesh;
   CollapseRules collapse{TurnLimit(10), TopologyRule::Paper};  ///< of E_2Dcollapse_
   TurnLimit improve{10};                                       ///< of V_swapOpEdges_ and V_smooth_
-  const Model* model = nullptr;                                ///< V_smooth_ snaps to it when there is one
+  const Model* model = nullptr;  ///< V_smooth_ snaps to it when there is one
 
   // Made by the calls when first needed
   std::optional<Collapser> collapser;
@@ -44,8 +45,8 @@ struct DataList_ {
   }
 };
 
-/// A handle that knows its mesh; false when null. Deleting the entity leaves it dangling, as a pointer would
-/// be.
+/// A handle that knows its mesh; false when null. Deleting the entity leaves it dangling, as a
+/// pointer would be.
 template <int Dim>
 class pEntity_ {
  public:

@@ -13,7 +13,8 @@ Around::Around(const Surface& surface)
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   faces_.resize(begin_.back());
   std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-  surface.each_corner([&](std::uint32_t c) { faces_[at[surface.vertex(c)]++] = surface.face_of(c); });
+  surface.each_corner(
+      [&](std::uint32_t c) { faces_[at[surface.vertex(c)]++] = surface.face_of(c); });
 }
 
 std::span<const std::uint32_t> Around::faces(std::uint32_t v) const {
@@ -31,7 +32,8 @@ std::vector<std::uint32_t>& Around::changed(std::uint32_t v) {
 std::vector<std::uint32_t> Around::faces(std::uint32_t a, std::uint32_t b) const {
   std::vector<std::uint32_t> both;
   for (const std::uint32_t f : faces(a))
-    if (const auto v = surface_.vertices(f); std::find(v.begin(), v.end(), b) != v.end()) both.push_back(f);
+    if (const auto v = surface_.vertices(f); std::find(v.begin(), v.end(), b) != v.end())
+      both.push_back(f);
   return both;
 }
 

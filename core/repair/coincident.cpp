@@ -26,7 +26,8 @@ Round round_of(const Surface& surface, std::uint32_t f) {
   Round round{key.low, f, key.tag, key.forward};
   if (v.size() > 3) {  // the key of a polygon does not tell the order of its vertices
     round.tag = v.size();
-    for (const std::uint32_t u : canonical(v, key.forward)) round.tag = (round.tag ^ u) * 0x9e3779b97f4a7c15u;
+    for (const std::uint32_t u : canonical(v, key.forward))
+      round.tag = (round.tag ^ u) * 0x9e3779b97f4a7c15u;
   }
   return round;
 }
@@ -34,7 +35,8 @@ Round round_of(const Surface& surface, std::uint32_t f) {
 bool same_round(const Surface& surface, const Round& a, const Round& b) {
   if (a.low != b.low || a.tag != b.tag) return false;
   const auto u = surface.vertices(a.face), v = surface.vertices(b.face);
-  return u.size() == v.size() && (u.size() == 3 || canonical(u, a.forward) == canonical(v, b.forward));
+  return u.size() == v.size() &&
+         (u.size() == 3 || canonical(u, a.forward) == canonical(v, b.forward));
 }
 
 // Two faces that cancel each other.
@@ -71,9 +73,10 @@ class Coinciding {
       rounds[at[round.low]++] = round;
     });
     for (std::size_t v = 0, from = 0; v + 1 < at.size(); from = at[v++])
-      std::sort(
-          rounds.begin() + static_cast<std::ptrdiff_t>(from), rounds.begin() + at[v],
-          [](const Round& a, const Round& b) { return a.tag != b.tag ? a.tag < b.tag : a.face < b.face; });
+      std::sort(rounds.begin() + static_cast<std::ptrdiff_t>(from), rounds.begin() + at[v],
+                [](const Round& a, const Round& b) {
+                  return a.tag != b.tag ? a.tag < b.tag : a.face < b.face;
+                });
     return rounds;
   }
 

@@ -38,9 +38,10 @@ EdgeUses::EdgeUses(const Surface& surface) {
     uses_[at[std::min(a, b)]++] = {std::max(a, b), c << 1 | std::uint32_t{a < b}};
   });
   for (std::size_t v = 0, from = 0; v + 1 < at.size(); from = at[v++])
-    std::sort(
-        uses_.begin() + static_cast<std::ptrdiff_t>(from), uses_.begin() + at[v],
-        [](const Use& x, const Use& y) { return x.high != y.high ? x.high < y.high : x.place < y.place; });
+    std::sort(uses_.begin() + static_cast<std::ptrdiff_t>(from), uses_.begin() + at[v],
+              [](const Use& x, const Use& y) {
+                return x.high != y.high ? x.high < y.high : x.place < y.place;
+              });
 }
 
 }  // namespace aomd::repair_detail

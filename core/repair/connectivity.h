@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/mesh/raw_vector.h"
+#include "core/base/raw_vector.h"
 #include "core/repair/surface.h"
 
 namespace aomd::repair_detail {
@@ -37,14 +37,16 @@ class Sets {
 class EdgeUses {
  public:
   struct Use {
-    std::uint32_t high;   ///< the larger of the edge's vertices
-    std::uint32_t place;  ///< corner << 1 | 1 where the side runs from the smaller vertex to the larger
+    std::uint32_t high;  ///< the larger of the edge's vertices
+    std::uint32_t
+        place;  ///< corner << 1 | 1 where the side runs from the smaller vertex to the larger
     [[nodiscard]] std::uint32_t corner() const { return place >> 1; }
     [[nodiscard]] bool forward() const { return (place & 1u) != 0; }
   };
   explicit EdgeUses(const Surface& surface);
 
-  /// Calls visit(span of uses) for every edge, ascending by its vertices; uses are ascending by corner.
+  /// Calls visit(span of uses) for every edge, ascending by its vertices; uses are ascending by
+  /// corner.
   template <typename Visit>
   void each(Visit&& visit) const {
     for (std::size_t i = 0, j = 0; i < uses_.size(); i = j) {

@@ -38,7 +38,8 @@ class ListedEdges {
   // What each listed edge is now.
   void find_parts() {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      bases_.push_back(edge_key(weld_.base(edges_.vertices[2 * e]), weld_.base(edges_.vertices[2 * e + 1])));
+      bases_.push_back(
+          edge_key(weld_.base(edges_.vertices[2 * e]), weld_.base(edges_.vertices[2 * e + 1])));
       parts_[bases_.back()];
     }
     surface_.each_corner([&](std::uint32_t c) {
@@ -46,14 +47,16 @@ class ListedEdges {
       const auto it = parts_.find(edge_key(before_[c], before_[n]));
       if (it == parts_.end()) return;
       const std::uint64_t now = edge_key(surface_.vertex(c), surface_.vertex(n));
-      if (std::find(it->second.begin(), it->second.end(), now) == it->second.end()) it->second.push_back(now);
+      if (std::find(it->second.begin(), it->second.end(), now) == it->second.end())
+        it->second.push_back(now);
     });
   }
 
   // To a part that is not listed yet, if there is one.
   void move(std::uint32_t e) {
     const auto& parts = parts_[base(e)];
-    const auto free = std::find_if(parts.begin(), parts.end(), [&](auto p) { return !listed_.contains(p); });
+    const auto free =
+        std::find_if(parts.begin(), parts.end(), [&](auto p) { return !listed_.contains(p); });
     const std::uint64_t part = free == parts.end() ? parts.front() : *free;
     listed_.insert(part);
     edges_.vertices[2 * e] = static_cast<std::uint32_t>(part >> 32);
@@ -62,12 +65,13 @@ class ListedEdges {
 
   void append(std::uint32_t e, std::uint64_t part) {
     edges_.shapes.push_back(Shape::Line);
-    edges_.vertices.insert(edges_.vertices.end(),
-                           {static_cast<std::uint32_t>(part >> 32), static_cast<std::uint32_t>(part)});
+    edges_.vertices.insert(edges_.vertices.end(), {static_cast<std::uint32_t>(part >> 32),
+                                                   static_cast<std::uint32_t>(part)});
     if (!edges_.classes.empty()) edges_.classes.push_back(ModelRef(edges_.classes[e]));
     for (Attribute& a : surface_.data().attributes) {
       const auto n = static_cast<std::size_t>(a.components);
-      for (std::size_t k = 0; a.dimension == 1 && k < n; ++k) a.values.push_back(double{a.values[e * n + k]});
+      for (std::size_t k = 0; a.dimension == 1 && k < n; ++k)
+        a.values.push_back(double{a.values[e * n + k]});
     }
   }
 

@@ -23,7 +23,9 @@ class DirectedSets {
     return root;
   }
   /// After find(f).
-  [[nodiscard]] bool against_root(std::uint32_t f) const { return parent_[f] != f && against_[f] != 0; }
+  [[nodiscard]] bool against_root(std::uint32_t f) const {
+    return parent_[f] != f && against_[f] != 0;
+  }
   /// Joins two faces; false where they are joined already and the other way round.
   bool unite(std::uint32_t f, std::uint32_t g, bool against) {
     const std::uint32_t a = find(f), b = find(g);
@@ -48,7 +50,8 @@ class Orienter {
   Oriented run() {
     join();
     std::vector<std::int64_t> majority(surface_.face_count(), 0);  // with the root less against it
-    surface_.each_face([&](std::uint32_t f) { majority[sets_.find(f)] += sets_.against_root(f) ? -1 : 1; });
+    surface_.each_face(
+        [&](std::uint32_t f) { majority[sets_.find(f)] += sets_.against_root(f) ? -1 : 1; });
     Oriented result;
     surface_.each_face([&](std::uint32_t f) {
       const std::uint32_t root = sets_.find(f);
@@ -66,7 +69,8 @@ class Orienter {
     std::vector<std::uint32_t> conflicts;
     EdgeUses(surface_).each([&](std::span<const EdgeUses::Use> uses) {
       if (uses.size() != 2) return;
-      const std::uint32_t f = surface_.face_of(uses[0].corner()), g = surface_.face_of(uses[1].corner());
+      const std::uint32_t f = surface_.face_of(uses[0].corner()),
+                          g = surface_.face_of(uses[1].corner());
       if (!sets_.unite(f, g, uses[0].forward() == uses[1].forward())) conflicts.push_back(f);
     });
     for (const std::uint32_t f : conflicts) twisted_[sets_.find(f)] = 1;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/model/box.h"
+#include "core/base/box.h"
 #include "core/repair/stages.h"
 
 namespace aomd::repair_detail {
@@ -15,7 +15,8 @@ Tally remove_small_pieces(Surface& surface, double percent) {
   });
   std::size_t largest = 0;
   for (std::size_t root = 0; root < boxes.size(); ++root) {
-    if (boxes[root].diagonal() > boxes[largest].diagonal() || boxes[largest].empty()) largest = root;
+    if (boxes[root].diagonal() > boxes[largest].diagonal() || boxes[largest].empty())
+      largest = root;
     whole.add(boxes[root]);
   }
   const double limit = whole.diagonal() * percent / 100;

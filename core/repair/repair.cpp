@@ -1,12 +1,12 @@
 #include "core/repair/repair.h"
 
+#include "core/base/text.h"
 #include "core/io/source.h"
 #include "core/repair/stages.h"
 
 namespace aomd {
 namespace {
 
-using io::detail::counted;
 using namespace repair_detail;
 
 void tell(std::vector<RepairItem>& items, const Tally& tally, int dimension, const char* name,
@@ -16,7 +16,8 @@ void tell(std::vector<RepairItem>& items, const Tally& tally, int dimension, con
 
 class Repair {
  public:
-  Repair(MeshData& data, const RepairOptions& options) : surface_(data), data_(data), options_(options) {}
+  Repair(MeshData& data, const RepairOptions& options)
+      : surface_(data), data_(data), options_(options) {}
 
   RepairReport run() {
     if (options_.weld) weld_ = Weld(surface_);
@@ -43,9 +44,11 @@ class Repair {
   }
 
   void coincident() {
-    const Coincident r = mend_coincident(surface_, options_.repeated_faces, options_.opposite_faces);
+    const Coincident r =
+        mend_coincident(surface_, options_.repeated_faces, options_.opposite_faces);
     tell(report_.done, r.opposite, 2, "opposite faces",
-         counted(r.opposite.count(), "face") + " in coincident pairs of opposite orientation removed");
+         counted(r.opposite.count(), "face") +
+             " in coincident pairs of opposite orientation removed");
     tell(report_.done, r.sheets, 2, "sheets",
          counted(r.sheets.count(), "back face") + " of sheets listed from both sides removed");
     tell(report_.done, r.repeated, 2, "repeated faces",
@@ -68,8 +71,8 @@ class Repair {
     tell(report_.done, r.edges, 1, "non-manifold edges",
          counted(r.edges.count(), "edge") + " of three or more faces split" + opened);
     tell(report_.done, r.vertices, 0, "split vertices",
-         counted(r.vertices.count(), "vertex") + " of several fans split: " + counted(r.copies, "vertex") +
-             " added");
+         counted(r.vertices.count(), "vertex") +
+             " of several fans split: " + counted(r.copies, "vertex") + " added");
     tell(report_.left, r.kept_edges, 1, "non-manifold edges",
          counted(r.kept_edges.count(), "edge") +
              " of three or more faces left: the file puts them on the model");
@@ -90,7 +93,8 @@ class Repair {
 
   void small_pieces() {
     const Tally pieces = remove_small_pieces(surface_, options_.min_piece_pct);
-    tell(report_.done, pieces, 2, "small pieces", counted(pieces.count(), "small piece") + " removed");
+    tell(report_.done, pieces, 2, "small pieces",
+         counted(pieces.count(), "small piece") + " removed");
   }
 
   void unused() {
@@ -108,6 +112,8 @@ class Repair {
 
 }  // namespace
 
-RepairReport repair(MeshData& data, const RepairOptions& options) { return Repair(data, options).run(); }
+RepairReport repair(MeshData& data, const RepairOptions& options) {
+  return Repair(data, options).run();
+}
 
 }  // namespace aomd

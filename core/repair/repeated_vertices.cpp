@@ -5,8 +5,8 @@
 namespace aomd::repair_detail {
 namespace {
 
-// The round of vertices without sides of no length (a a) and sides gone forth and back (a b a): neither
-// bounds anything, so that the neighbours fit the rest as they fitted the whole.
+// The round of vertices without sides of no length (a a) and sides gone forth and back (a b a):
+// neither bounds anything, so that the neighbours fit the rest as they fitted the whole.
 std::vector<std::uint32_t> reduced(std::span<const std::uint32_t> round) {
   std::vector<std::uint32_t> v(round.begin(), round.end());
   for (std::size_t k = 0; v.size() > 2 && k < v.size();) {

@@ -18,7 +18,8 @@ constexpr std::size_t most_matched = 64;
 // Pairing one edge another way may make another fail; cutting never does.
 constexpr int most_rounds = 4;
 
-// How the faces at an edge of three or more are held together, from what is tried first to what never fails.
+// How the faces at an edge of three or more are held together, from what is tried first to what
+// never fails.
 enum class Hold : std::uint8_t { Pairs, OtherPairs, Open, All };
 
 struct CrowdedEdge {
@@ -64,7 +65,8 @@ class FanSplitter {
     std::vector<std::uint64_t> keys;
     for (std::size_t e = 0; e < edges.classes.size(); ++e)
       if (edges.classes[e].dimension() <= 1)
-        keys.push_back(edge_key(weld_.base(edges.vertices[2 * e]), weld_.base(edges.vertices[2 * e + 1])));
+        keys.push_back(
+            edge_key(weld_.base(edges.vertices[2 * e]), weld_.base(edges.vertices[2 * e + 1])));
     std::sort(keys.begin(), keys.end());
     return keys;
   }
@@ -106,8 +108,8 @@ class FanSplitter {
     });
   }
 
-  // Pairs of opposite sides, those that bend least first; of equal ones those that enclose the inside. Never
-  // the pairs that the edge has.
+  // Pairs of opposite sides, those that bend least first; of equal ones those that enclose the
+  // inside. Never the pairs that the edge has.
   [[nodiscard]] std::vector<std::array<Use, 2>> matched(const CrowdedEdge& edge) const {
     struct Candidate {
       double bend;  // 1 - cosine, in steps that rounding does not reach
@@ -119,11 +121,13 @@ class FanSplitter {
       for (const Use b : edge.uses) {
         if (!a.forward() || b.forward() || paired(edge, a, b)) continue;
         const glm::dvec3 n = surface_.normal(face(a)), m = surface_.normal(face(b));
-        candidates.push_back({std::round((1 - cosine_between(n, m)) * 1e6), hollow(edge, a, b), a, b});
+        candidates.push_back(
+            {std::round((1 - cosine_between(n, m)) * 1e6), hollow(edge, a, b), a, b});
       }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
-      return x.bend != y.bend ? x.bend < y.bend : x.hollow < y.hollow;
-    });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) {
+                       return x.bend != y.bend ? x.bend < y.bend : x.hollow < y.hollow;
+                     });
     std::vector<std::array<Use, 2>> pairs;
     std::vector<std::uint32_t> taken;
     const auto free = [&](Use use) {
@@ -151,8 +155,9 @@ class FanSplitter {
     return glm::dot(surface_.normal(face(a)), middle - surface_.position(edge.low)) > 0;
   }
 
-  // Two pairs that are held together elsewhere at both ends would be four faces at one edge again: it is
-  // paired the other way, which closes the passage between the two, or, where that fails too, cut open.
+  // Two pairs that are held together elsewhere at both ends would be four faces at one edge again:
+  // it is paired the other way, which closes the passage between the two, or, where that fails too,
+  // cut open.
   bool change_what_fails() {
     bool changed = false;
     ++rounds_;
@@ -166,7 +171,8 @@ class FanSplitter {
     return changed;
   }
 
-  // Whether at most two faces at the edge are on the same two of the vertices that `vertex_of` names.
+  // Whether at most two faces at the edge are on the same two of the vertices that `vertex_of`
+  // names.
   template <typename VertexOf>
   [[nodiscard]] bool at_most_two(const CrowdedEdge& edge, VertexOf&& vertex_of) const {
     std::map<std::array<std::uint32_t, 2>, int> faces;
@@ -182,7 +188,8 @@ class FanSplitter {
     return at_most_two(edge, [&](std::uint32_t c) { return weld_.given_at(surface_, c); });
   }
 
-  // The first fan at a vertex keeps it, the others get copies; after a weld each the vertex it had, if free.
+  // The first fan at a vertex keeps it, the others get copies; after a weld each the vertex it had,
+  // if free.
   void name_fans() {
     std::vector<std::uint32_t>& corners = surface_.data().faces.vertices;
     const std::vector<std::uint32_t> before = corners;
@@ -243,7 +250,8 @@ class FanSplitter {
   std::vector<CrowdedEdge> crowded_;
   Sets fans_{0};
   int rounds_ = 0;
-  std::vector<std::uint32_t> vanished_;  ///< vertices whose corners went to others, some of them taken later
+  std::vector<std::uint32_t>
+      vanished_;  ///< vertices whose corners went to others, some of them taken later
   Split result_;
 };
 

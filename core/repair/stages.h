@@ -30,8 +30,8 @@ struct Oriented {
 };
 [[nodiscard]] Oriented mend_orientation(Surface& surface);
 
-/// Vertices at the same position taken for one, for the time of a repair. Afterwards each fan of faces gets
-/// back a vertex that one of its corners had (mend_fans).
+/// Vertices at the same position taken for one, for the time of a repair. Afterwards each fan of
+/// faces gets back a vertex that one of its corners had (mend_fans).
 class Weld {
  public:
   /// Does nothing.
@@ -61,8 +61,8 @@ struct Split {
 /// `split`: whether fans come apart at all.
 [[nodiscard]] Split mend_fans(Surface& surface, const Weld& weld, bool split);
 
-/// Listed edges follow the faces at them, whose corners had the vertices `before`. An edge whose faces have
-/// come apart is listed once for each part.
+/// Listed edges follow the faces at them, whose corners had the vertices `before`. An edge whose
+/// faces have come apart is listed once for each part.
 void follow_faces(Surface& surface, const std::vector<std::uint32_t>& before, const Weld& weld);
 
 /// Triangles of exactly zero area.
@@ -74,7 +74,8 @@ struct ZeroArea {
 /// True when three points lie on a line, or coincide. Exact.
 [[nodiscard]] bool collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// Removes pieces with a smaller diagonal than this share of the whole one; tells the first face of each.
+/// Removes pieces with a smaller diagonal than this share of the whole one; tells the first face of
+/// each.
 [[nodiscard]] Tally remove_small_pieces(Surface& surface, double percent);
 
 /// Drops vertices that no face and no listed edge uses and numbers the others anew. After finish().

@@ -36,7 +36,8 @@ void check(const MeshData& data) {
   }
   for (const Attribute& a : data.attributes) {
     const std::size_t n = a.dimension == 0 ? data.positions.size() : data.list(a.dimension).size();
-    require(a.values.size() == n * static_cast<std::size_t>(a.components), "an attribute lacks values");
+    require(a.values.size() == n * static_cast<std::size_t>(a.components),
+            "an attribute lacks values");
   }
 }
 
@@ -62,7 +63,8 @@ void keep_vertices_of(EntityList& list, const std::vector<std::uint8_t>& keep,
   std::size_t at = 0;
   for (std::size_t i = 0; i < keep.size(); ++i) {
     const int n = keep[i] ? shape_template(list.shapes[i]).vertex_count : 0;
-    for (int k = 0; k < n; ++k) list.vertices[at++] = list.vertices[begin[i] + static_cast<std::size_t>(k)];
+    for (int k = 0; k < n; ++k)
+      list.vertices[at++] = list.vertices[begin[i] + static_cast<std::size_t>(k)];
   }
   list.vertices.resize(at);
 }
@@ -97,7 +99,8 @@ void Surface::shrink(std::uint32_t f, std::span<const std::uint32_t> corners) {
 std::uint32_t Surface::copy_vertex(std::uint32_t v) {
   const std::uint32_t copy = vertex_count();
   data_.positions.push_back(glm::dvec3(data_.positions[v]));
-  if (!data_.vertex_classes.empty()) data_.vertex_classes.push_back(ModelRef(data_.vertex_classes[v]));
+  if (!data_.vertex_classes.empty())
+    data_.vertex_classes.push_back(ModelRef(data_.vertex_classes[v]));
   for (Attribute& a : data_.attributes)
     if (a.dimension == 0) copy_values(a, v, copy);
   return copy;

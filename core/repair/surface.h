@@ -26,8 +26,9 @@ class Tally {
   std::vector<std::uint32_t> first_;
 };
 
-/// The faces under repair. A face keeps its number and its corners their places until finish(); a removed one
-/// is only marked. A corner c stands for the side from its vertex to that of next(c) as well.
+/// The faces under repair. A face keeps its number and its corners their places until finish(); a
+/// removed one is only marked. A corner c stands for the side from its vertex to that of next(c) as
+/// well.
 class Surface {
  public:
   /// Throws std::invalid_argument where lists do not fit each other or vertices do not exist.
@@ -35,11 +36,15 @@ class Surface {
 
   [[nodiscard]] MeshData& data() { return data_; }
   [[nodiscard]] const MeshData& data() const { return data_; }
-  [[nodiscard]] std::uint32_t face_count() const { return static_cast<std::uint32_t>(data_.faces.size()); }
+  [[nodiscard]] std::uint32_t face_count() const {
+    return static_cast<std::uint32_t>(data_.faces.size());
+  }
   [[nodiscard]] std::uint32_t vertex_count() const {
     return static_cast<std::uint32_t>(data_.positions.size());
   }
-  [[nodiscard]] std::uint32_t corner_count() const { return static_cast<std::uint32_t>(face_of_.size()); }
+  [[nodiscard]] std::uint32_t corner_count() const {
+    return static_cast<std::uint32_t>(face_of_.size());
+  }
 
   [[nodiscard]] bool alive(std::uint32_t f) const { return removed_[f] == 0; }
   void remove(std::uint32_t f) {
@@ -57,7 +62,9 @@ class Surface {
     const std::uint32_t f = face_of_[corner];
     return corner + 1 < begin_[f] + size(f) ? corner + 1 : begin_[f];
   }
-  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return data_.faces.vertices[corner]; }
+  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const {
+    return data_.faces.vertices[corner];
+  }
   [[nodiscard]] std::span<const std::uint32_t> vertices(std::uint32_t f) const {
     return {data_.faces.vertices.data() + begin_[f], size(f)};
   }
@@ -113,8 +120,8 @@ class Surface {
   bool shrunk_ = false;
 };
 
-/// Keeps the entities of one dimension whose flag is not 0: their shapes, classes and attributes. `begin`
-/// tells where the vertices of each start. Dimension 0: positions, nothing is renumbered.
+/// Keeps the entities of one dimension whose flag is not 0: their shapes, classes and attributes.
+/// `begin` tells where the vertices of each start. Dimension 0: positions, nothing is renumbered.
 void keep_entities(MeshData& data, int dim, const std::vector<std::uint8_t>& keep,
                    const std::vector<std::uint32_t>& begin = {});
 

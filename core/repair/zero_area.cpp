@@ -12,7 +12,8 @@
 namespace aomd::repair_detail {
 namespace {
 
-// A face around which everything goes on changing is left in the end: keeps huge fans of flat faces linear.
+// A face around which everything goes on changing is left in the end: keeps huge fans of flat faces
+// linear.
 constexpr int most_tries = 64;
 
 class ZeroAreaMender {
@@ -25,8 +26,8 @@ class ZeroAreaMender {
       listed_.insert(edge_key(edges.vertices[2 * e], edges.vertices[2 * e + 1]));
   }
 
-  // Every face whose surroundings change comes up again, so that what is left is left for good. Each step
-  // makes fewer flat faces, or a shorter longest side between two: it ends.
+  // Every face whose surroundings change comes up again, so that what is left is left for good.
+  // Each step makes fewer flat faces, or a shorter longest side between two: it ends.
   ZeroArea run(const std::vector<std::uint32_t>& flat) {
     while (!queue_.empty()) {
       const std::uint32_t f = queue_.front();
@@ -56,8 +57,8 @@ class ZeroAreaMender {
     return listed_.contains(edge_key(a, b));
   }
 
-  // The corners of a flat face turned so that the second lies between the others: points on a line are in the
-  // order of their coordinates.
+  // The corners of a flat face turned so that the second lies between the others: points on a line
+  // are in the order of their coordinates.
   [[nodiscard]] Corners round_middle(std::uint32_t f) const {
     const auto v = std::as_const(surface_).vertices(f);
     std::array<int, 3> order{0, 1, 2};
@@ -102,7 +103,8 @@ class ZeroAreaMender {
     return false;
   }
 
-  // What goes lies inside a model face or on the model edge of the side, or both are one to the model.
+  // What goes lies inside a model face or on the model edge of the side, or both are one to the
+  // model.
   [[nodiscard]] bool model_allows(std::uint32_t stays, std::uint32_t goes) const {
     const ModelRef s = surface_.vertex_class(stays), g = surface_.vertex_class(goes);
     return s == g || g.dimension() >= 2 || (g.dimension() == 1 && listed(stays, goes));
@@ -120,7 +122,8 @@ class ZeroAreaMender {
     std::sort(apexes.begin(), apexes.end());
     const auto of_a = around_.neighbours(a), of_b = around_.neighbours(b);
     std::vector<std::uint32_t> common;
-    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          std::back_inserter(common));
     if (at_side.empty() || at_side.size() > 2 || around_.faces(a, b).size() != at_side.size() ||
         common != apexes)
       return false;
@@ -182,7 +185,8 @@ class ZeroAreaMender {
     const std::uint32_t d = v[0] ^ v[1] ^ v[2] ^ a ^ c;
     const auto from = static_cast<std::size_t>(std::find(v.begin(), v.end(), a) - v.begin());
     if (v[(from + 1) % 3] != c || d == b || !around_.faces(b, d).empty()) return false;
-    if (is_flat_face(g) && (round_middle(g)[1] != d || coincide(a, d) || coincide(c, d))) return false;
+    if (is_flat_face(g) && (round_middle(g)[1] != d || coincide(a, d) || coincide(c, d)))
+      return false;
     put(f, {a, b, d});
     put(g, {b, c, d});
     surface_.take_properties(f, g);
@@ -191,10 +195,13 @@ class ZeroAreaMender {
     return true;
   }
 
-  // At the border nothing is left open by a face without area, as long as it does not hold two fans together.
+  // At the border nothing is left open by a face without area, as long as it does not hold two fans
+  // together.
   bool remove(std::uint32_t f) {
     const auto [a, b, c] = round_middle(f);
-    const auto alone = [&](std::uint32_t u, std::uint32_t w) { return around_.at_side(u, w).size() == 1; };
+    const auto alone = [&](std::uint32_t u, std::uint32_t w) {
+      return around_.at_side(u, w).size() == 1;
+    };
     if (!alone(a, c) || (!alone(a, b) && !alone(b, c) && around_.at_border(b))) return false;
     for (const auto& [u, w] : {std::pair(a, b), {b, c}, {c, a}})
       if (alone(u, w) && listed(u, w)) return false;
@@ -225,7 +232,8 @@ class ZeroAreaMender {
   std::unordered_set<std::uint32_t> waiting_;
   std::unordered_map<std::uint32_t, int> tries_;
   std::unordered_set<std::uint64_t> listed_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> renamed_;  ///< gone vertex, the one that stands for it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      renamed_;  ///< gone vertex, the one that stands for it
   ZeroArea result_;
 };
 
@@ -235,7 +243,8 @@ ZeroArea mend_zero_area(Surface& surface) {
   std::vector<std::uint32_t> flat;
   surface.each_face([&](std::uint32_t f) {
     const auto v = std::as_const(surface).vertices(f);
-    if (v.size() == 3 && collinear(surface.position(v[0]), surface.position(v[1]), surface.position(v[2])))
+    if (v.size() == 3 &&
+        collinear(surface.position(v[0]), surface.position(v[1]), surface.position(v[2])))
       flat.push_back(f);
   });
   if (flat.empty()) return {};

@@ -43,7 +43,8 @@ std::vector<Curve> find_curves(const MeshData& mesh) {
   std::vector<Curve> curves;
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
     bool one_face = true;
-    for (next = i; next < sides.size() && sides[next].a == sides[i].a && sides[next].b == sides[i].b;
+    for (next = i;
+         next < sides.size() && sides[next].a == sides[i].a && sides[next].b == sides[i].b;
          ++next) {
       one_face = one_face && sides[next].tag == sides[i].tag;
     }
@@ -174,7 +175,8 @@ void order_in_space(MeshData& mesh) {
     faces[i / 3][i % 3] = renamed[mesh.faces.vertices[i]];
   for (auto& f : faces) std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
   std::sort(faces.begin(), faces.end());
-  for (std::size_t i = 0; i < mesh.faces.vertices.size(); ++i) mesh.faces.vertices[i] = faces[i / 3][i % 3];
+  for (std::size_t i = 0; i < mesh.faces.vertices.size(); ++i)
+    mesh.faces.vertices[i] = faces[i / 3][i % 3];
 }
 
 }  // namespace aomd::sample

@@ -20,13 +20,15 @@ std::vector<Index> at_positions(const MeshData& mesh, std::span<const glm::dvec3
   std::vector<Index> found;
   for (const glm::dvec3& p : wanted) {
     const auto at = std::find(mesh.positions.begin(), mesh.positions.end(), p);
-    if (at != mesh.positions.end()) found.push_back(static_cast<Index>(at - mesh.positions.begin()));
+    if (at != mesh.positions.end())
+      found.push_back(static_cast<Index>(at - mesh.positions.begin()));
   }
   return found;
 }
 
-/// A sheet-metal bracket: a plate with three holes, of thickness 1, bent by a right angle. In the plate's own
-/// coordinates s runs along it, y across, t through it; t = 0 is the outer side of the bend.
+/// A sheet-metal bracket: a plate with three holes, of thickness 1, bent by a right angle. In the
+/// plate's own coordinates s runs along it, y across, t through it; t = 0 is the outer side of the
+/// bend.
 class Bracket {
  public:
   explicit Bracket(int n) : n_(n), plate_(make_plate(length, width, n, holes)) {}
@@ -36,8 +38,10 @@ class Bracket {
     for (std::size_t i = 0; i < plate_.triangles.size(); ++i) {
       const auto& [a, b, c] = plate_.triangles[i];
       const int part = part_of((plate_.points[a].x + plate_.points[b].x + plate_.points[c].x) / 3);
-      mesh_.faces.add(Shape::Triangle, {column(a, 0), column(b, 0), column(c, 0)}, ModelRef(2, 1 + part));
-      mesh_.faces.add(Shape::Triangle, {column(a, n_), column(c, n_), column(b, n_)}, ModelRef(2, 4 + part));
+      mesh_.faces.add(Shape::Triangle, {column(a, 0), column(b, 0), column(c, 0)},
+                      ModelRef(2, 1 + part));
+      mesh_.faces.add(Shape::Triangle, {column(a, n_), column(c, n_), column(b, n_)},
+                      ModelRef(2, 4 + part));
     }
     walls();
     classify_below_faces(mesh_);
@@ -102,7 +106,8 @@ class Bracket {
 
   void wall(Index a, Index b) {
     for (int k = 0; k < n_; ++k) {
-      add_quad(mesh_, {column(b, k), column(a, k), column(a, k + 1), column(b, k + 1)}, wall_tag(a, b));
+      add_quad(mesh_, {column(b, k), column(a, k), column(a, k + 1), column(b, k + 1)},
+               wall_tag(a, b));
     }
   }
 
@@ -128,7 +133,8 @@ class Disk {
 
   /// Point i of a ring, counted around and around.
   [[nodiscard]] Index at(int ring, int i) const {
-    return ring == 0 ? first_ : first_ + static_cast<Index>(1 + 3 * ring * (ring - 1) + i % (6 * ring));
+    return ring == 0 ? first_
+                     : first_ + static_cast<Index>(1 + 3 * ring * (ring - 1) + i % (6 * ring));
   }
 
   void add_faces(std::int32_t tag, bool downward) {
@@ -164,7 +170,8 @@ MeshData make_plane_hole(int cells) {
   const Plate plate = make_plate(4, 4, std::max(1, cells / 4), hole);
   MeshData mesh;
   for (const glm::dvec2& p : plate.points) add_vertex(mesh, {p.x, p.y, 0});
-  for (const auto& [a, b, c] : plate.triangles) mesh.faces.add(Shape::Triangle, {a, b, c}, ModelRef(2, 1));
+  for (const auto& [a, b, c] : plate.triangles)
+    mesh.faces.add(Shape::Triangle, {a, b, c}, ModelRef(2, 1));
   constexpr std::array<glm::dvec3, 4> corners{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}};
   classify_below_faces(mesh, at_positions(mesh, corners));
   return mesh;
@@ -175,7 +182,8 @@ MeshData make_box(int cells) {
   std::map<std::array<int, 3>, Index> lattice;
   const auto at = [&](const std::array<int, 3>& p) {
     const auto [slot, is_new] = lattice.try_emplace(p, 0);
-    if (is_new) slot->second = add_vertex(mesh, glm::dvec3(p[0], p[1], p[2]) / static_cast<double>(cells));
+    if (is_new)
+      slot->second = add_vertex(mesh, glm::dvec3(p[0], p[1], p[2]) / static_cast<double>(cells));
     return slot->second;
   };
   for (std::size_t side = 0; side < 6; ++side) {
@@ -190,7 +198,8 @@ MeshData make_box(int cells) {
     };
     for (int j = 0; j < cells; ++j) {
       for (int i = 0; i < cells; ++i) {
-        const Index quad[4] = {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)};
+        const Index quad[4] = {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                               corner(i, j + 1)};
         add_quad(mesh, quad, static_cast<std::int32_t>(side) + 1, (i + j) % 2 == 1);
       }
     }
@@ -239,7 +248,8 @@ MeshData make_nonmanifold(int cells) {
     };
     for (int i = 0; i < cells; ++i) {
       for (int k = 0; k < cells; ++k) {
-        add_quad(mesh, {at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)}, sheet + 1, (i + k) % 2 == 1);
+        add_quad(mesh, {at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)}, sheet + 1,
+                 (i + k) % 2 == 1);
       }
     }
     corners.insert(corners.end(), {at(cells, 0), at(cells, cells)});

@@ -47,7 +47,8 @@ double noise(const glm::dvec3& p) {
     for (int i = 0; i < 3; ++i) {
       const int bit = corner >> i & 1;
       weight *= bit ? blend[i] : 1 - blend[i];
-      key = key * 0x100000001b3u + static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i]) + bit);
+      key = key * 0x100000001b3u +
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i]) + bit);
     }
     sum += weight * hashed(key);
   }

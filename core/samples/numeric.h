@@ -8,8 +8,8 @@
 
 namespace aomd::sample {
 
-/// (cos, sin) of a whole turn's fraction; exact at quarters of a turn, else within two units in the last
-/// place.
+/// (cos, sin) of a whole turn's fraction; exact at quarters of a turn, else within two units in the
+/// last place.
 [[nodiscard]] glm::dvec2 on_circle(double turns);
 
 /// A well-mixed number in [-1, 1) for an index.

@@ -15,14 +15,16 @@ class PlateBuilder {
  public:
   PlateBuilder(int width, int height, int n, std::span<const Hole> holes)
       : n_(n), columns_(width * n), rows_(height * n), holes_(holes) {
-    lattice_.assign(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), none);
+    lattice_.assign(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1),
+                    none);
   }
 
   Plate build() {
     for (int j = 0; j < rows_; ++j) {
       for (int i = 0; i < columns_; ++i) {
         if (in_block(i, j)) continue;
-        const Index quad[4] = {lattice(i, j), lattice(i + 1, j), lattice(i + 1, j + 1), lattice(i, j + 1)};
+        const Index quad[4] = {lattice(i, j), lattice(i + 1, j), lattice(i + 1, j + 1),
+                               lattice(i, j + 1)};
         cut(quad, (i + j) % 2 == 1);
       }
     }
@@ -60,7 +62,8 @@ class PlateBuilder {
 
   /// The lattice points around a block, counter-clockwise.
   std::vector<Index> block_rim(const Hole& h) {
-    const int left = (h.x - 1) * n_, right = (h.x + 1) * n_, low = (h.y - 1) * n_, high = (h.y + 1) * n_;
+    const int left = (h.x - 1) * n_, right = (h.x + 1) * n_, low = (h.y - 1) * n_,
+              high = (h.y + 1) * n_;
     std::vector<Index> rim;
     for (int i = left; i < right; ++i) rim.push_back(lattice(i, low));
     for (int j = low; j < high; ++j) rim.push_back(lattice(right, j));

@@ -22,8 +22,8 @@ struct Plate {
   std::vector<int> hole_of;  ///< for each point the hole on whose rim it lies, or -1
 };
 
-/// The rectangle [0, width] x [0, height] with n cells a unit of length: squares cut in two, and rings around
-/// the holes that lead from their rims to their blocks.
+/// The rectangle [0, width] x [0, height] with n cells a unit of length: squares cut in two, and
+/// rings around the holes that lead from their rims to their blocks.
 [[nodiscard]] Plate make_plate(int width, int height, int n, std::span<const Hole> holes);
 
 }  // namespace aomd::sample

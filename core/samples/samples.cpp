@@ -17,7 +17,8 @@ struct Maker {
 };
 
 constexpr std::array<Maker, 14> makers{{
-    {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000, "faces, about"},
+    {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000,
+      "faces, about"},
      80,
      6'000'000,
      sample::make_scan},
@@ -43,7 +44,10 @@ constexpr std::array<Maker, 14> makers{{
      1,
      400,
      sample::make_sphere},
-    {{"torus", "a smooth ring, unclassified", 80, "cells around the ring"}, 3, 2000, sample::make_torus},
+    {{"torus", "a smooth ring, unclassified", 80, "cells around the ring"},
+     3,
+     2000,
+     sample::make_torus},
     {{"terrain", "a height field with a border, unclassified", 100, "cells along a side"},
      1,
      1000,
@@ -57,7 +61,10 @@ constexpr std::array<Maker, 14> makers{{
      1,
      64,
      sample::make_tet_box},
-    {{"hex-box", "the same cube of hexahedra", 10, "cells along a side", 3}, 1, 100, sample::make_hex_box},
+    {{"hex-box", "the same cube of hexahedra", 10, "cells along a side", 3},
+     1,
+     100,
+     sample::make_hex_box},
     {{"mixed", "two blocks of hexahedra, prisms, pyramids and tetrahedra, with an interface", 6,
       "cells along a side", 3},
      2,
@@ -68,7 +75,10 @@ constexpr std::array<Maker, 14> makers{{
      2,
      64,
      sample::make_tet_drilled},
-    {{"tet-ball", "a ball of tetrahedra", 8, "layers of tetrahedra", 3}, 1, 40, sample::make_tet_ball},
+    {{"tet-ball", "a ball of tetrahedra", 8, "layers of tetrahedra", 3},
+     1,
+     40,
+     sample::make_tet_ball},
 }};
 
 constexpr auto infos = [] {
@@ -79,7 +89,8 @@ constexpr auto infos = [] {
 
 std::string known_names() {
   std::string names;
-  for (const SampleInfo& info : infos) names += (names.empty() ? "" : ", ") + std::string(info.name);
+  for (const SampleInfo& info : infos)
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
   return names;
 }
 
@@ -88,10 +99,11 @@ std::string known_names() {
 std::span<const SampleInfo> samples() { return infos; }
 
 MeshData make_sample(std::string_view name, int size) {
-  const auto maker =
-      std::find_if(makers.begin(), makers.end(), [&](const Maker& m) { return m.info.name == name; });
+  const auto maker = std::find_if(makers.begin(), makers.end(),
+                                  [&](const Maker& m) { return m.info.name == name; });
   if (maker == makers.end()) {
-    throw std::invalid_argument("no sample \"" + std::string(name) + "\"; there are " + known_names());
+    throw std::invalid_argument("no sample \"" + std::string(name) + "\"; there are " +
+                                known_names());
   }
   if (size == 0) size = maker->info.default_size;
   if (size < maker->smallest || size > maker->largest) {

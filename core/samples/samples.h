@@ -21,7 +21,8 @@ struct SampleInfo {
 [[nodiscard]] std::span<const SampleInfo> samples();
 
 /// Makes a sample; the same arguments give the same mesh on every machine.
-/// Size 0 means the default. Throws std::invalid_argument naming the known samples, or the size's bounds.
+/// Size 0 means the default. Throws std::invalid_argument naming the known samples, or the size's
+/// bounds.
 [[nodiscard]] MeshData make_sample(std::string_view name, int size = 0);
 
 }  // namespace aomd

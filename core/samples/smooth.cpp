@@ -41,10 +41,10 @@ class Geodesic {
   static constexpr int corners[12][3] = {{-1, 2, 0}, {1, 2, 0}, {-1, -2, 0}, {1, -2, 0},
                                          {0, -1, 2}, {0, 1, 2}, {0, -1, -2}, {0, 1, -2},
                                          {2, 0, -1}, {2, 0, 1}, {-2, 0, -1}, {-2, 0, 1}};
-  static constexpr Index faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                                         {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                         {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                                         {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  static constexpr Index faces[20][3] = {
+      {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
 
   glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, int i, int n) const {
     return (a * static_cast<double>(n - i) + b * static_cast<double>(i)) / static_cast<double>(n);
@@ -57,8 +57,8 @@ class Geodesic {
       const Index low = std::min(a, b), high = std::max(a, b);
       points.push_back(low);
       for (int i = 1; i < n_; ++i) {
-        points.push_back(
-            add_vertex(mesh_, glm::normalize(between(mesh_.positions[low], mesh_.positions[high], i, n_))));
+        points.push_back(add_vertex(
+            mesh_, glm::normalize(between(mesh_.positions[low], mesh_.positions[high], i, n_))));
       }
       points.push_back(high);
     }
@@ -67,7 +67,8 @@ class Geodesic {
 
   /// Row j of a face runs from its edge 0-2 to its edge 1-2 and has n - j + 1 points.
   void subdivide(const Index (&f)[3]) {
-    const std::vector<Index> left = along(f[0], f[2]), right = along(f[1], f[2]), base = along(f[0], f[1]);
+    const std::vector<Index> left = along(f[0], f[2]), right = along(f[1], f[2]),
+                             base = along(f[0], f[1]);
     std::vector<Index> row = base, next;
     for (int j = 1; j <= n_; ++j, row.swap(next)) {
       const auto k = static_cast<std::size_t>(j);
@@ -80,7 +81,8 @@ class Geodesic {
       if (cells > 0) next.push_back(right[k]);
       for (std::size_t i = 0; i + 1 < row.size(); ++i) {
         mesh_.faces.add(Shape::Triangle, {row[i], row[i + 1], next[i]});
-        if (i + 1 < next.size()) mesh_.faces.add(Shape::Triangle, {row[i + 1], next[i + 1], next[i]});
+        if (i + 1 < next.size())
+          mesh_.faces.add(Shape::Triangle, {row[i + 1], next[i + 1], next[i]});
       }
     }
   }
@@ -105,8 +107,8 @@ struct Lobe {
   int sharpness;
 };
 
-/// Distance of the creature's surface from its centre: since it is a function of the direction, the surface
-/// cannot cross itself.
+/// Distance of the creature's surface from its centre: since it is a function of the direction, the
+/// surface cannot cross itself.
 double creature(const glm::dvec3& d) {
   static const std::array<Lobe, 9> lobes{{{{0.80, 0.00, 0.62}, 0.62, 16},  // head
                                           {{0.40, 0.34, 0.95}, 0.62, 60},  // ears
@@ -120,8 +122,10 @@ double creature(const glm::dvec3& d) {
   const glm::dvec3 scaled(d.x / 1.05, d.y / 0.72, d.z / 0.80);
   double r = 1 / glm::length(scaled);
   for (const Lobe& lobe : lobes)
-    r += lobe.height * to_power((1 + glm::dot(d, glm::normalize(lobe.direction))) / 2, lobe.sharpness);
-  return r + 0.035 * noise(3.0 * d + glm::dvec3(11, 7, 5)) + 0.012 * noise(9.0 * d) + 0.005 * noise(21.0 * d);
+    r += lobe.height *
+         to_power((1 + glm::dot(d, glm::normalize(lobe.direction))) / 2, lobe.sharpness);
+  return r + 0.035 * noise(3.0 * d + glm::dvec3(11, 7, 5)) + 0.012 * noise(9.0 * d) +
+         0.005 * noise(21.0 * d);
 }
 
 /// On the grid of a scanner's resolution, which also makes every coordinate exactly a 32-bit float.
@@ -134,7 +138,8 @@ glm::dvec3 measured(const glm::dvec3& p) {
 template <class At>
 void add_grid(MeshData& mesh, int nu, int nv, At&& at) {
   for (int j = 0; j < nv; ++j) {
-    for (int i = 0; i < nu; ++i) add_quad(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, 0);
+    for (int i = 0; i < nu; ++i)
+      add_quad(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, 0);
   }
 }
 
@@ -182,7 +187,8 @@ MeshData make_terrain(int cells) {
       add_vertex(mesh, {x, y, height});
     }
   }
-  add_grid(mesh, cells, cells, [&](int i, int j) { return static_cast<Index>(j * (cells + 1) + i); });
+  add_grid(mesh, cells, cells,
+           [&](int i, int j) { return static_cast<Index>(j * (cells + 1) + i); });
   return mesh;
 }
 

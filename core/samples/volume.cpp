@@ -21,13 +21,15 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Vertices of a grid of cells, numbered along i first, then j, then k. Where `around`, the last j is the
-/// first again.
+/// Vertices of a grid of cells, numbered along i first, then j, then k. Where `around`, the last j
+/// is the first again.
 class Grid {
  public:
-  Grid(int ni, int nj, int nk, bool around = false) : cells_{ni, nj, nk}, rows_(around ? nj : nj + 1) {}
+  Grid(int ni, int nj, int nk, bool around = false)
+      : cells_{ni, nj, nk}, rows_(around ? nj : nj + 1) {}
 
-  void add_vertices(MeshData& mesh, const std::function<glm::dvec3(int, int, int)>& position) const {
+  void add_vertices(MeshData& mesh,
+                    const std::function<glm::dvec3(int, int, int)>& position) const {
     for (int k = 0; k <= cells_[2]; ++k) {
       for (int j = 0; j < rows_; ++j) {
         for (int i = 0; i <= cells_[0]; ++i) add_vertex(mesh, position(i, j, k));
@@ -38,7 +40,8 @@ class Grid {
   [[nodiscard]] Cell cell(int i, int j, int k) const {
     Cell corners{};
     for (int c = 0; c < 8; ++c)
-      corners[static_cast<std::size_t>(c)] = at(i + (c & 1), (j + (c >> 1 & 1)) % rows_, k + (c >> 2));
+      corners[static_cast<std::size_t>(c)] =
+          at(i + (c & 1), (j + (c >> 1 & 1)) % rows_, k + (c >> 2));
     return corners;
   }
 
@@ -78,15 +81,17 @@ template <class AddCell>
 MeshData make_cube(int n, AddCell&& add_cell) {
   MeshData mesh;
   const Grid grid(n, n, n);
-  grid.add_vertices(mesh, [&](int i, int j, int k) { return glm::dvec3(i, j, k) / static_cast<double>(n); });
+  grid.add_vertices(
+      mesh, [&](int i, int j, int k) { return glm::dvec3(i, j, k) / static_cast<double>(n); });
   grid.for_each_cell([&](int i, int j, int k) { add_cell(mesh, grid.cell(i, j, k), solid); });
-  classify_below_regions(mesh,
-                         [](const glm::dvec3& p) { return side_of_box(p, glm::dvec3(0), glm::dvec3(1), 0); });
+  classify_below_regions(
+      mesh, [](const glm::dvec3& p) { return side_of_box(p, glm::dvec3(0), glm::dvec3(1), 0); });
   return mesh;
 }
 
-/// A ball around the origin: each face of an icosahedron and the centre span a tetrahedron, cut into n^3
-/// (Freudenthal's subdivision, which matches across faces when corners are taken in one order everywhere).
+/// A ball around the origin: each face of an icosahedron and the centre span a tetrahedron, cut
+/// into n^3 (Freudenthal's subdivision, which matches across faces when corners are taken in one
+/// order everywhere).
 class Ball {
  public:
   explicit Ball(int n) : n_(n), surface_(make_sphere(1)) {}
@@ -97,8 +102,8 @@ class Ball {
                 surface_.faces.vertices[3 * f + 2]};
       const Corners outward = c;
       std::sort(c.begin(), c.end());
-      const auto at =
-          static_cast<std::size_t>(std::find(outward.begin(), outward.end(), c[0]) - outward.begin());
+      const auto at = static_cast<std::size_t>(std::find(outward.begin(), outward.end(), c[0]) -
+                                               outward.begin());
       subdivide(c, outward[(at + 1) % 3] == c[1]);
     }
     classify_below_regions(mesh_, [](const glm::dvec3&) { return 1; });
@@ -109,7 +114,8 @@ class Ball {
   using Corners = std::array<Index, 3>;
   using Lattice = std::array<int, 3>;
 
-  /// Points n >= x >= y >= z >= 0: x layers from the centre, of which x - y, y - z and z go to the corners.
+  /// Points n >= x >= y >= z >= 0: x layers from the centre, of which x - y, y - z and z go to the
+  /// corners.
   [[nodiscard]] bool inside(const Lattice& p) const {
     return n_ >= p[0] && p[0] >= p[1] && p[1] >= p[2] && p[2] >= 0;
   }
@@ -123,7 +129,8 @@ class Ball {
             std::array<Lattice, 4> p;
             p.fill({x, y, z});
             for (std::size_t step = 1; step < 4; ++step)
-              for (std::size_t i = step; i < 4; ++i) ++p[i][static_cast<std::size_t>(orders[o][step - 1])];
+              for (std::size_t i = step; i < 4; ++i)
+                ++p[i][static_cast<std::size_t>(orders[o][step - 1])];
             if (std::all_of(p.begin(), p.end(), [&](const Lattice& q) { return inside(q); }))
               add(c, p, even == (o < 3));
           }
@@ -185,8 +192,8 @@ MeshData make_mixed(int n) {
       add_transition(mesh, cell, add_vertex(mesh, position(i + 0.5, j + 0.5, k + 0.5)), upper);
     }
   });
-  // Model faces: 1 to 5 around the lower block, 6 to 9 the sides and 10 the top of the upper, 11 between
-  // them.
+  // Model faces: 1 to 5 around the lower block, 6 to 9 the sides and 10 the top of the upper, 11
+  // between them.
   classify_below_regions(mesh, [](const glm::dvec3& p) {
     if (p.z < 1) return side_of_box(p, glm::dvec3(0), glm::dvec3(1), 0);
     if (p.z == 1) return 11;
@@ -212,7 +219,9 @@ MeshData make_tet_drilled(int n) {
     return glm::dvec3(p.x, p.y, static_cast<double>(k) / layers);
   });
   grid.for_each_cell([&](int i, int j, int k) { add_tetrahedra(mesh, grid.cell(i, j, k), solid); });
-  classify_below_regions(mesh, [](const glm::dvec3& p) { return side_of_box(p, {-1, -1, 0}, {1, 1, 1}, 7); });
+  classify_below_regions(mesh, [](const glm::dvec3& p) {
+    return side_of_box(p, {-1, -1, 0}, {1, 1, 1}, 7);
+  });
   return mesh;
 }
 

@@ -73,7 +73,8 @@ void add_prisms(MeshData& mesh, const Cell& c, ModelRef model) {
 void add_tetrahedra(MeshData& mesh, const Cell& c, ModelRef model) {
   // The corners around the diagonal, each with the next one.
   constexpr std::size_t pairs[6][2] = {{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}};
-  for (const auto& [a, b] : pairs) mesh.regions.add(Shape::Tetrahedron, {c[0], c[a], c[b], c[7]}, model);
+  for (const auto& [a, b] : pairs)
+    mesh.regions.add(Shape::Tetrahedron, {c[0], c[a], c[b], c[7]}, model);
 }
 
 void add_transition(MeshData& mesh, const Cell& c, Index centre, ModelRef model) {
@@ -91,7 +92,8 @@ void classify_below_regions(MeshData& mesh, const FaceTag& tag_of) {
   for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
     for (next = i + 1; next < sides.size() && sides[next].key == sides[i].key;) ++next;
     const auto& classes = mesh.regions.classes;
-    if (next - i == 1 || classes[sides[i].region] != classes[sides[i + 1].region]) outer.push_back(sides[i]);
+    if (next - i == 1 || classes[sides[i].region] != classes[sides[i + 1].region])
+      outer.push_back(sides[i]);
   }
   std::sort(outer.begin(), outer.end(), [](const Side& a, const Side& b) {
     return a.region != b.region ? a.region < b.region : a.side < b.side;

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/names.h"
 #include "core/mesh/verify.h"
@@ -20,9 +21,10 @@ struct Options {
 std::string shown(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
 void print(const std::string& file, const std::vector<Finding>& findings) {
-  for (const Finding& f : findings) std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
-  std::cout << file << ": " << (findings.empty() ? "nothing found" : counted(findings.size(), "finding"))
-            << '\n';
+  for (const Finding& f : findings)
+    std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
+  std::cout << file << ": "
+            << (findings.empty() ? "nothing found" : counted(findings.size(), "finding")) << '\n';
 }
 
 int run(const Options& options) {
@@ -50,7 +52,8 @@ void add_check(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
-  command->add_flag("--unused", options->unused, "Also names vertices, edges and faces that nothing uses");
+  command->add_flag("--unused", options->unused,
+                    "Also names vertices, edges and faces that nothing uses");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -30,8 +30,8 @@ int run(const Options& options) {
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input
               << ": its own classification was kept; --replace derives all anew\n";
-  std::cout << options.output << ": " << result.model_vertices << " model vertices, " << result.model_edges
-            << " model edges, " << result.model_faces
+  std::cout << options.output << ": " << result.model_vertices << " model vertices, "
+            << result.model_edges << " model edges, " << result.model_faces
             << " model faces; sharp edges: " << result.features.sharp << " features, "
             << result.features.rough << " roughness\n";
   return done;
@@ -40,17 +40,20 @@ int run(const Options& options) {
 }  // namespace
 
 void add_classify(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("classify", "Classifies a mesh by the angles between its faces");
+  CLI::App* command =
+      app.add_subcommand("classify", "Classifies a mesh by the angles between its faces");
   const auto options = std::make_shared<Options>();
   command->add_option("IN", options->input, "The mesh")->required();
-  command->add_option("OUT", options->output, "Where to write it; PLY holds all of the classification")
+  command
+      ->add_option("OUT", options->output, "Where to write it; PLY holds all of the classification")
       ->required();
   command
       ->add_option("--angle", options->angle_deg,
                    "Edges whose faces meet at more than this become model edges")
       ->check(angle_range())
       ->capture_default_str();
-  command->add_flag("--replace", options->replace, "Forgets the classification that the file carries");
+  command->add_flag("--replace", options->replace,
+                    "Forgets the classification that the file carries");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

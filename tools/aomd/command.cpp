@@ -18,10 +18,6 @@ io::ReadResult read_mesh(const std::string& file, bool quiet) {
   return result;
 }
 
-std::string counted(std::size_t n, const std::string& one) {
-  return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
-}
-
 std::optional<double> parse_number(const std::string& text) {
   double value = 0;
   const char* end = text.data() + text.size();
@@ -32,7 +28,8 @@ std::optional<double> parse_number(const std::string& text) {
 
 CLI::Option* add_threads(CLI::App& command, int& threads) {
   CLI::Option* option = command.add_option(
-      "--threads", threads, "On how many threads to work; 0: one for each core. The result is the same");
+      "--threads", threads,
+      "On how many threads to work; 0: one for each core. The result is the same");
   option->type_name("N")->check(CLI::Range(0, 1024).description(""))->capture_default_str();
   return option;
 }
@@ -40,8 +37,9 @@ CLI::Option* add_threads(CLI::App& command, int& threads) {
 CLI::Validator angle_range() {
   const auto check = [](const std::string& text) -> std::string {
     const auto angle = parse_number(text);
-    return angle && *angle > 0 && *angle < 180 ? ""
-                                               : "must be more than 0 and less than 180 degrees, not " + text;
+    return angle && *angle > 0 && *angle < 180
+               ? ""
+               : "must be more than 0 and less than 180 degrees, not " + text;
   };
   return CLI::Validator(check, "DEG");
 }

@@ -24,8 +24,8 @@ enum ExitCode : int {
   cancelled = 130,
 };
 
-/// What parsing chose to run; returns an exit code and may throw io::FileError, UsageError, Cancelled or
-/// bad_alloc.
+/// What parsing chose to run; returns an exit code and may throw io::FileError, UsageError,
+/// Cancelled or bad_alloc.
 using Action = std::function<int()>;
 
 /// Values that parse but make no sense: exit code 2.
@@ -36,7 +36,8 @@ struct UsageError : std::runtime_error {
 /// The user pressed Ctrl-C and the work stopped: exit code 130.
 struct Cancelled : std::exception {};
 
-/// Each adds one command with its options to the program; when the command line names it, `action` is set.
+/// Each adds one command with its options to the program; when the command line names it, `action`
+/// is set.
 void add_info(CLI::App& app, Action& action);
 void add_decimate(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
@@ -53,9 +54,6 @@ void print_notes(const std::string& file, const std::vector<std::string>& notes)
 
 /// Reads a mesh; what the reader had to do goes to standard error as notes unless `quiet`.
 [[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
-
-/// "1 face", "12 faces".
-[[nodiscard]] std::string counted(std::size_t n, const std::string& one);
 
 /// The whole text as a number, or nothing.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);

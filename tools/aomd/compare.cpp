@@ -1,14 +1,14 @@
-// aomd compare: distances, normals and topology between two surfaces; a check for scripts when limits are
-// given.
+// aomd compare: distances, normals and topology between two surfaces; a check for scripts when
+// limits are given.
 
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
+#include "core/base/parallel.h"
 #include "core/measure/distance.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
-#include "core/mesh/parallel.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/interrupt.h"
 #include "tools/aomd/progress.h"
@@ -42,7 +42,9 @@ struct Comparison {
   measure::NormalDeviation normals;
 
   /// A length in percent of the original's diagonal; infinite where that is a point.
-  [[nodiscard]] double percent(double length) const { return length > 0 ? 100 * length / diagonal : 0; }
+  [[nodiscard]] double percent(double length) const {
+    return length > 0 ? 100 * length / diagonal : 0;
+  }
 };
 
 Side read_side(const std::string& file, Progress& progress, int threads) {
@@ -75,7 +77,8 @@ Comparison compare(const Options& options) {
 }
 
 bool same_topology(const measure::Counts& a, const measure::Counts& b) {
-  return a.euler == b.euler && a.components == b.components && a.nonmanifold_edges == b.nonmanifold_edges &&
+  return a.euler == b.euler && a.components == b.components &&
+         a.nonmanifold_edges == b.nonmanifold_edges &&
          (a.boundary_edges > 0) == (b.boundary_edges > 0);
 }
 
@@ -97,7 +100,8 @@ std::vector<std::string> objections(const Comparison& c, const Options& options)
   return list;
 }
 
-// ------------------------------------------------------------------------------------------------- JSON --
+// -------------------------------------------------------------------------------------------------
+// JSON --
 
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
@@ -135,7 +139,8 @@ Json comparison_json(const Comparison& c, const std::vector<std::string>& object
           {"objections", objections}};
 }
 
-// ------------------------------------------------------------------------------------------------- text --
+// -------------------------------------------------------------------------------------------------
+// text --
 
 template <typename... Values>
 void row(const char* label, const Values&... values) {
@@ -159,9 +164,10 @@ void print_distances(const Comparison& c) {
   line("  original to result", d.to_result);
   line("  result to original", d.to_original);
   row("  the larger", c.percent(d.max()), c.percent(d.rms()), c.percent(d.mean()));
-  const auto& worst = d.to_result.max >= d.to_original.max ? d.to_result.worst : d.to_original.worst;
-  std::cout << std::defaultfloat << std::setprecision(6) << "    max is at (" << worst.x << ", " << worst.y
-            << ", " << worst.z << "); the diagonal is " << c.diagonal << " long\n"
+  const auto& worst =
+      d.to_result.max >= d.to_original.max ? d.to_result.worst : d.to_original.worst;
+  std::cout << std::defaultfloat << std::setprecision(6) << "    max is at (" << worst.x << ", "
+            << worst.y << ", " << worst.z << "); the diagonal is " << c.diagonal << " long\n"
             << std::fixed;
 }
 
@@ -171,10 +177,11 @@ void print(const Comparison& c) {
   std::cout << std::setprecision(2);
   row("normals turned by more", "than 10 deg", "than 60 deg", "than 90 deg");
   row("  faces", c.normals.above_10deg, c.normals.above_60deg, c.normals.flips);
-  row("  % of the result", c.normals.percent(c.normals.above_10deg), c.normals.percent(c.normals.above_60deg),
-      c.normals.percent(c.normals.flips));
+  row("  % of the result", c.normals.percent(c.normals.above_10deg),
+      c.normals.percent(c.normals.above_60deg), c.normals.percent(c.normals.flips));
   row("", "original", "result");
-  sides("vertices in use", c, [](const Side& s) { return s.counts.vertices - s.counts.unused_vertices; });
+  sides("vertices in use", c,
+        [](const Side& s) { return s.counts.vertices - s.counts.unused_vertices; });
   sides("faces", c, [](const Side& s) { return s.counts.faces; });
   sides("Euler number", c, [](const Side& s) { return s.counts.euler; });
   sides("components", c, [](const Side& s) { return s.counts.components; });
@@ -200,7 +207,9 @@ int run(const Options& options) {
 
 void add_limits(CLI::App* command, Options& options) {
   const auto limit = [command](const char* name, auto& value, const char* text) {
-    command->add_option(name, value, text)->check(CLI::NonNegativeNumber)->group("Exit code 1 when exceeded");
+    command->add_option(name, value, text)
+        ->check(CLI::NonNegativeNumber)
+        ->group("Exit code 1 when exceeded");
   };
   limit("--max-distance", options.max_distance, "Largest distance either way, % of the diagonal");
   limit("--max-rms", options.max_rms, "Root mean square distance either way, % of the diagonal");
@@ -208,7 +217,8 @@ void add_limits(CLI::App* command, Options& options) {
   limit("--max-intersections", options.max_intersections, "Self-intersections of RESULT");
   command
       ->add_flag("--same-topology", options.same_topology,
-                 "Euler number, components and non-manifold edges must be the same, and both closed or both "
+                 "Euler number, components and non-manifold edges must be the same, and both "
+                 "closed or both "
                  "open")
       ->group("Exit code 1 when exceeded");
 }
@@ -217,7 +227,8 @@ void add_limits(CLI::App* command, Options& options) {
 
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
-      "compare", "Distances, normals and topology between two surfaces; exit code 1 beyond given limits");
+      "compare",
+      "Distances, normals and topology between two surfaces; exit code 1 beyond given limits");
   const auto options = std::make_shared<Options>();
   command->add_option("ORIGINAL", options->original, "The surface that is the measure")->required();
   command->add_option("RESULT", options->result, "The surface that should be like it")->required();

@@ -7,14 +7,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/journal_file.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
-#include "core/model/fit.h"
 #include "core/model/gmsh_model.h"
+#include "core/model/mesh_on_model.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_options.h"
 #include "tools/aomd/given_classes.h"
@@ -36,7 +37,8 @@ class Run {
         how_(options.for_classification()) {}
 
   int run() {
-    static_cast<void>(io::format_for_writing(options_.output));  // complain before the work, not after it
+    static_cast<void>(
+        io::format_for_writing(options_.output));  // complain before the work, not after it
     static_cast<void>(options_.spacing_source());
     read();
     classify_mesh();
@@ -59,7 +61,8 @@ class Run {
     seconds_["read"] = watch_.lap();
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
-    if (const char* obstacle = decimation_obstacle(mesh_)) throw io::LimitError(options_.input, {}, obstacle);
+    if (const char* obstacle = decimation_obstacle(mesh_))
+      throw io::LimitError(options_.input, {}, obstacle);
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
   }
@@ -110,8 +113,8 @@ class Run {
   /// What the decimation is told that needs the mesh.
   void add_what_needs_the_mesh() {
     if (options_.max_distance_pct > 0)
-      steps_.max_distance =
-          options_.max_distance_pct / 100 * TriangleTree(triangles_of(original_).corners).box().diagonal();
+      steps_.max_distance = options_.max_distance_pct / 100 *
+                            TriangleTree(triangles_of(original_).corners).box().diagonal();
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     const auto source = options_.spacing_source();
     if (!source) return;
@@ -130,7 +133,8 @@ class Run {
     seconds_["adjacency"] = watch_.lap();
     const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
     using namespace std::chrono_literals;
-    const auto slice = progress_.shown() ? std::optional<std::chrono::microseconds>(100ms) : std::nullopt;
+    const auto slice =
+        progress_.shown() ? std::optional<std::chrono::microseconds>(100ms) : std::nullopt;
     while (decimation.run(slice, interrupted) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
     stop_if_interrupted();
@@ -179,20 +183,20 @@ class Run {
   }
 
   [[nodiscard]] Json report_json() const {
-    return {
-        {"schema", 1},
-        {"input", counts_json(options_.input, input_)},
-        {"output", counts_json(options_.output, output_)},
-        {"options", options_.json()},
-        {"repair", options_.repair
-                       ? Json{{"done", items_json(repaired_.done)}, {"left", items_json(repaired_.left)}}
-                       : Json(nullptr)},
-        {"seconds", seconds_},
-        {"memory_bytes", memory_},
-        {"sweeps", sweeps_json(sweeps_)},
-        {"quality", quality_json(quality_)},
-        {"findings", {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", verify_}}},
-        {"stopped", at_target() ? "target" : "done"}};
+    return {{"schema", 1},
+            {"input", counts_json(options_.input, input_)},
+            {"output", counts_json(options_.output, output_)},
+            {"options", options_.json()},
+            {"repair", options_.repair ? Json{{"done", items_json(repaired_.done)},
+                                              {"left", items_json(repaired_.left)}}
+                                       : Json(nullptr)},
+            {"seconds", seconds_},
+            {"memory_bytes", memory_},
+            {"sweeps", sweeps_json(sweeps_)},
+            {"quality", quality_json(quality_)},
+            {"findings",
+             {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", verify_}}},
+            {"stopped", at_target() ? "target" : "done"}};
   }
 
   void print_summary() const {
@@ -200,8 +204,9 @@ class Run {
     std::cout << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
               << ", Euler number " << input_.euler
               << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
-              << counted(self_intersections_, "self-intersection") << ", " << counted(flips_, "flipped face")
-              << ", " << std::llround(1000 * watch_.total()) << " ms\n";
+              << counted(self_intersections_, "self-intersection") << ", "
+              << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())
+              << " ms\n";
     if (steps_.target_faces > 0 && !at_target())
       std::cerr << "aomd: note: " << options_.output << ": nothing more may go above the target of "
                 << counted(steps_.target_faces, "face") << '\n';

@@ -6,15 +6,16 @@
 #include <initializer_list>
 #include <stdexcept>
 
-#include "core/decimate/spacing_expression.h"
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
+#include "core/decimate/spacing/spacing_expression.h"
 
 namespace aomd::cli {
 namespace {
 
 // Names of validators would show in the help, which has names of values of its own.
 CLI::Validator number_check(const char* wanted, std::function<bool(double)> fits) {
-  const auto check = [wanted = std::string(wanted), fits = std::move(fits)](const std::string& text) {
+  const auto check = [wanted = std::string(wanted),
+                      fits = std::move(fits)](const std::string& text) {
     const auto value = parse_number(text);
     return value && fits(*value) ? std::string() : "must be " + wanted + ", not " + text;
   };
@@ -33,11 +34,15 @@ CLI::Validator between(double low, double high) {
 CLI::Validator angle() { return angle_range().description(""); }
 
 CLI::Validator angle_or_off() {
-  const auto check = [](std::string& text) { return text == "off" ? std::string() : angle()(text); };
+  const auto check = [](std::string& text) {
+    return text == "off" ? std::string() : angle()(text);
+  };
   return CLI::Validator(check, "");
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) { return CLI::IsMember(words).description(""); }
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words).description("");
+}
 
 std::vector<std::string> idea_names() {
   std::vector<std::string> names;
@@ -56,8 +61,9 @@ void put_into(const char* group, std::initializer_list<CLI::Option*> options) {
 }
 
 void add_aims(CLI::App& command, DecimateOptions& o) {
-  CLI::Option* target = command.add_option("--target-faces", o.decimation.target_faces,
-                                           "Stops at this many faces, or where nothing more may go");
+  CLI::Option* target =
+      command.add_option("--target-faces", o.decimation.target_faces,
+                         "Stops at this many faces, or where nothing more may go");
   target->type_name("N")->check(CLI::PositiveNumber.description(""));
   CLI::Option* factor =
       command.add_option("--factor", o.decimation.factor, "Edges become this many times longer");
@@ -65,58 +71,63 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
   CLI::Option* coarsest =
       command.add_flag("--coarsest", o.decimation.coarsest, "No limit on the length of edges");
   coarsest->excludes(factor);
-  CLI::Option* spacing =
-      command.add_option("--spacing", o.spacing,
-                         "How long edges become, in the mesh's units: a file with a number for each\n"
-                         "vertex; curvature (longer where it is flatter); or a formula of x, y, z,\n"
-                         "h (mean length of the edges there), k (curvature) and diag (diagonal of\n"
-                         "the box): \"x < 0 ? 2 * h : 8 * h\"");
+  CLI::Option* spacing = command.add_option(
+      "--spacing", o.spacing,
+      "How long edges become, in the mesh's units: a file with a number for each\n"
+      "vertex; curvature (longer where it is flatter); or a formula of x, y, z,\n"
+      "h (mean length of the edges there), k (curvature) and diag (diagonal of\n"
+      "the box): \"x < 0 ? 2 * h : 8 * h\"");
   spacing->type_name("FILE|EXPR|curvature")->excludes(factor)->excludes(coarsest);
-  CLI::Option* gradation =
-      command.add_option("--gradation", o.gradation,
-                         "How much the spacing may grow per unit of length; default " +
-                             number_text(default_spacing_growth) + " for\ncurvature, else no limit");
+  CLI::Option* gradation = command.add_option(
+      "--gradation", o.gradation,
+      "How much the spacing may grow per unit of length; default " +
+          number_text(default_spacing_growth) + " for\ncurvature, else no limit");
   gradation->type_name("G")->check(positive_finite())->needs(spacing);
   put_into("What to aim at", {target, factor, coarsest, spacing, gradation});
 }
 
 void add_ways(CLI::App& command, DecimateOptions& o) {
-  CLI::Option* strategy = command.add_option("--strategy", o.strategy,
-                                             "quality: cheapest collapse first, vertices placed, fitted to "
-                                             "the original;\npaper: the loop as printed");
+  CLI::Option* strategy =
+      command.add_option("--strategy", o.strategy,
+                         "quality: cheapest collapse first, vertices placed, fitted to "
+                         "the original;\npaper: the loop as printed");
   strategy->type_name("paper|quality")->check(one_of({"paper", "quality"}))->capture_default_str();
-  CLI::Option* regularity = command.add_option("--regularity", o.decimation.regularity,
-                                               "For quality: 0 accuracy first .. 1 regular faces first");
+  CLI::Option* regularity =
+      command.add_option("--regularity", o.decimation.regularity,
+                         "For quality: 0 accuracy first .. 1 regular faces first");
   regularity->type_name("W")->check(between(0, 1))->capture_default_str();
-  CLI::Option* features = command.add_option("--feature-angle", o.feature_angle,
-                                             "Edges whose faces meet at more than this become model edges");
+  CLI::Option* features =
+      command.add_option("--feature-angle", o.feature_angle,
+                         "Edges whose faces meet at more than this become model edges");
   features->type_name("DEG|off")->check(angle_or_off())->capture_default_str();
-  CLI::Option* improve = command.add_option("--improve", o.decimation.improve_passes,
-                                            "For paper: sweeps that are followed by swaps and smoothing");
+  CLI::Option* improve =
+      command.add_option("--improve", o.decimation.improve_passes,
+                         "For paper: sweeps that are followed by swaps and smoothing");
   improve->type_name("N")->check(between(0, 1000))->capture_default_str();
-  CLI::Option* exchange =
-      command.add_flag("--exchange", o.decimation.exchange,
-                       "For paper: T(0,2) makes way for T(0,1) and T(1,2) during swaps and smoothing;\nthe "
-                       "result is the same");
+  CLI::Option* exchange = command.add_flag(
+      "--exchange", o.decimation.exchange,
+      "For paper: T(0,2) makes way for T(0,1) and T(1,2) during swaps and smoothing;\nthe "
+      "result is the same");
   CLI::Option* no_swap = command.add_flag("--no-swap", o.no_swap, "No edge swaps");
   CLI::Option* no_smooth = command.add_flag("--no-smooth", o.no_smooth, "No smoothing");
-  CLI::Option* snap = command.add_option(
-      "--snap", o.snap,
-      "model: smoothing puts vertices onto the model, that of --model or else\nthe facets of the input");
+  CLI::Option* snap = command.add_option("--snap", o.snap,
+                                         "model: smoothing puts vertices onto the model, that of "
+                                         "--model or else\nthe facets of the input");
   snap->type_name("none|model")->check(one_of({"none", "model"}))->capture_default_str();
-  CLI::Option* model =
-      command.add_option("--model", o.model,
-                         "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo\n"
-                         "(with Gmsh); a mesh without classification is classified on it");
+  CLI::Option* model = command.add_option(
+      "--model", o.model,
+      "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo\n"
+      "(with Gmsh); a mesh without classification is classified on it");
   model->type_name("FILE");
   CLI::Option* repair =
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
   CLI::Option* without = command.add_option(
       "--without", o.without,
-      "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" + idea_list());
+      "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
+          idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
-  put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap, model, repair,
-                   without, add_threads(command, o.threads)});
+  put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
+                   model, repair, without, add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -129,26 +140,28 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "--min-angle", o.decimation.min_angle_deg,
       "No face gets an angle below it unless it had a smaller one (for paper: in\na collapse)");
   smallest->type_name("DEG")->check(between(0, 60));
-  CLI::Option* distance =
-      command.add_option("--max-distance", o.max_distance_pct,
-                         "No point of the result is further from the original, percent of the diagonal");
+  CLI::Option* distance = command.add_option(
+      "--max-distance", o.max_distance_pct,
+      "No point of the result is further from the original, percent of the diagonal");
   distance->type_name("PCT")->check(positive_finite());
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");
   CLI::Option* topology = command.add_option(
       "--topology", o.topology, "safe: keeps the topology; paper: as printed, without that check");
   topology->type_name("safe|paper")->check(one_of({"safe", "paper"}))->capture_default_str();
-  CLI::Option* keep =
-      command.add_option("--keep", o.keep,
-                         "Vertices that stay where they are, one item a line: a vertex (123), a range\n"
-                         "(10-20), or a model entity and so all on it (vertex 3, edge 7, face 2)");
+  CLI::Option* keep = command.add_option(
+      "--keep", o.keep,
+      "Vertices that stay where they are, one item a line: a vertex (123), a range\n"
+      "(10-20), or a model entity and so all on it (vertex 3, edge 7, face 2)");
   keep->type_name("FILE");
   put_into("Guarantees", {turn, smallest, distance, intersections, topology, keep});
 }
 
 void add_outputs(CLI::App& command, DecimateOptions& o) {
-  CLI::Option* report = command.add_option("--report", o.report, "What was done and measured, as JSON");
-  CLI::Option* journal = command.add_option("--journal", o.journal, "Every operation, for aomd replay");
+  CLI::Option* report =
+      command.add_option("--report", o.report, "What was done and measured, as JSON");
+  CLI::Option* journal =
+      command.add_option("--journal", o.journal, "Every operation, for aomd replay");
   for (CLI::Option* each : {report, journal}) each->type_name("FILE");
   CLI::Option* quiet = command.add_flag("--quiet", o.quiet, "Prints nothing but errors");
   put_into("Output", {report, journal, quiet});
@@ -162,8 +175,8 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 DecimationOptions DecimateOptions::for_library() const {
   DecimationOptions result = decimation;
   result.strategy = paper() ? Strategy::Paper : Strategy::Quality;
-  result.angle_deg =
-      angle_deg.value_or(usual_angle_deg(paper() ? Strategy::Paper : Strategy::Quality, decimation.coarsest));
+  result.angle_deg = angle_deg.value_or(
+      usual_angle_deg(paper() ? Strategy::Paper : Strategy::Quality, decimation.coarsest));
   result.topology = topology == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
   for (int i = 0; i < idea_count; ++i)
     if (std::find(without.begin(), without.end(), idea_name(static_cast<Idea>(i))) != without.end())
@@ -224,7 +237,9 @@ Json DecimateOptions::json() const {
 
 void add_decimate_options(CLI::App& command, DecimateOptions& options) {
   command.add_option("IN", options.input, "The mesh")->required()->type_name("FILE");
-  command.add_option("OUT", options.output, "Where to write the result; the extension chooses the format")
+  command
+      .add_option("OUT", options.output,
+                  "Where to write the result; the extension chooses the format")
       ->required()
       ->type_name("FILE");
   command.get_formatter()->label("Excludes", "not with");

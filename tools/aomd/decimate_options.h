@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/decimate/options.h"
-#include "core/decimate/spacing.h"
+#include "core/decimate/spacing/spacing.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"

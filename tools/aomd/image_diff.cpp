@@ -19,8 +19,8 @@ int run(const Options& options) {
   const measure::ImageDifference difference = measure::compare_images(a, b);
   if (!options.output.empty()) io::write_png(options.output, measure::difference_picture(a, b));
   if (!difference.same_size)
-    std::cout << "sizes differ: " << a.width << "x" << a.height << " and " << b.width << "x" << b.height
-              << '\n';
+    std::cout << "sizes differ: " << a.width << "x" << a.height << " and " << b.width << "x"
+              << b.height << '\n';
   std::cout << "ssim " << difference.ssim << ", " << difference.differing_pixels << " of "
             << difference.pixels << " pixels differ, by " << difference.largest_channel_difference
             << " of 255 at most\n";

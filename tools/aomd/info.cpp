@@ -17,7 +17,8 @@ struct Options {
 
 template <typename Value>
 void row(const char* label, const Value& value) {
-  std::cout << "  " << std::left << std::setw(22) << label << std::right << std::setw(12) << value << '\n';
+  std::cout << "  " << std::left << std::setw(22) << label << std::right << std::setw(12) << value
+            << '\n';
 }
 
 void print(const std::string& file, const Mesh& mesh, const measure::Counts& counts,
@@ -71,7 +72,9 @@ int run(const Options& options) {
             {"quality", quality_json(quality)},
             {"seconds", {{"read", seconds}}},
             {"memory_bytes",
-             {{"mesh", mesh.entity_bytes()}, {"adjacency", mesh.adjacency_bytes()}, {"peak", peak_bytes()}}},
+             {{"mesh", mesh.entity_bytes()},
+              {"adjacency", mesh.adjacency_bytes()},
+              {"peak", peak_bytes()}}},
             {"notes", read.notes}};
   add_volume_quality(json["quality"], volume);
   std::cout << text_of(json);

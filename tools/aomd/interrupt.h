@@ -8,8 +8,8 @@ void catch_interrupts();
 
 [[nodiscard]] bool interrupted();
 
-/// Throws Cancelled when Ctrl-C was pressed: called between two stages of work and before anything is
-/// written.
+/// Throws Cancelled when Ctrl-C was pressed: called between two stages of work and before anything
+/// is written.
 void stop_if_interrupted();
 
 }  // namespace aomd::cli

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/text.h"
 #include "core/io/source.h"
 #include "core/io/text_cursor.h"
 #include "core/model/model.h"
@@ -14,7 +15,6 @@
 namespace aomd::cli {
 namespace {
 
-using io::detail::shown;
 using Kept = Column<Vertex, std::uint8_t>;
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {
@@ -27,7 +27,10 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
 class KeepFile {
  public:
   KeepFile(const io::detail::Source& source, const Mesh& mesh)
-      : source_(source), mesh_(mesh), cursor_(source, source.bytes, 0, '#'), kept_(mesh.capacity(0), 0) {}
+      : source_(source),
+        mesh_(mesh),
+        cursor_(source, source.bytes, 0, '#'),
+        kept_(mesh.capacity(0), 0) {}
 
   Kept read() {
     while (!cursor_.skip_to_content()) {
@@ -45,9 +48,11 @@ class KeepFile {
     const auto found = std::find(dimensions.begin(), dimensions.end(), word);
     if (found == dimensions.end()) return keep_range(word);
     const std::int64_t tag = cursor_.integer("the tag of a model entity");
-    if (tag < ModelRef::min_tag || tag > ModelRef::max_tag) cursor_.fail("no model entity has such a tag");
-    classes_.insert({ModelRef(static_cast<int>(found - dimensions.begin()), static_cast<std::int32_t>(tag)),
-                     {cursor_.offset(), false}});
+    if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
+      cursor_.fail("no model entity has such a tag");
+    classes_.insert(
+        {ModelRef(static_cast<int>(found - dimensions.begin()), static_cast<std::int32_t>(tag)),
+         {cursor_.offset(), false}});
   }
 
   void keep_range(std::string_view word) {
@@ -61,7 +66,8 @@ class KeepFile {
     if (*last >= mesh_.capacity(0))
       cursor_.fail("there is no vertex " + std::to_string(*last) + ": the mesh has " +
                    std::to_string(mesh_.capacity(0)) + ", counted from 0");
-    for (std::uint64_t id = *first; id <= *last; ++id) kept_[Vertex(static_cast<std::uint32_t>(id))] = 1;
+    for (std::uint64_t id = *first; id <= *last; ++id)
+      kept_[Vertex(static_cast<std::uint32_t>(id))] = 1;
   }
 
   // One pass over the mesh for all of them.

@@ -50,20 +50,23 @@ int run(const Action& action) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app(
-      "AOMD Studio on the command line: an algorithm-oriented mesh database and decimation on top of it.",
+      "AOMD Studio on the command line: an algorithm-oriented mesh database and decimation on top "
+      "of it.",
       "aomd");
   app.set_version_flag("--version", "aomd " AOMD_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done, 1 the check or comparison says no, 2 wrong usage, 3 input unreadable or invalid,\n"
+      "Exit codes: 0 done, 1 the check or comparison says no, 2 wrong usage, 3 input unreadable or "
+      "invalid,\n"
       "4 output not written, 5 out of memory or another limit, 130 cancelled.\n"
       "`aomd COMMAND --help` lists the options of a command.");
   Action action;
-  for (auto* add : {add_info, add_decimate, add_check, add_classify, add_convert, add_compare, add_repair,
-                    add_replay, add_sample, add_image_diff})
+  for (auto* add : {add_info, add_decimate, add_check, add_classify, add_convert, add_compare,
+                    add_repair, add_replay, add_sample, add_image_diff})
     add(app, action);
   if (argc > 1 && argv[1][0] != '-' && !has_command(app, argv[1]))
-    return fail("no command \"" + std::string(argv[1]) + "\" (aomd --help lists what there is)", wrong_usage);
+    return fail("no command \"" + std::string(argv[1]) + "\" (aomd --help lists what there is)",
+                wrong_usage);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

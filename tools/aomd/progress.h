@@ -5,7 +5,8 @@
 
 namespace aomd::cli {
 
-/// Shows phases and percentages on standard error where that is a terminal; the line is wiped at the end.
+/// Shows phases and percentages on standard error where that is a terminal; the line is wiped at
+/// the end.
 class Progress {
  public:
   explicit Progress(bool quiet);

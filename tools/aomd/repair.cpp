@@ -21,25 +21,28 @@ void print(const std::string& file, const std::vector<RepairItem>& items) {
 }
 
 int run(const Options& options) {
-  static_cast<void>(io::format_for_writing(options.output));  // complain before the work, not after it
+  static_cast<void>(
+      io::format_for_writing(options.output));  // complain before the work, not after it
   Stopwatch watch;
   io::ReadResult read = read_mesh(options.input, options.quiet || options.json);
   if (!read.mesh.regions.empty())
     throw io::LimitError(options.input, {}, "Repair mends surfaces; this mesh has regions");
   const double reading = watch.lap();
-  const measure::Counts before = options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
+  const measure::Counts before =
+      options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
   watch.lap();
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
   stop_if_interrupted();
   io::write(options.output, read.mesh);
   if (options.json) {
-    std::cout << text_of({{"schema", 1},
-                          {"input", counts_json(options.input, before)},
-                          {"output", counts_json(options.output, measure::count_entities(Mesh(read.mesh)))},
-                          {"done", items_json(report.done)},
-                          {"left", items_json(report.left)},
-                          {"seconds", {{"read", reading}, {"repair", repairing}}}});
+    std::cout << text_of(
+        {{"schema", 1},
+         {"input", counts_json(options.input, before)},
+         {"output", counts_json(options.output, measure::count_entities(Mesh(read.mesh)))},
+         {"done", items_json(report.done)},
+         {"left", items_json(report.left)},
+         {"seconds", {{"read", reading}, {"repair", repairing}}}});
   } else if (!options.quiet) {
     print(options.output, report.done);
     print(options.output, report.left);
@@ -70,8 +73,8 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
 }  // namespace
 
 void add_repair(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("repair", "Mends what is safe to mend in a dirty surface, and says what it did");
+  CLI::App* command = app.add_subcommand(
+      "repair", "Mends what is safe to mend in a dirty surface, and says what it did");
   const auto options = std::make_shared<Options>();
   command->add_option("IN", options->input, "The mesh")->required();
   command->add_option("OUT", options->output, "Where to write it")->required();

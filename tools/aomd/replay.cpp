@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "core/io/journal_file.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -42,7 +43,8 @@ int run(const Options& options) {
   stop_if_interrupted();
   file.journal.seek(mesh, step);
   if (const auto findings = verify(mesh); !findings.empty())
-    throw io::ReadError(options.journal, {}, "the journal leads to a broken mesh: " + findings.front().text);
+    throw io::ReadError(options.journal, {},
+                        "the journal leads to a broken mesh: " + findings.front().text);
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
   stop_if_interrupted();
@@ -58,12 +60,15 @@ int run(const Options& options) {
 void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Makes the operations of a journal again");
   const auto options = std::make_shared<Options>();
-  command->add_option("MODEL", options->model, "The mesh that the journal started from")->required();
-  command->add_option("JOURNAL", options->journal, "What aomd decimate --journal wrote")->required();
+  command->add_option("MODEL", options->model, "The mesh that the journal started from")
+      ->required();
+  command->add_option("JOURNAL", options->journal, "What aomd decimate --journal wrote")
+      ->required();
   command->add_option("OUT", options->output, "Where to write the result")->required();
   command->add_option("--step", options->step, "Stops after so many operations")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--repair", options->repair, "First mends the mesh, as aomd decimate --repair did");
+  command->add_flag("--repair", options->repair,
+                    "First mends the mesh, as aomd decimate --repair did");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

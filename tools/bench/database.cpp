@@ -1,7 +1,7 @@
-// aomd-bench MESH...: what the database costs. Prints three tables for each mesh, in Markdown: bytes an
-// element under several settings of T, building each relation beside a loop that only moves the same bytes,
-// and nanoseconds a query, stored and derived by each path. Times are medians; compare them within one run
-// only.
+// aomd-bench MESH...: what the database costs. Prints three tables for each mesh, in Markdown:
+// bytes an element under several settings of T, building each relation beside a loop that only
+// moves the same bytes, and nanoseconds a query, stored and derived by each path. Times are
+// medians; compare them within one run only.
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +28,8 @@ constexpr int runs = 7;
 double milliseconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 double median(std::vector<double> values) {
@@ -47,7 +48,9 @@ Mesh with(const MeshData& data, const Cells& cells) {
   for (const auto& [i, j] : cells) mesh.set(i, j);
   for (int i = 1; i < 4; ++i)  // what the file came with and the setting does not ask for
     for (int j = 0; j < i; ++j)
-      if (mesh.stored(i, j) && std::find(cells.begin(), cells.end(), std::pair{i, j}) == cells.end()) try {
+      if (mesh.stored(i, j) &&
+          std::find(cells.begin(), cells.end(), std::pair{i, j}) == cells.end())
+        try {
           mesh.unset(i, j);
         } catch (const std::logic_error&) {  // it defines its level
         }
@@ -73,9 +76,21 @@ void print_memory(const MeshData& data, int dim) {
       {"regions by faces, faces by vertices", {{2, 0}, {3, 2}, {2, 3}}},
       {"collapses", {{3, 0}, {1, 0}, {0, 1}, {0, 3}}},
       {"all of T",
-       {{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}, {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}}};
-  std::printf("| setting | T | bytes a %s | of it adjacency | of it the rest |\n|---|---|---:|---:|---:|\n",
-              entity_name(dim));
+       {{1, 0},
+        {2, 0},
+        {2, 1},
+        {3, 0},
+        {3, 1},
+        {3, 2},
+        {0, 1},
+        {0, 2},
+        {0, 3},
+        {1, 2},
+        {1, 3},
+        {2, 3}}}};
+  std::printf(
+      "| setting | T | bytes a %s | of it adjacency | of it the rest |\n|---|---|---:|---:|---:|\n",
+      entity_name(dim));
   for (const auto& [label, cells] : dim == 3 ? volume : surface) {
     const Mesh mesh = with(data, cells);
     const double n = mesh.count(dim);
@@ -109,7 +124,8 @@ std::vector<std::uint32_t> source_of(const Mesh& mesh, int i, int j) {
   const auto read = [&](int level) {
     VertexBuffer buffer;
     for (std::uint32_t id = 0; id < mesh.capacity(level); ++id)
-      for (const std::uint32_t v : mesh.vertices_of(EntityRef(level, id), buffer)) source.push_back(v);
+      for (const std::uint32_t v : mesh.vertices_of(EntityRef(level, id), buffer))
+        source.push_back(v);
   };
   read(std::max(i, j));
   if (std::min(i, j) > 0) read(std::min(i, j));
@@ -118,7 +134,8 @@ std::vector<std::uint32_t> source_of(const Mesh& mesh, int i, int j) {
 
 void print_building(const MeshData& data, const Cells& cells) {
   std::printf(
-      "| relation | pairs | ms | Mpairs/s | plain loop ms | ratio |\n|---|---:|---:|---:|---:|---:|\n");
+      "| relation | pairs | ms | Mpairs/s | plain loop ms | ratio "
+      "|\n|---|---:|---:|---:|---:|---:|\n");
   for (const auto& [i, j] : cells) {
     Mesh mesh(data);
     if (std::min(i, j) > 0 || i == 1 || j == 1) mesh.set(1, 0);
@@ -138,7 +155,8 @@ void print_building(const MeshData& data, const Cells& cells) {
       for (std::uint32_t id = 0; id < mesh.capacity(i); ++id)
         pairs += shape_template(mesh.shape(EntityRef(i, id))).count(j);
     std::printf("| %s | %.0f | %.2f | %.0f | %.2f | %.1f |\n", relation_name(i, j).c_str(), pairs,
-                median(ours), pairs / median(ours) / 1e3, median(plain), median(ours) / median(plain));
+                median(ours), pairs / median(ours) / 1e3, median(plain),
+                median(ours) / median(plain));
   }
 }
 
@@ -169,11 +187,21 @@ void print_queries(const MeshData& data, int dim) {
                                       {{1, 0}, {2, 1}, {0, 1}, {1, 2}},
                                       {{1, 0}, {2, 0}, {0, 2}},
                                       {{2, 0}, {1, 0}}};
-  const std::vector<Cells> volume = {
-      {{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}, {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}},
-      {{1, 0}, {2, 1}, {3, 2}, {0, 1}, {1, 2}, {2, 3}},
-      {{1, 0}, {2, 0}, {3, 0}, {0, 3}},
-      {{1, 0}, {2, 0}, {3, 0}}};
+  const std::vector<Cells> volume = {{{1, 0},
+                                      {2, 0},
+                                      {2, 1},
+                                      {3, 0},
+                                      {3, 1},
+                                      {3, 2},
+                                      {0, 1},
+                                      {0, 2},
+                                      {0, 3},
+                                      {1, 2},
+                                      {1, 3},
+                                      {2, 3}},
+                                     {{1, 0}, {2, 1}, {3, 2}, {0, 1}, {1, 2}, {2, 3}},
+                                     {{1, 0}, {2, 0}, {3, 0}, {0, 3}},
+                                     {{1, 0}, {2, 0}, {3, 0}}};
   const auto& sets = dim == 3 ? volume : surface;
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const Mesh mesh = with(data, sets[s]);
@@ -192,8 +220,8 @@ MeshData load(const std::string& argument) {
 void report(const std::string& argument) {
   const MeshData data = load(argument);
   const int dim = Mesh(data).dimension();
-  std::printf("## %s: %zu vertices, %zu %ss\n\n### Memory\n\n", argument.c_str(), data.positions.size(),
-              data.list(dim).size(), entity_name(dim));
+  std::printf("## %s: %zu vertices, %zu %ss\n\n### Memory\n\n", argument.c_str(),
+              data.positions.size(), data.list(dim).size(), entity_name(dim));
   print_memory(data, dim);
   std::printf("\n### Building (median of %d)\n\n", runs);
   Cells cells{{0, 2}, {1, 2}, {0, 1}, {2, 1}};
@@ -210,7 +238,9 @@ void report(const std::string& argument) {
 int main(int argc, char** argv) {
   try {
     if (argc < 2 || argv[1][0] == '-') {
-      std::fprintf(stderr, "usage: aomd-bench MESH...   (files, or names that `aomd sample --list` gives)\n");
+      std::fprintf(
+          stderr,
+          "usage: aomd-bench MESH...   (files, or names that `aomd sample --list` gives)\n");
       return 2;
     }
     for (int k = 1; k < argc; ++k) aomd::report(argv[k]);

@@ -1,7 +1,8 @@
-// aomd-history-bench MESH [OPERATIONS]: what moving through a history costs in the viewer. Makes OPERATIONS
-// (100,000) operations, or as many as there are, and prints median, 99th percentile and maximum in ms: one
-// operation back or forward with the scene brought up to date, its upload, scrubbing to a random operation,
-// and a frame of 1280x800, drawn by OSMesa where there is no other way. Without other work on the machine.
+// aomd-history-bench MESH [OPERATIONS]: what moving through a history costs in the viewer. Makes
+// OPERATIONS (100,000) operations, or as many as there are, and prints median, 99th percentile and
+// maximum in ms: one operation back or forward with the scene brought up to date, its upload,
+// scrubbing to a random operation, and a frame of 1280x800, drawn by OSMesa where there is no other
+// way. Without other work on the machine.
 
 #include <algorithm>
 #include <chrono>
@@ -28,7 +29,8 @@ constexpr int samples = 100;
 double milliseconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 void print_row(const char* what, std::vector<double> ms) {
@@ -41,7 +43,8 @@ void print_row(const char* what, std::vector<double> ms) {
 
 /// Everything that a window would have.
 struct Stage {
-  std::unique_ptr<app::Window> window = app::make_headless_window(app::HeadlessKind::Auto, {1280, 800});
+  std::unique_ptr<app::Window> window =
+      app::make_headless_window(app::HeadlessKind::Auto, {1280, 800});
   render::Gl gl = render::load_gl(window->get_proc_address());
   render::Renderer renderer{gl, render::load_shader_sources({})};
   render::DrawableBuffers buffers{gl};

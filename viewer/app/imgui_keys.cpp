@@ -78,7 +78,8 @@ void send_key(ImGuiIO& io, int glfw_key, bool down) {
 
 void send_modifiers(ImGuiIO& io, int modifiers) {
 #if IMGUI_VERSION_NUM >= 18900
-  constexpr std::array modifier_keys = {ImGuiMod_Ctrl, ImGuiMod_Shift, ImGuiMod_Alt, ImGuiMod_Super};
+  constexpr std::array modifier_keys = {ImGuiMod_Ctrl, ImGuiMod_Shift, ImGuiMod_Alt,
+                                        ImGuiMod_Super};
 #else
   constexpr std::array modifier_keys = {ImGuiKey_ModCtrl, ImGuiKey_ModShift, ImGuiKey_ModAlt,
                                         ImGuiKey_ModSuper};

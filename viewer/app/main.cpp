@@ -49,11 +49,11 @@ int compare(const Options& options, const io::Image& result) {
   }
   const fs::path shown = beside(picture, "diff");
   io::write_png(shown, measure::difference_picture(baseline, result));
-  const std::string why = difference.same_size
-                              ? "structural similarity " + scene::short_number(difference.ssim, 5) +
-                                    " is below " + scene::short_number(options.threshold, 5) + ", " +
-                                    std::to_string(difference.differing_pixels) + " pixels differ"
-                              : "the sizes differ";
+  const std::string why =
+      difference.same_size ? "structural similarity " + scene::short_number(difference.ssim, 5) +
+                                 " is below " + scene::short_number(options.threshold, 5) + ", " +
+                                 std::to_string(difference.differing_pixels) + " pixels differ"
+                           : "the sizes differ";
   std::cerr << "aomd-view: not as " << options.compare.string() << ": " << why << "; result "
             << picture.string() << ", difference " << shown.string() << "\n";
   return exit_no;
@@ -80,14 +80,16 @@ std::unique_ptr<Window> window_or_none(const Options& options) {
 }
 
 int run(Options options) {
-  // Loading starts before the context and its shaders are made: with two processors neither waits for the
-  // other.
+  // Loading starts before the context and its shaders are made: with two processors neither waits
+  // for the other.
   scene::Session session;
   const bool alone = !options.headless && options.script.empty();
-  if (const fs::path folder = options.recovery.value_or(alone ? scene::recovery_folder() : fs::path());
+  if (const fs::path folder =
+          options.recovery.value_or(alone ? scene::recovery_folder() : fs::path());
       !folder.empty())
     session.keep_work(folder);
-  if (const std::string first = first_command(options); !first.empty()) scene::execute(session, first);
+  if (const std::string first = first_command(options); !first.empty())
+    scene::execute(session, first);
   if (options.headless) return run_headless(session, options, *options.headless);
   if (const auto window = window_or_none(options)) {
     Viewer viewer(*window, session, options, false);

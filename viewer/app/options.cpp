@@ -46,12 +46,12 @@ void add_options(CLI::App& app, Raw& raw) {
   const std::map<std::string, scene::Theme> themes = {{"light", scene::Theme::Light},
                                                       {"dark", scene::Theme::Dark}};
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.add_option(
-      "FILE", raw.options.file,
-      "The mesh to show: OBJ, PLY, OFF, STL, Gmsh MSH, Medit, VTK, VTU or SU2; a sample when none is given");
-  app.add_option(
-         "--model", raw.options.model,
-         "The CAD model that FILE lies on, as the command model: .step, .stp, .brep, .iges, .igs or .geo")
+  app.add_option("FILE", raw.options.file,
+                 "The mesh to show: OBJ, PLY, OFF, STL, Gmsh MSH, Medit, VTK, VTU or SU2; a sample "
+                 "when none is given");
+  app.add_option("--model", raw.options.model,
+                 "The CAD model that FILE lies on, as the command model: .step, .stp, .brep, "
+                 ".iges, .igs or .geo")
       ->type_name("CAD");
   app.add_option("--headless", raw.headless,
                  "No window: draw with OSMesa or EGL, whichever works or the one named")
@@ -60,13 +60,16 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_option("--size", raw.size, "Size of the window or picture in pixels (default 1280x800)")
       ->type_name("WxH")
       ->check(check_size);
-  app.add_option("--script", raw.options.script, "Commands to carry out, one a line")->type_name("FILE");
-  app.add_option("--screenshot", raw.options.screenshot, "Write a picture and end; implies --headless")
+  app.add_option("--script", raw.options.script, "Commands to carry out, one a line")
+      ->type_name("FILE");
+  app.add_option("--screenshot", raw.options.screenshot,
+                 "Write a picture and end; implies --headless")
       ->type_name("OUT.png");
   app.add_option("--camera", raw.options.camera,
                  "As the command camera: \"iso\", \"front orthographic zoom=2\"")
       ->type_name("SPEC");
-  app.add_option("--compare", raw.options.compare, "Compare the picture with this one; implies --headless")
+  app.add_option("--compare", raw.options.compare,
+                 "Compare the picture with this one; implies --headless")
       ->type_name("BASELINE.png");
   app.add_option("--threshold", raw.options.threshold,
                  "Structural similarity that counts as equal; 1 is identical (default 0.99)")
@@ -74,21 +77,24 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_flag("--transparent", raw.options.transparent,
                "Leave out what is behind the mesh in these pictures");
   app.add_option("--scale", raw.options.scale,
-                 "How large text, controls, lines and points are: 0.5 to 4; without it as the screen is set, "
+                 "How large text, controls, lines and points are: 0.5 to 4; without it as the "
+                 "screen is set, "
                  "1 without a window")
       ->type_name("F")
       ->check(CLI::Range(0.5, 4.0));
   app.add_option("--record", raw.options.record,
                  "Write every command that is carried out: a script for later")
       ->type_name("FILE");
-  app.add_option("--shaders", raw.options.shaders, "Read the shaders from this folder")->type_name("DIR");
-  app.add_option("--theme", raw.options.theme, "light or dark; as the window was left where it is not given")
+  app.add_option("--shaders", raw.options.shaders, "Read the shaders from this folder")
+      ->type_name("DIR");
+  app.add_option("--theme", raw.options.theme,
+                 "light or dark; as the window was left where it is not given")
       ->transform(CLI::CheckedTransformer(themes))
       ->type_name("light|dark");
-  app.add_option(
-         "--recovery", raw.recovery,
-         "Keep unsaved work in this folder while it is being done, for the next start to restore; off: "
-         "do not. A window without a script does so by itself")
+  app.add_option("--recovery", raw.recovery,
+                 "Keep unsaved work in this folder while it is being done, for the next start to "
+                 "restore; off: "
+                 "do not. A window without a script does so by itself")
       ->type_name("DIR|off");
   app.add_flag("--no-ui", raw.no_ui, "The mesh alone, without panels");
   app.add_flag("--commands-markdown", raw.markdown, "Print docs/COMMANDS.md and end");

@@ -39,12 +39,13 @@ struct Options {
   std::optional<double> scale;        ///< of text, controls, lines and points; none: the screen's
   bool size_given = false;            ///< else a window is as large as the user left it
   bool interface = true;
-  /// Where unsaved work is kept; none: in the user's own folder for a window, nowhere without one or for a
-  /// script. Empty: nowhere.
+  /// Where unsaved work is kept; none: in the user's own folder for a window, nowhere without one
+  /// or for a script. Empty: nowhere.
   std::optional<std::filesystem::path> recovery;
 };
 
-/// The options, or the code to end with at once (--help, --version, wrong usage: the message is printed).
+/// The options, or the code to end with at once (--help, --version, wrong usage: the message is
+/// printed).
 struct ParsedOptions {
   std::optional<Options> options;
   int exit_code = exit_done;

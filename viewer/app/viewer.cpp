@@ -21,8 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A run gets as long as drawing takes, within these bounds: slow drawing must not starve it, nor it the
-// window.
+// A run gets as long as drawing takes, within these bounds: slow drawing must not starve it, nor it
+// the window.
 constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
@@ -35,8 +35,8 @@ std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path&
   return folder;
 }
 
-/// Each press and release takes a frame of its own, so that slow drawing would make two clicks of one double
-/// click.
+/// Each press and release takes a frame of its own, so that slow drawing would make two clicks of
+/// one double click.
 float double_click_time(std::chrono::microseconds drawing_time) {
   constexpr float usual_s = 0.3f, frames = 4;
   return usual_s + frames * std::chrono::duration<float>(drawing_time).count();
@@ -70,8 +70,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
       headless_(headless),
       gl_(render::load_gl(window.get_proc_address())),
       fonts_(ui::load_fonts(1)),
-      layer_(std::make_unique<ui::ImGuiLayer>(gl_,
-                                              render::load_shader_sources(folder_or_none(options.shaders)))),
+      layer_(std::make_unique<ui::ImGuiLayer>(
+          gl_, render::load_shader_sources(folder_or_none(options.shaders)))),
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
       buffers_(gl_),
       original_buffers_(gl_) {
@@ -88,7 +88,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   if (!options.record.empty()) {
     record_.open(options.record);
     if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
-    if (const std::string first = first_command(options); !first.empty()) record_ << first << std::endl;
+    if (const std::string first = first_command(options); !first.empty())
+      record_ << first << std::endl;
   }
   window_.poll(ImGui::GetIO());
   lay_out_frame();  // the layout, and so the picture's shape, is known from here on
@@ -125,7 +126,9 @@ void Viewer::save_settings() {
 }
 
 void Viewer::connect_clipboard() {
-  session_.clipboard.write_system = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
+  session_.clipboard.write_system = [](const std::string& text) {
+    ImGui::SetClipboardText(text.c_str());
+  };
   session_.clipboard.read_system = [] {
     const char* text = ImGui::GetClipboardText();
     return std::string(text != nullptr ? text : "");
@@ -152,7 +155,8 @@ void Viewer::update_aspect() {
   session_.view.height_px = picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
   if (!session_.document.empty())
-    session_.view.camera.distance *= std::min(before, widest) / std::min(session_.view.aspect, widest);
+    session_.view.camera.distance *=
+        std::min(before, widest) / std::min(session_.view.aspect, widest);
 }
 
 render::RenderSettings Viewer::settings(bool transparent) const {
@@ -163,8 +167,8 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
-  settings.glass =
-      session_.view.interior_edges && !session_.document.empty() && session_.document.content().volume();
+  settings.glass = session_.view.interior_edges && !session_.document.empty() &&
+                   session_.document.content().volume();
   if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
     settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
@@ -183,8 +187,8 @@ void Viewer::lay_out_frame() {
 }
 
 /// One picture, or two of the same size with a line between them.
-void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
-                        bool transparent) {
+void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect,
+                        GLuint destination, bool transparent) {
   buffers_.upload(session_.drawing().drawable());
   scene::SurfaceDrawing* original = session_.original_drawing();
   if (original != nullptr) original_buffers_.upload(original->drawable());
@@ -197,7 +201,8 @@ void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& re
   const int half = (rect.width - 1) / 2;
   render::RenderSettings as_loaded = how;
   as_loaded.show_edge_codes = false;  // nothing is said about its edges
-  renderer_.render(original_buffers_, camera, as_loaded, {rect.x, rect.y, half, rect.height}, destination);
+  renderer_.render(original_buffers_, camera, as_loaded, {rect.x, rect.y, half, rect.height},
+                   destination);
   renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
                    destination);
 }
@@ -218,8 +223,8 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   const int top = at(area.position.y * scale.y);
   const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
   const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top}, destination,
-             transparent);
+  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top},
+             destination, transparent);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
@@ -230,8 +235,8 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   const ImVec2 display = io.DisplaySize;
   const ImVec2 framebuffer = io.DisplayFramebufferScale;
   const ImVec2 mouse = io.MousePos;
-  io.DisplaySize =
-      ImVec2(static_cast<float>(size.x) / framebuffer.x, static_cast<float>(size.y) / framebuffer.y);
+  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x,
+                          static_cast<float>(size.y) / framebuffer.y);
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
   for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
@@ -299,10 +304,12 @@ void Viewer::execute_or_tell(const std::string& line) {
 }
 
 /// The command line's model: a wrong one ends a program without a window, as a wrong mesh does.
-void Viewer::take_model(const std::string& line) { headless_ ? execute(line) : execute_or_tell(line); }
+void Viewer::take_model(const std::string& line) {
+  headless_ ? execute(line) : execute_or_tell(line);
+}
 
-/// A mesh has arrived: remember its file; what the command line says about the camera holds for the first
-/// one.
+/// A mesh has arrived: remember its file; what the command line says about the camera holds for the
+/// first one.
 void Viewer::after_loading() {
   const std::uint64_t generation = session_.document.place().generation;
   if (session_.document.empty() || generation == seen_generation_) return;

@@ -20,8 +20,8 @@ struct ImGuiContext;
 
 namespace aomd::app {
 
-/// The command that the program starts with: what opens FILE or the first sample; empty where a script
-/// decides.
+/// The command that the program starts with: what opens FILE or the first sample; empty where a
+/// script decides.
 [[nodiscard]] std::string first_command(const Options& options);
 
 /// Window and headless share everything but how the loop waits.
@@ -66,7 +66,8 @@ class Viewer {
   void print_log();
   void update_look(float scale);
   void update_aspect();
-  /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no drawing.
+  /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no
+  /// drawing.
   void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent = false);
   void draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,

@@ -27,14 +27,15 @@ class WindowError : public std::runtime_error {
 /// What happened since the last poll, beyond what ImGui was told.
 struct Events {
   std::vector<std::filesystem::path> dropped_files;
-  /// Keys pressed or repeated, as chords: "Ctrl+Shift+Z", "F", "Space", "Left", "F1", "Delete", "+".
-  /// Letters are those of the user's keyboard layout, upper case. Before ImGui had its say: look at
-  /// ImGuiIO::WantCaptureKeyboard. The names are in imgui_keys.h.
+  /// Keys pressed or repeated, as chords: "Ctrl+Shift+Z", "F", "Space", "Left", "F1", "Delete",
+  /// "+". Letters are those of the user's keyboard layout, upper case. Before ImGui had its say:
+  /// look at ImGuiIO::WantCaptureKeyboard. The names are in imgui_keys.h.
   std::vector<std::string> chords;
   bool input = false;  ///< of whatever kind: the picture may change
 };
 
-/// A current OpenGL 3.3 core context with a framebuffer 0, and where its input comes from. One thread only.
+/// A current OpenGL 3.3 core context with a framebuffer 0, and where its input comes from. One
+/// thread only.
 class Window {
  public:
   virtual ~Window() = default;
@@ -49,8 +50,9 @@ class Window {
   /// "GLFW", "OSMesa" or "EGL".
   [[nodiscard]] virtual std::string_view kind() const = 0;
 
-  /// Tells ImGui what happened: display size, time step, mouse, keys, text. Waits up to `wait_s` seconds for
-  /// the first event. Without a window nothing ever happens, and each step takes 1/60 s.
+  /// Tells ImGui what happened: display size, time step, mouse, keys, text. Waits up to `wait_s`
+  /// seconds for the first event. Without a window nothing ever happens, and each step takes 1/60
+  /// s.
   virtual Events poll(ImGuiIO& io, double wait_s = 0) = 0;
   /// Shows what was drawn.
   virtual void present() = 0;
@@ -69,9 +71,9 @@ class Window {
 
 enum class HeadlessKind { Auto, OsMesa, Egl };
 
-/// A context without a window whose framebuffer 0 is `size` pixels large (1..16384 each way). Auto takes the
-/// first that works, OSMesa then EGL; kind() says which. Never touches GLFW. Throws WindowError with every
-/// reason.
+/// A context without a window whose framebuffer 0 is `size` pixels large (1..16384 each way). Auto
+/// takes the first that works, OSMesa then EGL; kind() says which. Never touches GLFW. Throws
+/// WindowError with every reason.
 [[nodiscard]] std::unique_ptr<Window> make_headless_window(HeadlessKind kind, glm::ivec2 size);
 
 }  // namespace aomd::app

@@ -14,16 +14,20 @@ namespace {
 /// An initialised display; EGL_NO_DISPLAY where there is none.
 EGLDisplay open_display() {
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  if (extensions != nullptr && std::strstr(extensions, "EGL_MESA_platform_surfaceless") != nullptr) {
-    const auto get_platform_display =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
+  if (extensions != nullptr &&
+      std::strstr(extensions, "EGL_MESA_platform_surfaceless") != nullptr) {
+    const auto get_platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (get_platform_display != nullptr) {
-      EGLDisplay display = get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-      if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
+      EGLDisplay display =
+          get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+      if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE)
+        return display;
     }
   }
   EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-  if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) return display;
+  if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE)
+    return display;
   return EGL_NO_DISPLAY;
 }
 
@@ -31,7 +35,8 @@ EGLDisplay open_display() {
 class EglWindow : public HeadlessWindow {
  public:
   explicit EglWindow(glm::ivec2 size) : HeadlessWindow(size), display_(open_display()) {
-    if (display_ == EGL_NO_DISPLAY) throw WindowError("EGL: there is no display that works without a window");
+    if (display_ == EGL_NO_DISPLAY)
+      throw WindowError("EGL: there is no display that works without a window");
     try {
       make_context(size);
     } catch (...) {
@@ -43,7 +48,9 @@ class EglWindow : public HeadlessWindow {
   EglWindow(const EglWindow&) = delete;
   EglWindow& operator=(const EglWindow&) = delete;
 
-  [[nodiscard]] render::GetProcAddress get_proc_address() const override { return eglGetProcAddress; }
+  [[nodiscard]] render::GetProcAddress get_proc_address() const override {
+    return eglGetProcAddress;
+  }
   [[nodiscard]] std::string_view kind() const override { return "EGL"; }
 
  private:
@@ -75,9 +82,11 @@ class EglWindow : public HeadlessWindow {
         eglChooseConfig(display_, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
       throw WindowError("EGL: no configuration for OpenGL with an 8 bit pbuffer");
     surface_ = eglCreatePbufferSurface(display_, config, surface_size);
-    if (surface_ == EGL_NO_SURFACE) throw WindowError("EGL: cannot draw into a picture of this size");
+    if (surface_ == EGL_NO_SURFACE)
+      throw WindowError("EGL: cannot draw into a picture of this size");
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
-    if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, surface_, surface_, context_) == EGL_FALSE)
+    if (context_ == EGL_NO_CONTEXT ||
+        eglMakeCurrent(display_, surface_, surface_, context_) == EGL_FALSE)
       throw WindowError("EGL: cannot make an OpenGL 3.3 core context");
   }
   void close() {

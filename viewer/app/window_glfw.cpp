@@ -27,7 +27,8 @@ std::string last_glfw_error() {
 
 int held_modifiers(GLFWwindow* window) {
   const auto either = [&](int left, int right, int bit) {
-    const bool down = glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    const bool down =
+        glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
     return down ? bit : 0;
   };
   return either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
@@ -57,18 +58,23 @@ class GlfwWindow : public Window {
   [[nodiscard]] glm::ivec2 size() const override;
   [[nodiscard]] glm::ivec2 framebuffer_size() const override;
   [[nodiscard]] float content_scale() const override;
-  [[nodiscard]] render::GetProcAddress get_proc_address() const override { return &glfwGetProcAddress; }
+  [[nodiscard]] render::GetProcAddress get_proc_address() const override {
+    return &glfwGetProcAddress;
+  }
   [[nodiscard]] std::string_view kind() const override { return "GLFW"; }
   Events poll(ImGuiIO& io, double wait_s) override;
   void present() override { glfwSwapBuffers(window_); }
-  [[nodiscard]] bool should_close() const override { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+  [[nodiscard]] bool should_close() const override {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+  }
   void cancel_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
   [[nodiscard]] std::optional<ui::WindowPlace> place() const override;
   void move_to(const ui::WindowPlace& place) override;
 
  private:
-  /// A change of a key or a mouse button, and where the mouse was, kept until poll() may tell ImGui.
+  /// A change of a key or a mouse button, and where the mouse was, kept until poll() may tell
+  /// ImGui.
   struct Switch {
     int code = 0;
     bool down = false;
@@ -98,7 +104,9 @@ class GlfwWindow : public Window {
   ui::WindowPlace place_;  ///< the last one while it was not maximised
 };
 
-GlfwWindow& self(GLFWwindow* window) { return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window)); }
+GlfwWindow& self(GLFWwindow* window) {
+  return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+}
 
 GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -107,7 +115,8 @@ GlfwWindow::GlfwWindow(const std::string& title, glm::ivec2 size) {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
-  if (window_ == nullptr) throw WindowError("cannot open a window with OpenGL 3.3: " + last_glfw_error());
+  if (window_ == nullptr)
+    throw WindowError("cannot open a window with OpenGL 3.3: " + last_glfw_error());
   glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -134,8 +143,8 @@ glm::ivec2 GlfwWindow::framebuffer_size() const {
 }
 
 float GlfwWindow::content_scale() const {
-  // Where the system already counts in scaled units (macOS, Wayland) the framebuffer is larger than the
-  // window.
+  // Where the system already counts in scaled units (macOS, Wayland) the framebuffer is larger than
+  // the window.
   float scale = 1;
   glfwGetWindowContentScale(window_, &scale, nullptr);
   const int width = size().x;
@@ -231,7 +240,8 @@ void GlfwWindow::on_key(int key, int scancode, int action) {
     std::string chord = chord_name(key, glfwGetKeyName(key, scancode), held_modifiers(window_));
     if (!chord.empty()) events_.chords.push_back(std::move(chord));
   }
-  // Each waits for a frame of its own: where frames are slow, Enter must not queue behind typed letters.
+  // Each waits for a frame of its own: where frames are slow, Enter must not queue behind typed
+  // letters.
   if (action != GLFW_REPEAT && is_imgui_key(key)) keys_.push_back({key, action == GLFW_PRESS, {}});
 }
 
@@ -243,7 +253,9 @@ void GlfwWindow::connect_imgui(ImGuiIO& io) {
   prepare_keys(io);
 #if IMGUI_VERSION_NUM >= 19110
   ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
-  platform.Platform_GetClipboardTextFn = [](ImGuiContext*) { return glfwGetClipboardString(nullptr); };
+  platform.Platform_GetClipboardTextFn = [](ImGuiContext*) {
+    return glfwGetClipboardString(nullptr);
+  };
   platform.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
     glfwSetClipboardString(nullptr, text);
   };
@@ -286,8 +298,8 @@ void GlfwWindow::send_mouse(ImGuiIO& io) {
   io.MousePos = place;
   io.MouseWheelH += wheel.x;
   io.MouseWheel += wheel.y;
-  // One change of a button a frame, and where it happened: where frames are slow a short click would be lost,
-  // or hit what the mouse has come to since.
+  // One change of a button a frame, and where it happened: where frames are slow a short click
+  // would be lost, or hit what the mouse has come to since.
   if (buttons_.empty()) return;
   io.MousePos = buttons_.front().place;
   io.MouseDown[buttons_.front().code] = buttons_.front().down;
@@ -303,7 +315,8 @@ void GlfwWindow::send_keyboard(ImGuiIO& io) {
 #else
   // One change of a key a frame, for the same reason as with buttons.
   std::vector<int> changed;
-  while (!keys_.empty() && std::find(changed.begin(), changed.end(), keys_.front().code) == changed.end()) {
+  while (!keys_.empty() &&
+         std::find(changed.begin(), changed.end(), keys_.front().code) == changed.end()) {
     changed.push_back(keys_.front().code);
     send_key(io, keys_.front().code, keys_.front().down);
     keys_.pop_front();

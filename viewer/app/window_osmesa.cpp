@@ -37,7 +37,9 @@ class OsMesaWindow : public HeadlessWindow {
   OsMesaWindow(const OsMesaWindow&) = delete;
   OsMesaWindow& operator=(const OsMesaWindow&) = delete;
 
-  [[nodiscard]] render::GetProcAddress get_proc_address() const override { return &OSMesaGetProcAddress; }
+  [[nodiscard]] render::GetProcAddress get_proc_address() const override {
+    return &OSMesaGetProcAddress;
+  }
   [[nodiscard]] std::string_view kind() const override { return "OSMesa"; }
 
  private:

@@ -78,7 +78,8 @@ SegmentBuffer::SegmentBuffer(const Gl& gl) : VertexBuffer(gl) {
 // A disc is a line from its centre to its centre.
 DiscBuffer::DiscBuffer(const Gl& gl) : VertexBuffer(gl) {
   using scene::Disc;
-  for (const GLuint end : {0u, 1u}) add({end, 3, GL_FLOAT, offsetof(Disc, center)}, sizeof(Disc), 1);
+  for (const GLuint end : {0u, 1u})
+    add({end, 3, GL_FLOAT, offsetof(Disc, center)}, sizeof(Disc), 1);
   add({2, 4, GL_UNSIGNED_BYTE, offsetof(Disc, color)}, sizeof(Disc), 1);
   add({3, 1, GL_FLOAT, offsetof(Disc, radius_px)}, sizeof(Disc), 1);
 }
@@ -99,13 +100,14 @@ DrawableBuffers::DrawableBuffers(const Gl& gl)
 void DrawableBuffers::upload(scene::Drawable& drawable) {
   origin = drawable.origin;
   bounds = drawable.bounds;
-  uploaded_bytes_ =
-      corners.upload(drawable.corners) + cells.upload(drawable.cells) +
-      interior_edges.upload(drawable.interior_edges) + model_edges.upload(drawable.model_edges) +
-      model_vertices.upload(drawable.model_vertices) + highlight_lines.upload(drawable.highlight_lines) +
-      highlight_discs.upload(drawable.highlight_discs) + before.upload(drawable.before) +
-      selected.upload(drawable.selected) + hovered.upload(drawable.hovered) +
-      preview.upload(drawable.preview);
+  uploaded_bytes_ = corners.upload(drawable.corners) + cells.upload(drawable.cells) +
+                    interior_edges.upload(drawable.interior_edges) +
+                    model_edges.upload(drawable.model_edges) +
+                    model_vertices.upload(drawable.model_vertices) +
+                    highlight_lines.upload(drawable.highlight_lines) +
+                    highlight_discs.upload(drawable.highlight_discs) +
+                    before.upload(drawable.before) + selected.upload(drawable.selected) +
+                    hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
 }
 
 }  // namespace aomd::render

@@ -16,8 +16,9 @@ class VertexBuffer {
   VertexBuffer(const VertexBuffer&) = delete;
   VertexBuffer& operator=(const VertexBuffer&) = delete;
 
-  /// Brings the buffer up to date and makes the array clean. Uploads only the dirty ranges; all of it where
-  /// the buffer had to grow (by half at least, so that growing is rare). Returns the bytes that travelled.
+  /// Brings the buffer up to date and makes the array clean. Uploads only the dirty ranges; all of
+  /// it where the buffer had to grow (by half at least, so that growing is rare). Returns the bytes
+  /// that travelled.
   template <typename T>
   std::size_t upload(scene::Patched<T>& array) {
     const std::size_t bytes = update(array.values().data(), array.size(), sizeof(T), array.dirty());
@@ -81,8 +82,8 @@ class DrawableBuffers {
  public:
   explicit DrawableBuffers(const Gl& gl);
 
-  /// Uploads what changed since the last call; cost and traffic are proportional to that. The Drawable must
-  /// be the same one at every call.
+  /// Uploads what changed since the last call; cost and traffic are proportional to that. The
+  /// Drawable must be the same one at every call.
   void upload(scene::Drawable& drawable);
   /// Bytes that the last upload sent.
   [[nodiscard]] std::size_t uploaded_bytes() const { return uploaded_bytes_; }

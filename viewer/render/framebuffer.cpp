@@ -30,8 +30,8 @@ void MultisampleTarget::begin(glm::ivec2 size) {
 void MultisampleTarget::resolve(GLuint destination, const PixelRect& rect) {
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
-  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, rect.x, rect.y, rect.x + rect.width, rect.y + rect.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, rect.x, rect.y, rect.x + rect.width,
+                      rect.y + rect.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, destination);
 }
 

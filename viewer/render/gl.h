@@ -98,8 +98,8 @@ struct Gl {
 #undef AOMD_GL_MEMBER
 };
 
-/// Fills the table for the current context. Throws GlError naming the first missing function, or when the
-/// context is older than 3.3.
+/// Fills the table for the current context. Throws GlError naming the first missing function, or
+/// when the context is older than 3.3.
 [[nodiscard]] Gl load_gl(GetProcAddress get_proc_address);
 
 }  // namespace aomd::render

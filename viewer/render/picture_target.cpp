@@ -16,8 +16,8 @@ PictureTarget::PictureTarget(const Gl& gl, glm::ivec2 size) : gl_(gl), size_(siz
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
   gl_.DeleteRenderbuffers(1, &color_);
   gl_.DeleteFramebuffers(1, &framebuffer_);
-  throw GlError("cannot draw a picture of " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                " pixels");
+  throw GlError("cannot draw a picture of " + std::to_string(size.x) + "x" +
+                std::to_string(size.y) + " pixels");
 }
 
 PictureTarget::~PictureTarget() {

@@ -72,10 +72,11 @@ struct Renderer::Frame {
     view = glm::mat4(camera.view() * glm::translate(glm::dmat4(1), buffers.origin));
     projection = glm::mat4(piece_of(piece) * p);
     pixel_size = static_cast<float>(2.0 / (p[1][1] * piece.whole.y));
-    near_depth =
-        orthographic ? -std::numeric_limits<float>::max() : static_cast<float>(p[3][2] / (p[2][2] - 1.0));
+    near_depth = orthographic ? -std::numeric_limits<float>::max()
+                              : static_cast<float>(p[3][2] / (p[2][2] - 1.0));
     const glm::dvec4 plane = s.clip_plane.value_or(glm::dvec4(0, 0, 0, 1));
-    clip_plane = glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), buffers.origin));
+    clip_plane =
+        glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), buffers.origin));
   }
 
   /// From the whole's clip space to the piece's.
@@ -201,13 +202,15 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
   if (corners.count() == 0) return;
   const RenderSettings& settings = frame.settings;
   frame.apply(surface_);
-  surface_.set("edge_color", settings.show_edges ? unpack_color(settings.theme.edge) : glm::vec4(0));
+  surface_.set("edge_color",
+               settings.show_edges ? unpack_color(settings.theme.edge) : glm::vec4(0));
   surface_.set("edge_width", settings.edge_width_px);
   surface_.set("back_color", unpack_color(settings.theme.back_face));
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
   surface_.set("show_edge_codes", settings.show_edge_codes ? 1 : 0);
   for (std::uint8_t code = 0; settings.show_edge_codes && code <= scene::unjudged; ++code)
-    surface_.set(("code_colors[" + std::to_string(code) + "]").c_str(), opaque(scene::verdict_color(code)));
+    surface_.set(("code_colors[" + std::to_string(code) + "]").c_str(),
+                 opaque(scene::verdict_color(code)));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
 }
@@ -224,7 +227,8 @@ void Renderer::draw_overlay(const OverlayBuffers& overlay, const Frame& frame) {
   draw_strokes(overlay.discs);
 }
 
-/// Its faces in front only. Behind faces in the same place, so that nothing flickers where both agree.
+/// Its faces in front only. Behind faces in the same place, so that nothing flickers where both
+/// agree.
 void Renderer::draw_glass(const CornerBuffer& corners, const Frame& frame) {
   if (corners.count() == 0) return;
   frame.apply(glass_);

@@ -23,7 +23,8 @@ struct SceneTheme {
   scene::Color back_face = 0;  ///< what faces seen from behind tend to; its alpha is how far
   scene::Color highlight = 0;  ///< of highlighted faces; its alpha is how far
   scene::Color outline = 0;    ///< around discs
-  scene::Color glass = 0;      ///< of surfaces that others are seen through; its alpha is how dense it is
+  scene::Color glass =
+      0;  ///< of surfaces that others are seen through; its alpha is how dense it is
 };
 
 [[nodiscard]] SceneTheme light_scene_theme();
@@ -37,9 +38,10 @@ struct RenderSettings {
   bool show_model_vertices = true;
   bool show_edge_codes = false;  ///< faces in the colours of their edges' codes, a third for each
   float edge_width_px = 1.1f;    ///< of mesh edges, at pixel scale 1
-  float pixel_scale = 1.0f;      ///< framebuffer pixels a logical pixel: scales all widths and radii
+  float pixel_scale = 1.0f;  ///< framebuffer pixels a logical pixel: scales all widths and radii
   SceneTheme theme = light_scene_theme();
-  bool transparent = false;  ///< nothing behind the mesh: colours are then multiplied by their alpha
+  bool transparent =
+      false;  ///< nothing behind the mesh: colours are then multiplied by their alpha
   /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
   std::optional<glm::dvec4> clip_plane = {};
   /// A surface that is drawn as glass over everything; what lies on the one below does not show.
@@ -54,14 +56,15 @@ class Renderer {
   /// Compiles the shaders. Throws GlError.
   Renderer(const Gl& gl, const ShaderSources& sources);
 
-  /// Draws into `rect` of framebuffer `destination` (0 is the window's) through an own target with several
-  /// samples; piece by piece where `rect` is larger than that may become. Nothing outside `rect` changes. An
-  /// empty rect is left alone.
-  void render(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
-              const PixelRect& rect, GLuint destination = 0);
-  /// The same into the framebuffer that is bound, which needs depth; the viewport must be `size` large.
-  void draw(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
-            glm::ivec2 size);
+  /// Draws into `rect` of framebuffer `destination` (0 is the window's) through an own target with
+  /// several samples; piece by piece where `rect` is larger than that may become. Nothing outside
+  /// `rect` changes. An empty rect is left alone.
+  void render(const DrawableBuffers& buffers, const scene::Camera& camera,
+              const RenderSettings& settings, const PixelRect& rect, GLuint destination = 0);
+  /// The same into the framebuffer that is bound, which needs depth; the viewport must be `size`
+  /// large.
+  void draw(const DrawableBuffers& buffers, const scene::Camera& camera,
+            const RenderSettings& settings, glm::ivec2 size);
   [[nodiscard]] int samples() const { return target_.samples(); }
 
  private:
@@ -70,8 +73,8 @@ class Renderer {
     glm::ivec2 whole{0}, from{0}, size{0};
   };
   struct Frame;
-  void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera, const RenderSettings& settings,
-                  const Piece& piece);
+  void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera,
+                  const RenderSettings& settings, const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
   void draw_surface(const CornerBuffer& corners, const Frame& frame);
   void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);

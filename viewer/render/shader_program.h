@@ -14,7 +14,8 @@
 
 namespace aomd::render {
 
-/// Owns a program object; its context must be current whenever a member runs, the destructor included.
+/// Owns a program object; its context must be current whenever a member runs, the destructor
+/// included.
 class ShaderProgram {
  public:
   /// Compiles NAME.vert and NAME.frag. Throws GlError with the compiler's message.
@@ -24,7 +25,8 @@ class ShaderProgram {
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void use() const;
-  /// Sets a uniform of the program, which must be in use. A name that the compiler dropped is passed over.
+  /// Sets a uniform of the program, which must be in use. A name that the compiler dropped is
+  /// passed over.
   void set(const char* name, int value);
   void set(const char* name, float value);
   void set(const char* name, const glm::vec2& value);

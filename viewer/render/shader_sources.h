@@ -17,7 +17,9 @@ namespace aomd::render {
 /// From a file's name ("surface.vert") to its text.
 using ShaderSources = std::map<std::string, std::string, std::less<>>;
 
-/// The embedded shaders, or those of a folder. Throws GlError naming the file that is missing there.
-[[nodiscard]] ShaderSources load_shader_sources(const std::optional<std::filesystem::path>& folder = {});
+/// The embedded shaders, or those of a folder. Throws GlError naming the file that is missing
+/// there.
+[[nodiscard]] ShaderSources load_shader_sources(
+    const std::optional<std::filesystem::path>& folder = {});
 
 }  // namespace aomd::render

@@ -43,8 +43,8 @@ std::uint64_t uses(const Mesh& mesh, int high, int low) {
 std::string storage_words(const Mesh& mesh, int i, int j, bool times) {
   const Representation::Record& record = mesh.representation().record(i, j);
   std::string text = "Stored: " + bytes_text(mesh.representation().bytes(i, j)) + ", " +
-                     grouped(mesh.count(i)) + " rows of " + short_number(mean_row_length(mesh, i, j), 1) +
-                     " on average";
+                     grouped(mesh.count(i)) + " rows of " +
+                     short_number(mean_row_length(mesh, i, j), 1) + " on average";
   if (times && record.builds > 0)
     text += ", built in " + short_number(record.build_ms, record.build_ms < 10 ? 1 : 0) + " ms";
   return text + ".";
@@ -72,7 +72,8 @@ std::string defining_words(int i, int j) {
   for (int k = 0; k < i; ++k)
     if (k != j) others += (others.empty() ? "" : " or ") + relation_name(i, k);
   return "It defines the " + many(i) +
-         (others.empty() ? ": it stays while there are any." : ": it stays until " + others + " is stored.");
+         (others.empty() ? ": it stays while there are any."
+                         : ": it stays until " + others + " is stored.");
 }
 
 }  // namespace
@@ -124,12 +125,15 @@ std::string askers(const Mesh& mesh, int i, int j) {
   std::vector<std::pair<std::string, int>> names;
   if (demand.user) names.emplace_back("you or its source", 1);
   for (const char* by : demand.by) {
-    const auto same = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == by; });
-    same == names.end() ? static_cast<void>(names.emplace_back(by, 1)) : static_cast<void>(++same->second);
+    const auto same =
+        std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == by; });
+    same == names.end() ? static_cast<void>(names.emplace_back(by, 1))
+                        : static_cast<void>(++same->second);
   }
   std::string text;
   for (const auto& [name, count] : names)
-    text += (text.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + ")" : "");
+    text +=
+        (text.empty() ? "" : ", ") + name + (count > 1 ? " (" + std::to_string(count) + ")" : "");
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// T(I,J) of a mesh in numbers and words, for the panel that shows it and the command that changes it.
+// T(I,J) of a mesh in numbers and words, for the panel that shows it and the command that changes
+// it.
 
 #include <cstddef>
 #include <string>
@@ -11,9 +12,10 @@ namespace aomd::scene {
 /// One cell of T(I,J): I != J.
 struct AdjacencyCell {
   bool stored = false;
-  bool set = false;      ///< by the user: it stays when no request is left
-  int requests = 0;      ///< of algorithms and of the viewer
-  bool defines = false;  ///< the last downward relation of a level with entities: it cannot be freed
+  bool set = false;  ///< by the user: it stays when no request is left
+  int requests = 0;  ///< of algorithms and of the viewer
+  bool defines =
+      false;  ///< the last downward relation of a level with entities: it cannot be freed
   std::size_t bytes = 0;
 };
 
@@ -24,8 +26,8 @@ struct AdjacencyCell {
 
 /// "The faces around each vertex, sorted", "The vertices of each face, in template order".
 [[nodiscard]] std::string relation_words(int i, int j);
-/// Whether, how and for whom a relation is stored, in sentences; with `times`, how long building took.
-/// O(entities).
+/// Whether, how and for whom a relation is stored, in sentences; with `times`, how long building
+/// took. O(entities).
 [[nodiscard]] std::string adjacency_words(const Mesh& mesh, int i, int j, bool times);
 /// Who holds it: "drawing, the paper's loop (2)". Empty where nobody asked.
 [[nodiscard]] std::string askers(const Mesh& mesh, int i, int j);

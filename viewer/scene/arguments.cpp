@@ -48,7 +48,8 @@ std::string Arguments::word(std::string_view what) {
   const std::size_t end = quoted ? text_.find('"') : text_.find_first_of(" \t");
   if (quoted && end == std::string_view::npos) fail("a quote is not closed");
   const std::string result(text_.substr(0, end));
-  text_.remove_prefix(std::min(text_.size(), end == std::string_view::npos ? end : end + (quoted ? 1 : 0)));
+  text_.remove_prefix(
+      std::min(text_.size(), end == std::string_view::npos ? end : end + (quoted ? 1 : 0)));
   return result;
 }
 
@@ -56,7 +57,8 @@ std::string Arguments::rest(std::string_view what) {
   if (done()) fail("give " + std::string(what));
   std::string_view all = text_;
   text_ = {};
-  if (all.size() > 1 && all.front() == '"' && all.back() == '"') all = all.substr(1, all.size() - 2);
+  if (all.size() > 1 && all.front() == '"' && all.back() == '"')
+    all = all.substr(1, all.size() - 2);
   return std::string(all);
 }
 
@@ -120,8 +122,9 @@ ModelRef Arguments::model_entity() {
   const std::string text = word("a model entity like face:3");
   const std::size_t colon = text.find(':');
   const auto dim = level_named(std::string_view(text).substr(0, colon));
-  const auto tag = colon == std::string::npos ? std::nullopt
-                                              : parse<std::int32_t>(std::string_view(text).substr(colon + 1));
+  const auto tag = colon == std::string::npos
+                       ? std::nullopt
+                       : parse<std::int32_t>(std::string_view(text).substr(colon + 1));
   if (!dim || !tag || *tag < ModelRef::min_tag || *tag > ModelRef::max_tag)
     fail("'" + text + "' is not a model entity like face:3");
   return ModelRef(*dim, *tag);

@@ -14,7 +14,8 @@
 
 namespace aomd::scene {
 
-/// Read from left to right. Every member throws CommandError that names the command and what it wants.
+/// Read from left to right. Every member throws CommandError that names the command and what it
+/// wants.
 class Arguments {
  public:
   Arguments(std::string_view command, std::string_view usage, std::string_view text);

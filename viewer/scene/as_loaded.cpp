@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimate/curvature.h"
+#include "core/decimate/spacing/curvature.h"
 
 namespace aomd::scene {
 
@@ -30,12 +30,14 @@ const Column<Vertex, double>& AsLoaded::curvatures() {
 double face_distance(const Mesh& mesh, Face face, const TriangleTree& original) {
   constexpr int parts = 4;
   const auto v = mesh.triangle(face);
-  const glm::dvec3 a = mesh.position(v[0]), u = mesh.position(v[1]) - a, w = mesh.position(v[2]) - a;
+  const glm::dvec3 a = mesh.position(v[0]), u = mesh.position(v[1]) - a,
+                   w = mesh.position(v[2]) - a;
   double worst2 = 0;
   std::uint32_t near = no_index;
   for (int i = 0; i <= parts; ++i)
     for (int j = 0; i + j <= parts; ++j) {
-      const auto found = original.nearest(a + u * (double(i) / parts) + w * (double(j) / parts), near);
+      const auto found =
+          original.nearest(a + u * (double(i) / parts) + w * (double(j) / parts), near);
       near = found.triangle;
       worst2 = std::max(worst2, found.distance2);
     }

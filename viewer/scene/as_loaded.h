@@ -9,8 +9,8 @@
 
 namespace aomd::scene {
 
-/// Vertices and faces have the ids that they have in the document's mesh at the start of its history. Not
-/// movable. What is measured is made at the first need.
+/// Vertices and faces have the ids that they have in the document's mesh at the start of its
+/// history. Not movable. What is measured is made at the first need.
 class AsLoaded {
  public:
   /// Of a mesh that is at the start of its history. O(size).
@@ -29,7 +29,8 @@ class AsLoaded {
   std::optional<Column<Vertex, double>> curvatures_;
 };
 
-/// The largest distance of a face of `mesh` to `original`, at the 15 points of a regular lattice over it.
+/// The largest distance of a face of `mesh` to `original`, at the 15 points of a regular lattice
+/// over it.
 [[nodiscard]] double face_distance(const Mesh& mesh, Face face, const TriangleTree& original);
 
 }  // namespace aomd::scene

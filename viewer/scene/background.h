@@ -13,8 +13,8 @@ namespace aomd::scene {
 template <typename Result>
 class Background {
  public:
-  /// Starts work(stop, progress), which returns the result, ends early when the token asks it to, and may say
-  /// how far it is, 0..1.
+  /// Starts work(stop, progress), which returns the result, ends early when the token asks it to,
+  /// and may say how far it is, 0..1.
   template <typename Work>
   explicit Background(Work work)
       : thread_([this, work = std::move(work)](const std::stop_token& stop) mutable {
@@ -48,8 +48,8 @@ class Background {
   std::jthread thread_;  ///< last: stopped and joined before the rest goes
 };
 
-/// The result of work that has ended, or with `wait` that will; none while it goes on and where there is
-/// none. The work is gone afterwards, also where it threw.
+/// The result of work that has ended, or with `wait` that will; none while it goes on and where
+/// there is none. The work is gone afterwards, also where it threw.
 template <typename Result>
 [[nodiscard]] std::optional<Result> take(std::unique_ptr<Background<Result>>& work, bool wait) {
   if (!work || (!wait && !work->finished())) return {};

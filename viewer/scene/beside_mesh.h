@@ -5,8 +5,8 @@
 
 namespace aomd::scene {
 
-/// A copy that can be drawn and counted: it stores T(2,0), T(0,1), T(0,2) and lists what lies on each model
-/// entity. Not movable.
+/// A copy that can be drawn and counted: it stores T(2,0), T(0,1), T(0,2) and lists what lies on
+/// each model entity. Not movable.
 class BesideMesh {
  public:
   /// O(size).

@@ -59,17 +59,20 @@ void Camera::fit(const Box& box, double aspect) {
   double needed = 0;
   for (const glm::dvec3& corner : box.corners()) {
     const glm::dvec3 d = corner - target;
-    const double side = std::max(std::abs(glm::dot(d, right())) / tan_x, std::abs(glm::dot(d, up())) / tan_y);
+    const double side =
+        std::max(std::abs(glm::dot(d, right())) / tan_x, std::abs(glm::dot(d, up())) / tan_y);
     needed = std::max(needed, side * fit_margin - (orthographic ? 0.0 : glm::dot(d, forward())));
   }
   const double angle = std::atan(std::min(tan_x, tan_y));
-  needed = std::min(needed, fit_margin * box.radius() / (orthographic ? std::tan(angle) : std::sin(angle)));
+  needed = std::min(needed,
+                    fit_margin * box.radius() / (orthographic ? std::tan(angle) : std::sin(angle)));
   // A flat box seen from its edge needs no width at all.
   distance = std::max(needed, 0.05 * box.diagonal());
 }
 
 void Camera::turn_to(StandardView view) {
-  constexpr double iso_elevation = 35.26438968275465;  // atan(1/sqrt(2)): the three axes look equally long
+  constexpr double iso_elevation =
+      35.26438968275465;  // atan(1/sqrt(2)): the three axes look equally long
   switch (view) {
     case StandardView::Iso:
       azimuth_deg = 45, elevation_deg = iso_elevation;
@@ -117,13 +120,16 @@ glm::dmat4 Camera::view() const {
   const glm::dvec3 u = up();
   const glm::dvec3 f = forward();
   const glm::dvec3 e = eye();
-  return {
-      {r.x, u.x, -f.x, 0}, {r.y, u.y, -f.y, 0}, {r.z, u.z, -f.z, 0}, {-dot(r, e), -dot(u, e), dot(f, e), 1}};
+  return {{r.x, u.x, -f.x, 0},
+          {r.y, u.y, -f.y, 0},
+          {r.z, u.z, -f.z, 0},
+          {-dot(r, e), -dot(u, e), dot(f, e), 1}};
 }
 
 glm::dmat4 Camera::projection(double aspect, const Box& scene) const {
   const DepthRange range = depth_range(scene);
-  if (!orthographic) return glm::perspective(radians(fov_deg), aspect, range.near_depth, range.far_depth);
+  if (!orthographic)
+    return glm::perspective(radians(fov_deg), aspect, range.near_depth, range.far_depth);
   const double h = half_height();
   return glm::ortho(-h * aspect, h * aspect, -h, h, range.near_depth, range.far_depth);
 }
@@ -143,7 +149,8 @@ Camera::DepthRange Camera::depth_range(const Box& scene) const {
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
-  // Lines are drawn a little before their surface, which in a flat scene must not be before the near plane.
+  // Lines are drawn a little before their surface, which in a flat scene must not be before the
+  // near plane.
   const double slack = 0.01 * std::max(farthest - nearest, 1.5 * distance);
   farthest += slack;
   nearest -= slack;

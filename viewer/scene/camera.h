@@ -21,11 +21,12 @@ struct Ray {
   glm::dvec3 direction{0, 0, -1};  ///< unit length
 };
 
-/// A turntable: it looks at `target` from `distance`, turned by `azimuth_deg` around the up axis (0 is the
-/// front, positive moves the eye to the right) and raised by `elevation_deg` in [-90,90], so that it cannot
-/// flip over. All lengths are in world units. A screen position is given as `ndc`, -1..1 to the right and
-/// upward; `aspect` is width by height. In orthographic projection `distance` gives the scale: what lies at
-/// the target keeps its size when the projection is switched.
+/// A turntable: it looks at `target` from `distance`, turned by `azimuth_deg` around the up axis (0
+/// is the front, positive moves the eye to the right) and raised by `elevation_deg` in [-90,90], so
+/// that it cannot flip over. All lengths are in world units. A screen position is given as `ndc`,
+/// -1..1 to the right and upward; `aspect` is width by height. In orthographic projection
+/// `distance` gives the scale: what lies at the target keeps its size when the projection is
+/// switched.
 class Camera {
  public:
   glm::dvec3 target{0};
@@ -39,11 +40,11 @@ class Camera {
   void orbit(double azimuth_step_deg, double elevation_step_deg);
   /// Moves so that what lies at the target's depth under `from` comes to lie under `to`.
   void pan(glm::dvec2 from, glm::dvec2 to, double aspect);
-  /// Scales the distance by `factor` (> 0, below 1 is nearer); what lies at the target's depth under `ndc`
-  /// stays.
+  /// Scales the distance by `factor` (> 0, below 1 is nearer); what lies at the target's depth
+  /// under `ndc` stays.
   void zoom(double factor, glm::dvec2 ndc, double aspect);
-  /// Looks at the whole box, as near as the present direction and projection allow. An empty box or a point
-  /// changes the target only.
+  /// Looks at the whole box, as near as the present direction and projection allow. An empty box or
+  /// a point changes the target only.
   void fit(const Box& box, double aspect);
   /// Turns to a standard view, keeping target and distance.
   void turn_to(StandardView view);
@@ -60,11 +61,12 @@ class Camera {
   [[nodiscard]] glm::dmat4 view() const;
   /// Eye to clip space; near and far enclose `scene`, whatever the camera does.
   [[nodiscard]] glm::dmat4 projection(double aspect, const Box& scene) const;
-  /// The ray under a screen position: from the eye, or in orthographic projection from in front of `scene`.
+  /// The ray under a screen position: from the eye, or in orthographic projection from in front of
+  /// `scene`.
   [[nodiscard]] Ray ray(glm::dvec2 ndc, double aspect, const Box& scene) const;
 
-  /// "azimuth=45 elevation=30 distance=3 target=0,0,0 fov=30 perspective up=z": parse_camera gives back an
-  /// equal camera.
+  /// "azimuth=45 elevation=30 distance=3 target=0,0,0 fov=30 perspective up=z": parse_camera gives
+  /// back an equal camera.
   [[nodiscard]] std::string to_text() const;
 
   friend bool operator==(const Camera&, const Camera&) = default;
@@ -89,7 +91,8 @@ struct CameraSpec {
   std::string error;
 };
 
-/// Reads the text of `--camera` and of the command `camera`: words applied from left to right to `start`.
+/// Reads the text of `--camera` and of the command `camera`: words applied from left to right to
+/// `start`.
 ///   iso front back left right top bottom   a standard view, fitted to `scene`
 ///   azimuth=DEG elevation=DEG              the direction (elevation is clamped to [-90,90])
 ///   target=X,Y,Z distance=LENGTH           the point looked at, and from how far

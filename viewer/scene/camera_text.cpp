@@ -122,12 +122,14 @@ std::string_view view_from(int axis, bool positive, UpAxis up) {
 
 std::string Camera::to_text() const {
   return "azimuth=" + number(azimuth_deg) + " elevation=" + number(elevation_deg) +
-         " distance=" + number(distance) + " target=" + number(target.x) + "," + number(target.y) + "," +
-         number(target.z) + " fov=" + number(fov_deg) + (orthographic ? " orthographic" : " perspective") +
+         " distance=" + number(distance) + " target=" + number(target.x) + "," + number(target.y) +
+         "," + number(target.z) + " fov=" + number(fov_deg) +
+         (orthographic ? " orthographic" : " perspective") +
          (up_axis == UpAxis::Y ? " up=y" : " up=z");
 }
 
-CameraSpec parse_camera(std::string_view text, const Camera& start, const Box& scene, double aspect) {
+CameraSpec parse_camera(std::string_view text, const Camera& start, const Box& scene,
+                        double aspect) {
   constexpr std::string_view blanks = " \t\r\n;";
   Parser parser{start, scene, aspect};
   bool any = false;

@@ -93,8 +93,10 @@ bool bright(const CellStyle& style, ModelRef model) {
   return style.highlighted_region && *style.highlighted_region == model;
 }
 
-/// Where the edges of a region go through the plane, around their middle, as seen from what is cut off.
-void cut(const ShapeTemplate& shape, const Points& points, const glm::dvec4& plane, Points& polygon) {
+/// Where the edges of a region go through the plane, around their middle, as seen from what is cut
+/// off.
+void cut(const ShapeTemplate& shape, const Points& points, const glm::dvec4& plane,
+         Points& polygon) {
   polygon.clear();
   for (int e = 0; e < shape.edge_count; ++e) {
     const auto& ends = shape.sub(1, e).vertices;
@@ -128,7 +130,8 @@ CellStyle cell_style(const View& view, const Box& bounds) {
   style.colored = view.coloring == Coloring::Classification;
   for (const ModelRef ref : view.hidden)
     if (ref.dimension() == 3) style.hidden_regions.insert(ref);
-  if (view.highlighted && view.highlighted->dimension() == 3) style.highlighted_region = view.highlighted;
+  if (view.highlighted && view.highlighted->dimension() == 3)
+    style.highlighted_region = view.highlighted;
   if (view.clip) {
     style.plane = view.clip->plane(bounds);
     style.whole = view.clip->cells;
@@ -204,7 +207,8 @@ std::vector<Segment> draw_interior_edges(const Mesh& mesh, const Skin& skin, con
       outer.push_back(std::minmax({face.vertices[k], face.vertices[(k + 1) % face.count]}));
   make_unique(edges);
   make_unique(outer);
-  std::set_difference(edges.begin(), edges.end(), outer.begin(), outer.end(), std::back_inserter(inner));
+  std::set_difference(edges.begin(), edges.end(), outer.begin(), outer.end(),
+                      std::back_inserter(inner));
   std::vector<Segment> lines;
   lines.reserve(inner.size());
   const auto place = [&](std::uint32_t v) { return glm::vec3(mesh.position(Vertex(v)) - origin); };

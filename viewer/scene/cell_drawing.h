@@ -43,17 +43,20 @@ struct CellFaces {
   void append(const CellFaces& other);
 };
 
-/// The cut through every region, as a polygon of it (which is expected to be convex), a hair inside of what
-/// is kept so that the plane does not clip it. Positions are relative to `origin`. O(regions).
-[[nodiscard]] CellFaces draw_sections(const Mesh& mesh, const CellStyle& style, const glm::dvec3& origin);
+/// The cut through every region, as a polygon of it (which is expected to be convex), a hair inside
+/// of what is kept so that the plane does not clip it. Positions are relative to `origin`.
+/// O(regions).
+[[nodiscard]] CellFaces draw_sections(const Mesh& mesh, const CellStyle& style,
+                                      const glm::dvec3& origin);
 
-/// All sides of all regions, and the faces of `skin` that no region has, each pulled towards the middle of
-/// its region or face. O(regions + skin).
+/// All sides of all regions, and the faces of `skin` that no region has, each pulled towards the
+/// middle of its region or face. O(regions + skin).
 [[nodiscard]] CellFaces draw_shrunken(const Mesh& mesh, const Skin& skin, const CellStyle& style,
                                       const glm::dvec3& origin);
 
 /// The edges of regions that are on no side of the skin's outer surface, each once. O(n log n).
 [[nodiscard]] std::vector<Segment> draw_interior_edges(const Mesh& mesh, const Skin& skin,
-                                                       const CellStyle& style, const glm::dvec3& origin);
+                                                       const CellStyle& style,
+                                                       const glm::dvec3& origin);
 
 }  // namespace aomd::scene

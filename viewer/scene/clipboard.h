@@ -7,8 +7,8 @@
 
 namespace aomd::scene {
 
-/// The system's clipboard where a window gives the two functions; without one a string that the session
-/// keeps, so that scripts can copy and paste too.
+/// The system's clipboard where a window gives the two functions; without one a string that the
+/// session keeps, so that scripts can copy and paste too.
 class Clipboard {
  public:
   std::function<std::string()> read_system;

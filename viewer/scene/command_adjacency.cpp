@@ -38,7 +38,8 @@ void adjacency(Session& session, Arguments& arguments) {
 void expect_adjacency(Session& session, Arguments& arguments) {
   static_cast<void>(arguments.word("adjacency"));
   const auto [i, j] = cell(arguments);
-  if (const std::string sign = arguments.word("="); sign != "=") arguments.fail("'" + sign + "' is not =");
+  if (const std::string sign = arguments.word("="); sign != "=")
+    arguments.fail("'" + sign + "' is not =");
   const std::string text = arguments.one_of({"on", "off"});
   arguments.end();
   const bool stored = session.document.mesh().stored(i, j);
@@ -51,7 +52,8 @@ std::vector<Command> adjacency_commands() {
   return {
       {"adjacency",
        "I J [on|off|toggle]",
-       "Stores the relation T(I,J) of levels 0 (vertices) to 3 (regions), or lets go of it. It stays stored "
+       "Stores the relation T(I,J) of levels 0 (vertices) to 3 (regions), or lets go of it. It "
+       "stays stored "
        "while an algorithm needs it or where it defines entities. Not part of the history.",
        CommandGroup::Options,
        adjacency,

@@ -34,7 +34,8 @@ void strategy(Session& session, Arguments& arguments) {
   const double before = options.angle_deg;
   set_with_angle(session, options);
   if (const double now = session.document.options().angle_deg; now != before)
-    session.status = "The angle limit is " + short_number(now) + " degrees now, as usual for " + text;
+    session.status =
+        "The angle limit is " + short_number(now) + " degrees now, as usual for " + text;
 }
 
 void regularity(Session& session, Arguments& arguments) {
@@ -68,8 +69,8 @@ void target_faces(Session& session, Arguments& arguments) {
   options.target_faces =
       text == "off"
           ? 0
-          : static_cast<std::uint32_t>(
-                Arguments("target-faces", "N|off", text).number("a number of faces", 1, largest_count));
+          : static_cast<std::uint32_t>(Arguments("target-faces", "N|off", text)
+                                           .number("a number of faces", 1, largest_count));
   arguments.end();
   set_with_angle(session, options);
 }
@@ -100,7 +101,8 @@ std::vector<Command> aim_commands() {
   return {
       {"strategy",
        "paper|quality",
-       "paper is the loop as printed; quality collapses what costs least first, places the vertex that "
+       "paper is the loop as printed; quality collapses what costs least first, places the vertex "
+       "that "
        "stays, then fits the mesh to the original. paper at first.",
        CommandGroup::Options,
        strategy,
@@ -113,7 +115,8 @@ std::vector<Command> aim_commands() {
        {}},
       {"factor",
        "F",
-       "How many times longer edges become where the angle does not bind; 1 and up, 4 at first. Ends other "
+       "How many times longer edges become where the angle does not bind; 1 and up, 4 at first. "
+       "Ends other "
        "aims: coarsest, target-faces, spacing.",
        CommandGroup::Options,
        factor,
@@ -132,8 +135,10 @@ std::vector<Command> aim_commands() {
        {}},
       {"spacing",
        "FILE|EXPR|curvature|off",
-       "How long edges become, in the units of the mesh as loaded: a file with a number for each vertex; "
-       "curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the edges there), "
+       "How long edges become, in the units of the mesh as loaded: a file with a number for each "
+       "vertex; "
+       "curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the "
+       "edges there), "
        "k (curvature) and diag (diagonal of the box). Ends other aims; another mesh drops it.",
        CommandGroup::Options,
        spacing,

@@ -43,9 +43,9 @@ std::string branch_list(const Document& document) {
   std::string text = "Branch " + std::to_string(tree.present()) +
                      " (the present one): " + counted(document.journal().size(), "operation");
   for (const HistoryBranch& b : tree.branches())
-    text += "\nBranch " + std::to_string(b.id) + ": " + counted(b.size(), "operation") + ", leaves branch " +
-            std::to_string(b.from == 0 ? tree.present() : b.from) + " at operation " + grouped(b.fork) +
-            ", " + bytes_text(b.part.bytes());
+    text += "\nBranch " + std::to_string(b.id) + ": " + counted(b.size(), "operation") +
+            ", leaves branch " + std::to_string(b.from == 0 ? tree.present() : b.from) +
+            " at operation " + grouped(b.fork) + ", " + bytes_text(b.part.bytes());
   return text;
 }
 
@@ -56,14 +56,15 @@ void branch(Session& session, Arguments& arguments) {
   if (what == "list") {
     arguments.end();
     session.log = branch_list(document);
-    session.status = counted(document.tree().branches().size(), "branch") + " besides the present one, " +
-                     bytes_text(document.tree().bytes());
+    session.status = counted(document.tree().branches().size(), "branch") +
+                     " besides the present one, " + bytes_text(document.tree().bytes());
   } else if (what == "switch") {
     const unsigned id = number_of(document.tree(), arguments);
     session.play(false);
     document.switch_branch(id);
-    session.status = "Branch " + std::to_string(id) + ": operation " + grouped(document.journal().cursor()) +
-                     " of " + grouped(document.journal().size());
+    session.status = "Branch " + std::to_string(id) + ": operation " +
+                     grouped(document.journal().cursor()) + " of " +
+                     grouped(document.journal().size());
   } else {
     const unsigned id = number_of(document.tree(), arguments);
     if (id == document.tree().present()) arguments.fail("the present branch cannot be removed");
@@ -79,15 +80,18 @@ std::vector<Command> branch_commands() {
   return {
       {"bookmark",
        "[NAME] | remove NAME",
-       "Gives the present place of the history a name, for seek bookmark NAME. It survives undo and stays "
+       "Gives the present place of the history a name, for seek bookmark NAME. It survives undo "
+       "and stays "
        "with its branch.",
        CommandGroup::History,
        bookmark,
        {{"Ctrl+B", "bookmark"}}},
       {"branch",
        "list|switch N|remove N",
-       "What was ahead where something new was done stays as a branch. switch goes back to where branch N "
-       "leaves and forward to its end; remove forgets it with those that leave it; list prints all.",
+       "What was ahead where something new was done stays as a branch. switch goes back to where "
+       "branch N "
+       "leaves and forward to its end; remove forgets it with those that leave it; list prints "
+       "all.",
        CommandGroup::History,
        branch,
        {}},

@@ -21,8 +21,8 @@ void camera(Session& session, Arguments& arguments) {
   }
   const bool pasted = text == "paste";
   if (pasted) text = session.clipboard.get().substr(0, longest_camera_text);
-  const CameraSpec spec =
-      parse_camera(text, session.view.camera, session.document.content().bounds, session.view.aspect);
+  const CameraSpec spec = parse_camera(text, session.view.camera, session.document.content().bounds,
+                                       session.view.aspect);
   if (!spec.camera && pasted) throw CommandError("the clipboard holds no camera: " + spec.error);
   if (!spec.camera) arguments.fail(spec.error);
   session.view.camera = *spec.camera;
@@ -30,8 +30,8 @@ void camera(Session& session, Arguments& arguments) {
 }
 
 /// The middle of entities, so near that what is around them shows with `context` times as much.
-void look_at(Session& session, std::span<const EntityRef> entities, std::span<const EntityRef> around,
-             double context) {
+void look_at(Session& session, std::span<const EntityRef> entities,
+             std::span<const EntityRef> around, double context) {
   const Mesh& mesh = session.document.mesh();
   Camera& camera = session.view.camera;
   const double far = camera.distance;
@@ -45,7 +45,8 @@ void fit_entities(Session& session, std::span<const EntityRef> entities) {
   constexpr double context = 5, around_vertex = 2.5;
   if (entities.empty())
     return session.view.camera.fit(session.document.content().bounds, session.view.aspect);
-  if (entities.size() > 1 || entities[0].dimension != 0) return look_at(session, entities, entities, context);
+  if (entities.size() > 1 || entities[0].dimension != 0)
+    return look_at(session, entities, entities, context);
   Selection one;
   one.replace({entities[0]});
   look_at(session, entities, grown(session.document.mesh(), one), around_vertex);
@@ -117,8 +118,10 @@ std::vector<Command> camera_commands() {
   return {
       {"camera",
        "VIEW|SPEC|copy|paste",
-       "iso, front, back, left, right, top, bottom; or azimuth=DEG elevation=DEG distance=L target=X,Y,Z "
-       "zoom=F fov=DEG up=y|z perspective orthographic fit. copy and paste: the present one as such a text, "
+       "iso, front, back, left, right, top, bottom; or azimuth=DEG elevation=DEG distance=L "
+       "target=X,Y,Z "
+       "zoom=F fov=DEG up=y|z perspective orthographic fit. copy and paste: the present one as "
+       "such a text, "
        "through the clipboard.",
        CommandGroup::View,
        camera,
@@ -133,12 +136,18 @@ std::vector<Command> camera_commands() {
         {"Ctrl+Shift+V", "camera paste"}}},
       {"fit",
        "[selection | KIND:TAG | KIND ID [ID...]]",
-       "Shows the whole mesh from the present direction, all that lies on a model entity, or what is "
+       "Shows the whole mesh from the present direction, all that lies on a model entity, or what "
+       "is "
        "selected or named with its surroundings.",
        CommandGroup::View,
        fit,
        {{"F", "fit"}, {"Shift+F", "fit selection"}}},
-      {"orbit", "X Y", "Turns the camera to the right and upward, degrees.", CommandGroup::View, orbit, {}},
+      {"orbit",
+       "X Y",
+       "Turns the camera to the right and upward, degrees.",
+       CommandGroup::View,
+       orbit,
+       {}},
       {"pan",
        "X Y",
        "Shifts the picture to the right and upward, as parts of its width and height.",

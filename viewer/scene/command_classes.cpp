@@ -15,7 +15,8 @@ namespace {
 void need_triangles(const Session& session) {
   need_mesh(session);
   if (session.document.content().skin)
-    throw CommandError("the classification of volumes and quads cannot be edited, only that of triangles");
+    throw CommandError(
+        "the classification of volumes and quads cannot be edited, only that of triangles");
 }
 
 /// The entities that are named, or else those that are selected.
@@ -89,8 +90,9 @@ void assign(Session& session, Arguments& arguments) {
   const bool border = !ahead.done() && ahead.word("border") == "border";
   if (border) arguments = ahead;
   const auto entities = concerned(session, arguments);
-  edit(session, "assign",
-       [&](const Mesh& mesh, double corner) { return aomd::assign(mesh, entities, model, border, corner); });
+  edit(session, "assign", [&](const Mesh& mesh, double corner) {
+    return aomd::assign(mesh, entities, model, border, corner);
+  });
 }
 
 void split_face(Session& session, Arguments& arguments) {
@@ -98,7 +100,8 @@ void split_face(Session& session, Arguments& arguments) {
   const ModelRef face = arguments.model_entity();
   arguments.end();
   if (face.dimension() != 2) arguments.fail("only a model face can be split");
-  edit(session, "split-face", [&](const Mesh& mesh, double) { return aomd::split_face(mesh, face); });
+  edit(session, "split-face",
+       [&](const Mesh& mesh, double) { return aomd::split_face(mesh, face); });
 }
 
 void feature_preview(Session& session, Arguments& arguments) {
@@ -107,14 +110,16 @@ void feature_preview(Session& session, Arguments& arguments) {
   need_triangles(session);
   session.point_out({});
   if (text == "off") return session.document.end_trial();
-  const double angle = Arguments("feature-preview", "DEG|off", text).number("an angle in degrees", 0, 180);
+  const double angle =
+      Arguments("feature-preview", "DEG|off", text).number("an angle in degrees", 0, 180);
   if (session.document.content().classified_by_file())
     throw CommandError("feature-preview: the file's classification wins, an angle has no say");
   session.play(false);
   const FeaturePreview& preview = session.document.try_feature_angle(angle).preview;
   session.point_out({preview.edges.begin(), preview.edges.end()});
-  session.status = short_number(angle) + " deg would make " + counted(preview.model_edges, "model edge") +
-                   " of " + counted(preview.edges.size(), "edge") + ", " +
+  session.status = short_number(angle) + " deg would make " +
+                   counted(preview.model_edges, "model edge") + " of " +
+                   counted(preview.edges.size(), "edge") + ", " +
                    counted(preview.model_vertices, "model vertex");
 }
 
@@ -125,9 +130,10 @@ void export_selection(Session& session, Arguments& arguments) {
   if (part.positions.empty()) arguments.fail("no faces or regions are selected");
   io::write(expanded(file), part);
   const std::size_t regions = part.regions.size();
-  session.status = "Saved " +
-                   counted(regions > 0 ? regions : part.faces.size(), regions > 0 ? "region" : "face") +
-                   " in " + file;
+  session.status =
+      "Saved " +
+      counted(regions > 0 ? regions : part.faces.size(), regions > 0 ? "region" : "face") + " in " +
+      file;
 }
 
 }  // namespace
@@ -136,28 +142,32 @@ std::vector<Command> class_commands() {
   return {
       {"promote",
        "[selection] | KIND ID [ID...]",
-       "Edges become model edges, vertices model vertices: collapses respect them. Ends, branches and sharp "
+       "Edges become model edges, vertices model vertices: collapses respect them. Ends, branches "
+       "and sharp "
        "turns of the new model edges become model vertices.",
        CommandGroup::Selection,
        promote,
        {}},
       {"demote",
        "[selection] | KIND ID [ID...]",
-       "The opposite: edges go onto the model face beside them, vertices onto the model edge or face around "
+       "The opposite: edges go onto the model face beside them, vertices onto the model edge or "
+       "face around "
        "them.",
        CommandGroup::Selection,
        demote,
        {}},
       {"assign",
        "KIND:TAG|KIND:new [border] [selection | KIND ID [ID...]]",
-       "Puts entities onto a model entity; new takes the next free tag, border makes model edges of the "
+       "Puts entities onto a model entity; new takes the next free tag, border makes model edges "
+       "of the "
        "edges around faces. Refused where a rule of classification would be broken.",
        CommandGroup::Selection,
        assign,
        {}},
       {"split-face",
        "face:TAG",
-       "Gives the parts of a model face that model edges separate tags of their own; the largest keeps its "
+       "Gives the parts of a model face that model edges separate tags of their own; the largest "
+       "keeps its "
        "tag.",
        CommandGroup::Selection,
        split_face,
@@ -170,7 +180,8 @@ std::vector<Command> class_commands() {
        {}},
       {"export-selection",
        "FILE",
-       "Writes the selected faces and regions with what bounds them and their classification as a mesh.",
+       "Writes the selected faces and regions with what bounds them and their classification as a "
+       "mesh.",
        CommandGroup::Selection,
        export_selection,
        {}},

@@ -19,7 +19,8 @@ void compare_with(Session& session, Arguments& arguments) {
 }
 
 void compare(Session& session, Arguments& arguments) {
-  const std::string how = arguments.done() ? "toggle" : arguments.one_of({"side", "off", "toggle", "with"});
+  const std::string how =
+      arguments.done() ? "toggle" : arguments.one_of({"side", "off", "toggle", "with"});
   if (how == "with") return compare_with(session, arguments);
   arguments.end();
   session.view.side_by_side = how == "toggle" ? !session.view.side_by_side : how == "side";
@@ -86,17 +87,21 @@ std::vector<Command> compare_commands() {
   return {
       {"compare",
        "side|off|toggle|with N|original",
-       "side: the mesh as loaded on the left, the present one on the right, seen by one camera. with puts "
+       "side: the mesh as loaded on the left, the present one on the right, seen by one camera. "
+       "with puts "
        "run "
-       "N (see runs) in the place of the mesh as loaded, there, in show original and in histograms; original "
+       "N (see runs) in the place of the mesh as loaded, there, in show original and in "
+       "histograms; original "
        "puts that back.",
        CommandGroup::View,
        compare,
        {{"K", "compare toggle"}}},
       {"clip",
        "x|y|z|off POSITION [cut|cells] [flip]",
-       "Hides what lies beyond a plane across an axis; POSITION goes from 0 to 1 through the box of the mesh "
-       "as loaded. cut goes through the faces and shows the section of a volume; cells takes whole faces and "
+       "Hides what lies beyond a plane across an axis; POSITION goes from 0 to 1 through the box "
+       "of the mesh "
+       "as loaded. cut goes through the faces and shows the section of a volume; cells takes whole "
+       "faces and "
        "regions, by their middles. flip hides the other side.",
        CommandGroup::View,
        clip,
@@ -109,8 +114,10 @@ std::vector<Command> compare_commands() {
        {}},
       {"mark",
        "angle|length|valence|off VALUE",
-       "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest angle, "
-       "of a volume regions by their smallest dihedral angle; edges by their length over the spacing, "
+       "Brightens what the bar of a histogram counts that VALUE lies in: faces by their smallest "
+       "angle, "
+       "of a volume regions by their smallest dihedral angle; edges by their length over the "
+       "spacing, "
        "vertices by their number of edges.",
        CommandGroup::View,
        mark,

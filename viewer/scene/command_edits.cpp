@@ -30,10 +30,9 @@ void start(Session& session, Arguments& arguments) {
 }
 
 void step(Session& session, Arguments& arguments) {
-  const auto count =
-      arguments.done()
-          ? 1
-          : static_cast<long long>(arguments.number("a number of steps", -largest_count, largest_count));
+  const auto count = arguments.done() ? 1
+                                      : static_cast<long long>(arguments.number(
+                                            "a number of steps", -largest_count, largest_count));
   start(session, arguments);
   Document& document = session.document;
   if (count >= 0) {
@@ -71,7 +70,8 @@ void improve(Session& session, Arguments& arguments) {
 void run(Session& session, Arguments& arguments) {
   start(session, arguments);
   session.document.start_run();
-  session.status = session.document.running() ? "Running ..." : "Run: nothing left to do with these settings";
+  session.status =
+      session.document.running() ? "Running ..." : "Run: nothing left to do with these settings";
 }
 
 void cancel(Session& session, Arguments& arguments) {
@@ -102,7 +102,12 @@ std::vector<Command> edit_commands() {
        sweep,
        {{"S", "sweep"}}},
       {"swap", "", "One pass of edge swaps.", CommandGroup::Operations, swap, {{"W", "swap"}}},
-      {"smooth", "", "One pass of vertex smoothing.", CommandGroup::Operations, smooth, {{"M", "smooth"}}},
+      {"smooth",
+       "",
+       "One pass of vertex smoothing.",
+       CommandGroup::Operations,
+       smooth,
+       {{"M", "smooth"}}},
       {"improve",
        "",
        "One pass of swaps, then one of smoothing.",
@@ -117,7 +122,8 @@ std::vector<Command> edit_commands() {
        {{"R", "run"}}},
       {"cancel",
        "",
-       "Stops a run between two operations, drops what is being loaded, stops playing, exporting, comparing "
+       "Stops a run between two operations, drops what is being loaded, stops playing, exporting, "
+       "comparing "
        "and measuring.",
        CommandGroup::Operations,
        cancel,

@@ -1,4 +1,5 @@
-// What `expect` knows besides counts: what is selected and said about it, options, T and single entities.
+// What `expect` knows besides counts: what is selected and said about it, options, T and single
+// entities.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,8 @@ std::string ids_text(const std::vector<std::uint32_t>& ids) {
 
 int level(Arguments& arguments) {
   const long long value = arguments.integer("a level from 0 to 3");
-  if (value < 0 || value > 3) arguments.fail("'" + std::to_string(value) + "' is not a level from 0 to 3");
+  if (value < 0 || value > 3)
+    arguments.fail("'" + std::to_string(value) + "' is not a level from 0 to 3");
   return static_cast<int>(value);
 }
 
@@ -44,7 +46,8 @@ std::string selection(Session& session, Arguments&) {
   std::string text;
   int dim = -1;
   for (const EntityRef e : entities) {
-    if (e.dimension != dim) text += (text.empty() ? "" : " ") + std::string(entity_name(e.dimension));
+    if (e.dimension != dim)
+      text += (text.empty() ? "" : " ") + std::string(entity_name(e.dimension));
     dim = e.dimension;
     text += " " + std::to_string(e.index);
   }
@@ -111,7 +114,8 @@ std::string lies_on(Session& session, Arguments&) {
 std::string ends(Session& session, Arguments&) {
   const EntityRef e = session.selection.single();
   const Mesh& mesh = session.document.mesh();
-  if (e.dimension < 1 || explain(mesh, e.dimension, 0).kind == AdjacencyPath::Kind::None) return "unknown";
+  if (e.dimension < 1 || explain(mesh, e.dimension, 0).kind == AdjacencyPath::Kind::None)
+    return "unknown";
   std::vector<std::uint32_t> ids;
   adjacent(mesh, e, 0, ids);
   std::string text;
@@ -134,7 +138,8 @@ std::string around(Session& session, Arguments& arguments) {
   const int j = level(arguments);
   if (!e.valid()) return "gone";
   const Mesh& mesh = session.document.mesh();
-  if (e.dimension == j || explain(mesh, e.dimension, j).kind == AdjacencyPath::Kind::None) return "unknown";
+  if (e.dimension == j || explain(mesh, e.dimension, j).kind == AdjacencyPath::Kind::None)
+    return "unknown";
   std::vector<std::uint32_t> ids;
   adjacent(mesh, e, j, ids);
   return ids_text(ids);
@@ -217,7 +222,8 @@ constexpr std::array<Measure, 10> measures = {
       }},
      {"lesson-met", met},
      {"lesson-done", lesson_done},
-     {"lessons-completed", [](Session& s) { return static_cast<double>(s.lesson.completed.size()); }}}};
+     {"lessons-completed",
+      [](Session& s) { return static_cast<double>(s.lesson.completed.size()); }}}};
 
 void expect_answer(Session& session, const Question& question, const std::string& what,
                    Arguments& arguments) {
@@ -229,7 +235,8 @@ void expect_answer(Session& session, const Question& question, const std::string
     throw ExpectationMissed("expected " + what + ", but it is " + answer);
 }
 
-void expect_measure(Session& session, const Measure& measure, const std::string& what, Arguments& arguments) {
+void expect_measure(Session& session, const Measure& measure, const std::string& what,
+                    Arguments& arguments) {
   const std::string sign = comparison(arguments);
   const double bound = arguments.number("a number");
   arguments.end();
@@ -241,7 +248,9 @@ void expect_measure(Session& session, const Measure& measure, const std::string&
 
 }  // namespace
 
-std::string comparison(Arguments& arguments) { return arguments.one_of({"=", "<", ">", "<=", ">="}); }
+std::string comparison(Arguments& arguments) {
+  return arguments.one_of({"=", "<", ">", "<=", ">="});
+}
 
 bool holds(std::string_view sign, std::partial_ordering compared) {
   if (sign == "=") return compared == 0;

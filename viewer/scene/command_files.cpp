@@ -27,7 +27,8 @@ void sample(Session& session, Arguments& arguments) {
   if (std::none_of(known.begin(), known.end(),
                    [&](const SampleInfo& s) { return s.name == request.sample; })) {
     std::string names;
-    for (const SampleInfo& each : known) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    for (const SampleInfo& each : known)
+      names += (names.empty() ? "" : ", ") + std::string(each.name);
     arguments.fail("there is no sample '" + request.sample + "', but " + names);
   }
   request.classify = session.document.classify_options();
@@ -68,12 +69,14 @@ void quit(Session& session, Arguments& arguments) {
 
 std::filesystem::path expanded(const std::string& text) {
   const char* home = std::getenv("HOME");
-  if (home != nullptr && text.rfind("~/", 0) == 0) return std::filesystem::path(home) / text.substr(2);
+  if (home != nullptr && text.rfind("~/", 0) == 0)
+    return std::filesystem::path(home) / text.substr(2);
   return text;
 }
 
 void need_mesh(const Session& session) {
-  if (session.document.empty()) throw CommandError("there is no mesh yet: open a file or a sample first");
+  if (session.document.empty())
+    throw CommandError("there is no mesh yet: open a file or a sample first");
 }
 
 void need_decimable(const Session& session) {
@@ -90,11 +93,18 @@ std::vector<Command> file_commands() {
        CommandGroup::File,
        open,
        {{"Ctrl+O", "dialog open"}}},
-      {"sample", "NAME [SIZE]", "Makes one of the built-in meshes.", CommandGroup::File, sample, {}},
+      {"sample",
+       "NAME [SIZE]",
+       "Makes one of the built-in meshes.",
+       CommandGroup::File,
+       sample,
+       {}},
       {"model",
        "FILE|none",
-       "Reads the CAD model that the present mesh lies on, with Gmsh: .step, .stp, .brep, .iges, .igs or "
-       ".geo. A mesh whose file does not say on what it lies is classified on it. Another mesh drops it.",
+       "Reads the CAD model that the present mesh lies on, with Gmsh: .step, .stp, .brep, .iges, "
+       ".igs or "
+       ".geo. A mesh whose file does not say on what it lies is classified on it. Another mesh "
+       "drops it.",
        CommandGroup::File,
        model,
        {}},

@@ -1,6 +1,7 @@
 #pragma once
-// The table of commands in parts: each source file has the handlers of its commands and, below them, their
-// rows. A new command is a handler and a row in one of these files; docs/COMMANDS.md is then generated anew.
+// The table of commands in parts: each source file has the handlers of its commands and, below
+// them, their rows. A new command is a handler and a row in one of these files; docs/COMMANDS.md is
+// then generated anew.
 
 #include <compare>
 #include <filesystem>
@@ -55,8 +56,8 @@ void expect_adjacency(Session& session, Arguments& arguments);
 [[nodiscard]] std::string comparison(Arguments& arguments);
 /// Whether a value and its bound, compared, are as it says. In command_expectations.cpp.
 [[nodiscard]] bool holds(std::string_view sign, std::partial_ordering compared);
-/// What `expect` knows besides counts. False: the next word is none of it, and nothing has been read. Throws
-/// ExpectationMissed. In command_expectations.cpp.
+/// What `expect` knows besides counts. False: the next word is none of it, and nothing has been
+/// read. Throws ExpectationMissed. In command_expectations.cpp.
 [[nodiscard]] bool expect_other(Session& session, Arguments& arguments);
 
 }  // namespace aomd::scene

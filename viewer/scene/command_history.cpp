@@ -18,8 +18,8 @@ void start(Session& session, Arguments& arguments) {
 
 void say_where(Session& session, const char* what) {
   const Journal& journal = session.document.journal();
-  session.status =
-      std::string(what) + ": operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
+  session.status = std::string(what) + ": operation " + grouped(journal.cursor()) + " of " +
+                   grouped(journal.size());
 }
 
 void undo(Session& session, Arguments& arguments) {
@@ -48,7 +48,8 @@ std::size_t place_of(const Document& document, Arguments& arguments) {
   if (text == "previous") return previous_command(document);
   if (text == "next-phase") return next_phase(document);
   if (text == "previous-phase") return previous_phase(document);
-  return static_cast<std::size_t>(std::max(0LL, Arguments("seek", seek_usage, text).integer(wanted)));
+  return static_cast<std::size_t>(
+      std::max(0LL, Arguments("seek", seek_usage, text).integer(wanted)));
 }
 
 void seek_bookmark(Session& session, Arguments& arguments) {
@@ -71,7 +72,9 @@ void seek(Session& session, Arguments& arguments) {
 /// Through what is known; beyond its end by something new.
 void forward(Session& session, Arguments& arguments) {
   const auto count =
-      arguments.done() ? 1 : static_cast<std::size_t>(arguments.number("a number of operations", 1, 1e9));
+      arguments.done()
+          ? 1
+          : static_cast<std::size_t>(arguments.number("a number of operations", 1, 1e9));
   start(session, arguments);
   Document& document = session.document;
   const std::size_t known = document.journal().size() - document.journal().cursor();
@@ -111,7 +114,8 @@ std::vector<Command> history_commands() {
        {{"Ctrl+Shift+Z", "redo"}, {"Ctrl+Y", "redo"}}},
       {"seek",
        seek_usage,
-       "Moves to where N operations are applied; to where the next or the previous command begins, or phase: "
+       "Moves to where N operations are applied; to where the next or the previous command begins, "
+       "or phase: "
        "operations of one kind in a row; or to a bookmark, on whichever branch it is.",
        CommandGroup::History,
        seek,

@@ -43,7 +43,8 @@ void turn(Session& session, bool forwards) {
   if (player.lesson() == nullptr) {
     session.status = "No lesson is open: F2 lists them";
   } else if (forwards ? player.last_page() : player.page_number() == 0) {
-    session.status = forwards ? "This is the lesson's last page" : "This is the lesson's first page";
+    session.status =
+        forwards ? "This is the lesson's last page" : "This is the lesson's first page";
   } else {
     session.lesson.open(session, *player.lesson(),
                         forwards ? player.page_number() + 1 : player.page_number() - 1);
@@ -79,8 +80,10 @@ std::vector<Command> lesson_commands() {
   return {
       {"lesson",
        "NAME [PAGE] | next | back | restart | hint | solve | show | hide | off | list | mesh NAME",
-       "Opens a lesson, or turns its pages: each page begins in the same way, whatever was done before. "
-       "restart begins the page again, solve does its task, hide shows the mesh's panel instead, off puts "
+       "Opens a lesson, or turns its pages: each page begins in the same way, whatever was done "
+       "before. "
+       "restart begins the page again, solve does its task, hide shows the mesh's panel instead, "
+       "off puts "
        "back what was there before the lesson; mesh loads one that the open lesson brings along.",
        CommandGroup::Scripts,
        lesson,

@@ -22,8 +22,9 @@ void neighbours(Session& session, Arguments& arguments) {
     return;
   }
   session.refresh();
-  session.status = session.neighbours() ? session.neighbours()->words
-                                        : "Neighbours: select one entity to see what lies around it";
+  session.status = session.neighbours()
+                       ? session.neighbours()->words
+                       : "Neighbours: select one entity to see what lies around it";
 }
 
 }  // namespace
@@ -32,8 +33,10 @@ std::vector<Command> neighbour_commands() {
   return {
       {"neighbours",
        "vertex|edge|face|region|off",
-       "Lights up the entities of a level around the selected one: stored ones solid, derived ones dashed, "
-       "with the path of stored relations that leads to them. Stays on while the selection changes.",
+       "Lights up the entities of a level around the selected one: stored ones solid, derived ones "
+       "dashed, "
+       "with the path of stored relations that leads to them. Stays on while the selection "
+       "changes.",
        CommandGroup::Selection,
        neighbours,
        {}},

@@ -62,7 +62,8 @@ void topology(Session& session, Arguments& arguments) {
   // The paper's loop knows no rule for edges with more than two faces.
   ClassifyOptions classify = session.document.classify_options();
   classify.nonmanifold_edges = options.topology == TopologyRule::Safe;
-  const bool differs = classify.nonmanifold_edges != session.document.classify_options().nonmanifold_edges;
+  const bool differs =
+      classify.nonmanifold_edges != session.document.classify_options().nonmanifold_edges;
   if (differs && !session.document.empty() && session.facts().nonmanifold > 0)
     session.document.reclassify(classify);
   else
@@ -88,7 +89,8 @@ std::vector<Command> option_commands() {
   return {
       {"angle",
        "DEG",
-       "How far a face's normal may turn in one operation, degrees. 10 at first; while it is not changed, 60 "
+       "How far a face's normal may turn in one operation, degrees. 10 at first; while it is not "
+       "changed, 60 "
        "for quality unless coarsest.",
        CommandGroup::Options,
        angle,
@@ -101,7 +103,8 @@ std::vector<Command> option_commands() {
        {}},
       {"max-distance",
        "PCT",
-       "No operation takes the surface farther than this from the mesh as loaded, percent of the diagonal of "
+       "No operation takes the surface farther than this from the mesh as loaded, percent of the "
+       "diagonal of "
        "its box; 0, as at first, is no limit. Runs take several times as long.",
        CommandGroup::Options,
        max_distance,
@@ -114,14 +117,16 @@ std::vector<Command> option_commands() {
        {}},
       {"feature-angle",
        "DEG|off",
-       "Derives the classification anew: edges past this angle become model edges. What the file says still "
+       "Derives the classification anew: edges past this angle become model edges. What the file "
+       "says still "
        "wins; what was edited by hand is lost until undo.",
        CommandGroup::Options,
        feature_angle,
        {}},
       {"topology",
        "safe|paper",
-       "safe keeps the topology (link condition); paper leaves that check out, and edges with more than two "
+       "safe keeps the topology (link condition); paper leaves that check out, and edges with more "
+       "than two "
        "faces are not model edges.",
        CommandGroup::Options,
        topology,
@@ -134,7 +139,8 @@ std::vector<Command> option_commands() {
        {}},
       {"snap",
        "none|model",
-       "model: smoothing puts vertices back onto the model, or onto the facets of the mesh as opened where "
+       "model: smoothing puts vertices back onto the model, or onto the facets of the mesh as "
+       "opened where "
        "none is given. none at first.",
        CommandGroup::Options,
        snap,

@@ -16,7 +16,8 @@ constexpr double most_pictures = 100'000;
 /// A picture that can be read again (io::max_image_pixels).
 glm::ivec2 picture_size(Arguments& arguments) {
   const glm::ivec2 size = arguments.size();
-  if (static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) > io::max_image_pixels)
+  if (static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) >
+      io::max_image_pixels)
     arguments.fail("a picture has at most " + std::to_string(io::max_image_pixels >> 20) +
                    " million pixels (8192x8192)");
   return size;
@@ -55,8 +56,9 @@ void export_series(Session& session, Arguments& arguments) {
   arguments.end();
   need_mesh(session);
   session.view.dialog = Dialog::None;
-  session.start_series(kind == "history" ? PictureSeries::Kind::History : PictureSeries::Kind::Turntable,
-                       folder, count, size);
+  session.start_series(
+      kind == "history" ? PictureSeries::Kind::History : PictureSeries::Kind::Turntable, folder,
+      count, size);
 }
 
 void copy(Session& session, Arguments& arguments) {
@@ -66,8 +68,10 @@ void copy(Session& session, Arguments& arguments) {
   need_mesh(session);
   session.refresh();
   const bool json = table == "strategies" && std::filesystem::path(file).extension() == ".json";
-  if (json && !session.strategies()) arguments.fail("nothing has been compared yet: 'strategies run'");
-  const std::string text = json ? strategies_json(*session.strategies()) : table_text(session, table);
+  if (json && !session.strategies())
+    arguments.fail("nothing has been compared yet: 'strategies run'");
+  const std::string text =
+      json ? strategies_json(*session.strategies()) : table_text(session, table);
   if (file.empty())
     session.clipboard.set(text);
   else
@@ -81,21 +85,24 @@ std::vector<Command> output_commands() {
   return {
       {"screenshot",
        "FILE [WxH] [transparent] [no-ui]",
-       "Writes a PNG of everything that is shown, as large as the window or WxH, which may be larger; "
+       "Writes a PNG of everything that is shown, as large as the window or WxH, which may be "
+       "larger; "
        "transparent leaves out what is behind the mesh, no-ui the panels.",
        CommandGroup::File,
        screenshot,
        {{"Ctrl+P", "dialog screenshot"}}},
       {"export",
        "turntable|history DIR [N] [WxH]",
-       "Writes N numbered PNGs, 60 where no number is given, without panels: of one turn around the mesh, or "
+       "Writes N numbered PNGs, 60 where no number is given, without panels: of one turn around "
+       "the mesh, or "
        "of its history from the mesh as loaded to the last operation. cancel stops it.",
        CommandGroup::File,
        export_series,
        {}},
       {"copy",
        "counts|legend|adjacency|hashes|ids|strategies|refusals|sweeps|runs|selection [FILE]",
-       "Copies a table as text, columns separated by tabs, to the clipboard or into a file; strategies into "
+       "Copies a table as text, columns separated by tabs, to the clipboard or into a file; "
+       "strategies into "
        "a file named .json as JSON.",
        CommandGroup::File,
        copy,

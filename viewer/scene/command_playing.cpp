@@ -60,14 +60,16 @@ std::vector<Command> playing_commands() {
       {"pause", "", "Stops playing.", CommandGroup::History, pause, {}},
       {"play-speed",
        "N|whole [SECONDS]|faster|slower",
-       "How fast the history is played: N operations a second (0.5 to 1000000), or the whole history in so "
+       "How fast the history is played: N operations a second (0.5 to 1000000), or the whole "
+       "history in so "
        "many seconds, however long it is; faster and slower go to the next of 1, 2, 5, 10 ...",
        CommandGroup::History,
        play_speed,
        {{".", "play-speed faster"}, {",", "play-speed slower"}}},
       {"operation",
        "before|after|both",
-       "What is pointed at of the last single operation: what stood there before it (blue), what stands "
+       "What is pointed at of the last single operation: what stood there before it (blue), what "
+       "stands "
        "there after it (pink), or both.",
        CommandGroup::History,
        operation,

@@ -53,8 +53,9 @@ void runs(Session& session, Arguments& arguments) {
 
 KeptRun kept_run(const Session& session, Arguments& arguments) {
   const long long number = arguments.integer("a run's number");
-  const KeptRun* run =
-      number < 0 || number > 1'000'000'000 ? nullptr : session.runs.find(static_cast<unsigned>(number));
+  const KeptRun* run = number < 0 || number > 1'000'000'000
+                           ? nullptr
+                           : session.runs.find(static_cast<unsigned>(number));
   if (run == nullptr) arguments.fail("there is no run " + std::to_string(number));
   return *run;
 }
@@ -63,9 +64,11 @@ std::vector<Command> run_commands() {
   return {
       {"runs",
        "keep [NAME] | go N | remove N|all | measure",
-       "The table of runs (panel runs): each that has ended is kept, keep adds the present state or names "
+       "The table of runs (panel runs): each that has ended is kept, keep adds the present state "
+       "or names "
        "it. "
-       "go leads back to number N, on whichever branch it is; measure finds out how far each is from the "
+       "go leads back to number N, on whichever branch it is; measure finds out how far each is "
+       "from the "
        "mesh "
        "as loaded, in the background.",
        CommandGroup::History,

@@ -12,7 +12,8 @@ using Quantity = std::int64_t (*)(const Session&);
 
 std::int64_t models(const Session& s, int dim) {
   std::int64_t count = 0;
-  for (const ModelRef ref : s.document.mesh().class_lists()->models(dim)) count += ref.dimension() == dim;
+  for (const ModelRef ref : s.document.mesh().class_lists()->models(dim))
+    count += ref.dimension() == dim;
   return count;
 }
 
@@ -49,8 +50,10 @@ struct Named {
 constexpr std::array<Named, 33> quantities = {{
     {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
     {"neighbours", [](const Session& s) { return neighbours(s); }},
-    {"adjacency-bytes", [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
-    {"hash-entities", [](const Session& s) { return hash_sum(s, [](auto& f) { return f.entities; }); }},
+    {"adjacency-bytes",
+     [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
+    {"hash-entities",
+     [](const Session& s) { return hash_sum(s, [](auto& f) { return f.entities; }); }},
     {"hash-buckets",
      [](const Session& s) { return hash_sum(s, [](auto& f) { return f.statistics.buckets; }); }},
     {"hash-rehashes",
@@ -58,7 +61,8 @@ constexpr std::array<Named, 33> quantities = {{
     {"free-vertices", [](const Session& s) { return free_ids(s, 0); }},
     {"free-edges", [](const Session& s) { return free_ids(s, 1); }},
     {"free-faces", [](const Session& s) { return free_ids(s, 2); }},
-    {"same-result", [](const Session& s) { return std::int64_t{s.strategies() && s.strategies()->same}; }},
+    {"same-result",
+     [](const Session& s) { return std::int64_t{s.strategies() && s.strategies()->same}; }},
     {"vertices", [](const Session& s) { return s.facts().vertices; }},
     {"edges", [](const Session& s) { return s.facts().edges; }},
     {"faces", [](const Session& s) { return s.facts().faces; }},
@@ -72,13 +76,20 @@ constexpr std::array<Named, 33> quantities = {{
     {"model-edges", [](const Session& s) { return models(s, 1); }},
     {"model-faces", [](const Session& s) { return models(s, 2); }},
     {"model-regions", [](const Session& s) { return models(s, 3); }},
-    {"steps", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
-    {"cursor", [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
-    {"commands", [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
+    {"steps",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
+    {"cursor",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
+    {"commands",
+     [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
     {"branches",
-     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().branches().size()); }},
+     [](const Session& s) {
+       return static_cast<std::int64_t>(s.document.tree().branches().size());
+     }},
     {"bookmarks",
-     [](const Session& s) { return static_cast<std::int64_t>(s.document.tree().bookmarks().size()); }},
+     [](const Session& s) {
+       return static_cast<std::int64_t>(s.document.tree().bookmarks().size());
+     }},
     {"runs", [](const Session& s) { return signed_count(s.runs.size()); }},
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
@@ -125,17 +136,27 @@ std::vector<Command> script_commands() {
   return {
       {"expect",
        "QUANTITY = N",
-       "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, edges, "
-       "faces, regions, selected, neighbours (that light up), adjacency-bytes, hash-entities, hash-buckets, "
-       "hash-rehashes (of all levels), free-vertices, free-edges, free-faces (on the id stacks), same-result "
-       "(1 where both strategies led to the same mesh), outer-faces (of a volume), euler (over used "
-       "vertices), boundary, nonmanifold, unused, model-vertices, model-edges, model-faces, model-regions, "
-       "steps, cursor, commands, branches (others than the present one), bookmarks, runs (that are kept), "
+       "Ends a script with exit code 1 unless it holds; also <, >, <=, >=. Quantities: vertices, "
+       "edges, "
+       "faces, regions, selected, neighbours (that light up), adjacency-bytes, hash-entities, "
+       "hash-buckets, "
+       "hash-rehashes (of all levels), free-vertices, free-edges, free-faces (on the id stacks), "
+       "same-result "
+       "(1 where both strategies led to the same mesh), outer-faces (of a volume), euler (over "
+       "used "
+       "vertices), boundary, nonmanifold, unused, model-vertices, model-edges, model-faces, "
+       "model-regions, "
+       "steps, cursor, commands, branches (others than the present one), bookmarks, runs (that are "
+       "kept), "
        "refused-classification, "
-       "refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = on|off; angle, factor, "
-       "feature-angle, stored (relations), decided (the number of the verdict on what is selected), "
-       "scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a word: kind, "
-       "selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class KIND ID, "
+       "refused-topology, refused-angle, refused-shape. Also: expect adjacency I J = on|off; "
+       "angle, factor, "
+       "feature-angle, stored (relations), decided (the number of the verdict on what is "
+       "selected), "
+       "scale-end (of the colours), lesson-page, lesson-met, lesson-done; and with = or != a word: "
+       "kind, "
+       "selection, verdict, verdict-of VERTEX, lies-on, ends, color, strategy, topology, class "
+       "KIND ID, "
        "alive KIND ID, derived I J, around KIND ID LEVEL, direction FACE EDGE.",
        CommandGroup::Scripts,
        expect,

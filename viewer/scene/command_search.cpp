@@ -37,7 +37,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 bool has_word_from(std::string_view text, std::string_view beginning) {
   for (std::size_t i = 0; i + beginning.size() <= text.size(); ++i)
-    if (begins_word(text, i) && same_letters(text.substr(i, beginning.size()), beginning)) return true;
+    if (begins_word(text, i) && same_letters(text.substr(i, beginning.size()), beginning))
+      return true;
   return false;
 }
 
@@ -45,7 +46,8 @@ bool needs_arguments(const Command& command) {
   return !command.arguments.empty() && command.arguments.front() != '[';
 }
 
-/// "light", "dark", "toggle" of "light|dark|toggle [...]": what stands for itself, not for something else.
+/// "light", "dark", "toggle" of "light|dark|toggle [...]": what stands for itself, not for
+/// something else.
 std::vector<std::string> choices_of(const Command& command) {
   const std::string_view first = command.arguments.substr(0, command.arguments.find(' '));
   std::vector<std::string> choices(1);
@@ -75,7 +77,8 @@ class Matches {
 
   void look_at(const Command& command) {
     by_name(command);
-    for (const Shortcut& s : command.shortcuts) by_line(*command_of(s.line), std::string(s.line), true);
+    for (const Shortcut& s : command.shortcuts)
+      by_line(*command_of(s.line), std::string(s.line), true);
     const std::size_t blank = command.arguments.find(' ');
     const bool all = blank == std::string_view::npos || command.arguments[blank + 1] == '[';
     for (const std::string& choice : choices_of(command))
@@ -92,8 +95,9 @@ class Matches {
   }
 
   std::vector<CommandMatch> take() {
-    std::stable_sort(found_.begin(), found_.end(),
-                     [](const CommandMatch& a, const CommandMatch& b) { return a.score > b.score; });
+    std::stable_sort(
+        found_.begin(), found_.end(),
+        [](const CommandMatch& a, const CommandMatch& b) { return a.score > b.score; });
     return std::move(found_);
   }
 
@@ -117,7 +121,8 @@ class Matches {
          kind + fit});
   }
 
-  /// A word that has been begun is meant to be that of a choice; a number is not meant to be a longer one.
+  /// A word that has been begun is meant to be that of a choice; a number is not meant to be a
+  /// longer one.
   [[nodiscard]] bool completes(const std::string& line) const {
     return words_.size() > 1 && std::isalpha(static_cast<unsigned char>(text_.back())) != 0 &&
            same_letters(line.substr(0, text_.size()), text_);
@@ -167,8 +172,10 @@ std::vector<CommandMatch> everything(std::span<const std::string> recent) {
       found.push_back({command, line, chord_of_line(line), true, true, 0});
   for (const Command& command : commands()) {
     const bool needs = needs_arguments(command);
-    const std::string_view key = command.shortcuts.empty() ? std::string_view() : command.shortcuts[0].chord;
-    found.push_back({&command, std::string(command.name) + (needs ? " " : ""), key, !needs, false, 0});
+    const std::string_view key =
+        command.shortcuts.empty() ? std::string_view() : command.shortcuts[0].chord;
+    found.push_back(
+        {&command, std::string(command.name) + (needs ? " " : ""), key, !needs, false, 0});
   }
   return found;
 }
@@ -188,10 +195,12 @@ int fuzzy_score(std::string_view pattern, std::string_view text) {
     together = true;
     ++at;
   }
-  return pattern.empty() ? 0 : std::max(1, score - static_cast<int>(text.size() - pattern.size()) / 4);
+  return pattern.empty() ? 0
+                         : std::max(1, score - static_cast<int>(text.size() - pattern.size()) / 4);
 }
 
-std::vector<CommandMatch> find_commands(std::string_view text, std::span<const std::string> recent) {
+std::vector<CommandMatch> find_commands(std::string_view text,
+                                        std::span<const std::string> recent) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   if (text.empty()) return everything(recent);
   Matches matches(text, recent);

@@ -20,13 +20,15 @@ struct CommandMatch {
   int score = 0;  ///< higher is better
 };
 
-/// How well the characters of `pattern` are found in `text`, in their order and whatever their case: 0 where
-/// they are not; more where they stand together, at the beginning of words, and where little else does.
+/// How well the characters of `pattern` are found in `text`, in their order and whatever their
+/// case: 0 where they are not; more where they stand together, at the beginning of words, and where
+/// little else does.
 [[nodiscard]] int fuzzy_score(std::string_view pattern, std::string_view text);
 
-/// What `text` may mean, best first: recent lines, commands by name (further words are arguments), lines that
-/// have a key, the choices that a command names, and commands whose help has the words. Without text the
-/// recent lines, then every command in the order of the table. `recent`: newest first. O(commands).
+/// What `text` may mean, best first: recent lines, commands by name (further words are arguments),
+/// lines that have a key, the choices that a command names, and commands whose help has the words.
+/// Without text the recent lines, then every command in the order of the table. `recent`: newest
+/// first. O(commands).
 [[nodiscard]] std::vector<CommandMatch> find_commands(std::string_view text,
                                                       std::span<const std::string> recent);
 

@@ -59,7 +59,8 @@ void select_refused(Session& session, Arguments& arguments) {
   std::string names;
   for (int i = 0; i < reason_count; ++i) {
     const auto reason = static_cast<Reason>(i);
-    if (word == reason_word(reason)) return session.selection.replace(session.edges_refused_for(reason));
+    if (word == reason_word(reason))
+      return session.selection.replace(session.edges_refused_for(reason));
     names += (i == 0 ? "" : ", ") + reason_word(reason);
   }
   arguments.fail("'" + word + "' is none of " + names);
@@ -108,7 +109,8 @@ void pick(Session& session, Arguments& arguments) {
   need_mesh(session);
   const EntityRef found = session.pick(at);
   if (found.valid() && adds) session.selection.toggle(found);
-  if (!adds) session.selection.replace(found.valid() ? std::vector{found} : std::vector<EntityRef>());
+  if (!adds)
+    session.selection.replace(found.valid() ? std::vector{found} : std::vector<EntityRef>());
   say(session);
 }
 
@@ -200,33 +202,41 @@ std::vector<EntityRef> listed_entities(Session& session, Arguments& arguments) {
 std::vector<Command> selection_commands() {
   return {
       {"select",
-       "vertex|edge|face|region ID [ID...] | add|remove KIND ID [ID...] | none | grow | box X0 Y0 X1 Y1 "
+       "vertex|edge|face|region ID [ID...] | add|remove KIND ID [ID...] | none | grow | box X0 Y0 "
+       "X1 Y1 "
        "[add] | class KIND:TAG | refused REASON | bar angle|length|valence VALUE",
-       "Selects entities by their ids, or what can be seen in a box (-1..1), or what lies on a model entity; "
-       "grow takes what touches them too, refused the edges that decimation would refuse now for a reason: "
-       "spacing, classification, topology, flat, angle, quality, kept, shape, distance, intersection, or "
-       "none; bar what the bar of a histogram counts that VALUE lies in. What is selected stays so while it "
+       "Selects entities by their ids, or what can be seen in a box (-1..1), or what lies on a "
+       "model entity; "
+       "grow takes what touches them too, refused the edges that decimation would refuse now for a "
+       "reason: "
+       "spacing, classification, topology, flat, angle, quality, kept, shape, distance, "
+       "intersection, or "
+       "none; bar what the bar of a histogram counts that VALUE lies in. What is selected stays so "
+       "while it "
        "lives.",
        CommandGroup::Selection,
        select,
        {{"Ctrl+G", "select grow"}}},
       {"pick",
        "X Y [add]",
-       "Selects what lies at a place (-1..1), as a click does; add is a click with Shift, which also takes "
+       "Selects what lies at a place (-1..1), as a click does; add is a click with Shift, which "
+       "also takes "
        "away.",
        CommandGroup::Selection,
        pick,
        {}},
       {"menu",
        "X Y | file | edit | view | help | off",
-       "Opens the menu of a right click at a place (-1..1): for what lies there, which is then selected, or "
+       "Opens the menu of a right click at a place (-1..1): for what lies there, which is then "
+       "selected, or "
        "for the selection that it is part of; or one of the menu bar.",
        CommandGroup::Selection,
        menu,
        {}},
       {"pick-level",
        "automatic|vertex|edge|face|region",
-       "What a click takes; automatic is the vertex or edge that is near, else the face, else the region.",
+       "What a click takes; automatic is the vertex or edge that is near, else the face, else the "
+       "region.",
        CommandGroup::Selection,
        pick_level,
        {}},
@@ -238,14 +248,16 @@ std::vector<Command> selection_commands() {
        {}},
       {"why",
        "",
-       "Prints what is known of the selected entity: where it lies, what is adjacent, and why decimation "
+       "Prints what is known of the selected entity: where it lies, what is adjacent, and why "
+       "decimation "
        "leaves it.",
        CommandGroup::Selection,
        why,
        {}},
       {"preview",
        "on|off|best|1|2|swap",
-       "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: the best "
+       "Draws what collapsing the selected edge would lead to, or smoothing the selected vertex: "
+       "the best "
        "way, or the first or second end. swap draws the faces that swapping the edge would make. "
        "Before both comes the best way of the edge that the mouse points at.",
        CommandGroup::Selection,
@@ -253,7 +265,8 @@ std::vector<Command> selection_commands() {
        {}},
       {"labels",
        "[on|off|toggle|all]",
-       "Ids at what is selected and around what the mouse points at; all: at everything, on small surfaces.",
+       "Ids at what is selected and around what the mouse points at; all: at everything, on small "
+       "surfaces.",
        CommandGroup::Selection,
        labels,
        {{"L", "labels toggle"}}},

@@ -31,8 +31,9 @@ void build_set(Session& session, Arguments& arguments) {
   need_mesh(session);
   session.document.build_hash(level, static_cast<std::uint32_t>(buckets));
   const HashFacts facts = hash_facts(session.document.mesh(), level);
-  session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " + grouped(facts.entities) +
-                   " in " + grouped(facts.statistics.buckets) + " buckets, " + bytes_text(facts.bytes);
+  session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " +
+                   grouped(facts.entities) + " in " + grouped(facts.statistics.buckets) +
+                   " buckets, " + bytes_text(facts.bytes);
 }
 
 void release_set(Session& session, Arguments& arguments) {
@@ -41,8 +42,8 @@ void release_set(Session& session, Arguments& arguments) {
   need_mesh(session);
   const bool built = session.document.mesh().hash(level).built();
   session.document.drop_hash(level);
-  session.status =
-      "Hash set of the " + std::string(entity_plural(level)) + (built ? " is freed" : ": there was none");
+  session.status = "Hash set of the " + std::string(entity_plural(level)) +
+                   (built ? " is freed" : ": there was none");
 }
 
 void hash_sets(Session& session, Arguments& arguments) {
@@ -72,22 +73,27 @@ std::vector<Command> tensor_commands() {
   return {
       {"hash-sets",
        "[on|off|toggle] | build edge|face|region [BUCKETS] | release edge|face|region",
-       "Shows the hash sets that find entities from their vertices where no stored relation can. build makes "
-       "one, starting with about as many buckets as entities, or BUCKETS; it grows tenfold when more than 10 "
+       "Shows the hash sets that find entities from their vertices where no stored relation can. "
+       "build makes "
+       "one, starting with about as many buckets as entities, or BUCKETS; it grows tenfold when "
+       "more than 10 "
        "% of its used buckets hold 10 entities or more. Not part of the history.",
        CommandGroup::Options,
        hash_sets,
        {}},
       {"ids",
        "[on|off|toggle]",
-       "Shows the id stack of each level: ids of deleted entities go onto it, and undo takes them back.",
+       "Shows the id stack of each level: ids of deleted entities go onto it, and undo takes them "
+       "back.",
        CommandGroup::Options,
        id_stacks,
        {}},
       {"strategies",
        "[on|off|toggle] | run",
-       "Shows what the paper's two ways to store adjacencies cost; run decimates two copies of the present "
-       "mesh by the paper's strategy in the background, keeping T(0,2), and giving it up for T(0,1) and "
+       "Shows what the paper's two ways to store adjacencies cost; run decimates two copies of the "
+       "present "
+       "mesh by the paper's strategy in the background, keeping T(0,2), and giving it up for "
+       "T(0,1) and "
        "T(1,2) while edges are swapped and vertices smoothed. cancel stops it.",
        CommandGroup::Options,
        strategies,

@@ -71,14 +71,15 @@ void theme(Session& session, Arguments& arguments) {
 
 void panel(Session& session, Arguments& arguments) {
   enum class Which { Mesh, Decimation, Adjacency, Histograms, Selection, Timeline, Runs, All };
-  constexpr std::array<std::pair<std::string_view, Which>, 8> choices = {{{"mesh", Which::Mesh},
-                                                                          {"decimation", Which::Decimation},
-                                                                          {"adjacency", Which::Adjacency},
-                                                                          {"histograms", Which::Histograms},
-                                                                          {"selection", Which::Selection},
-                                                                          {"timeline", Which::Timeline},
-                                                                          {"runs", Which::Runs},
-                                                                          {"all", Which::All}}};
+  constexpr std::array<std::pair<std::string_view, Which>, 8> choices = {
+      {{"mesh", Which::Mesh},
+       {"decimation", Which::Decimation},
+       {"adjacency", Which::Adjacency},
+       {"histograms", Which::Histograms},
+       {"selection", Which::Selection},
+       {"timeline", Which::Timeline},
+       {"runs", Which::Runs},
+       {"all", Which::All}}};
   Panels& panels = session.view.panels;
   const Which which = arguments.choice(choices);
   const bool any = panels.mesh || panels.side || panels.timeline;
@@ -101,15 +102,16 @@ void panel(Session& session, Arguments& arguments) {
 }
 
 void dialog(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {{{"open", Dialog::Open},
-                                                                           {"save", Dialog::Save},
-                                                                           {"screenshot", Dialog::Screenshot},
-                                                                           {"shortcuts", Dialog::Shortcuts},
-                                                                           {"about", Dialog::About},
-                                                                           {"unsaved", Dialog::Unsaved},
-                                                                           {"recovery", Dialog::Recovery},
-                                                                           {"lessons", Dialog::Lessons},
-                                                                           {"none", Dialog::None}}};
+  constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {
+      {{"open", Dialog::Open},
+       {"save", Dialog::Save},
+       {"screenshot", Dialog::Screenshot},
+       {"shortcuts", Dialog::Shortcuts},
+       {"about", Dialog::About},
+       {"unsaved", Dialog::Unsaved},
+       {"recovery", Dialog::Recovery},
+       {"lessons", Dialog::Lessons},
+       {"none", Dialog::None}}};
   const Dialog wanted = arguments.choice(choices);
   arguments.end();
   if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
@@ -129,8 +131,10 @@ std::vector<Command> view_commands() {
   return {
       {"color",
        "classification|spacing|quality|distance|curvature|verdict|none",
-       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, the "
-       "smallest angle of each face, its distance to the mesh as loaded, how strongly the surface bends, or "
+       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, "
+       "the "
+       "smallest angle of each face, its distance to the mesh as loaded, how strongly the surface "
+       "bends, or "
        "why each edge would be refused now.",
        CommandGroup::View,
        color,
@@ -138,9 +142,12 @@ std::vector<Command> view_commands() {
       {"show",
        "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|axes|operation "
        "[on|off|toggle]",
-       "interfaces are the faces between two model regions, seen where something is hidden; interior-edges "
-       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded (or what "
-       "compare with says), as glass over the present one; axes is where x, y and z point; operation is what "
+       "interfaces are the faces between two model regions, seen where something is hidden; "
+       "interior-edges "
+       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
+       "(or what "
+       "compare with says), as glass over the present one; axes is where x, y and z point; "
+       "operation is what "
        "the last single step "
        "touched.",
        CommandGroup::View,
@@ -157,7 +164,8 @@ std::vector<Command> view_commands() {
        {}},
       {"hide",
        "[vertex|edge|face|region:TAG [on|off|toggle]]",
-       "Hides what lies on one model entity; shows everything without a word. Behind a hidden region its "
+       "Hides what lies on one model entity; shows everything without a word. Behind a hidden "
+       "region its "
        "neighbours show.",
        CommandGroup::View,
        hide,
@@ -170,7 +178,8 @@ std::vector<Command> view_commands() {
        {{"T", "theme toggle"}}},
       {"panel",
        "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
-       "Which panels are there; decimation, adjacency, histograms and selection share the one on the right. "
+       "Which panels are there; decimation, adjacency, histograms and selection share the one on "
+       "the right. "
        "runs, the table of what runs came to, stands below the picture; all does not open it.",
        CommandGroup::View,
        panel,
@@ -182,7 +191,8 @@ std::vector<Command> view_commands() {
         {"P", "panel selection on"}}},
       {"dialog",
        "open|save|screenshot|shortcuts|about|unsaved|recovery|lessons|none",
-       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists what "
+       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists "
+       "what "
        "programs that died have left; lessons lists the lessons.",
        CommandGroup::View,
        dialog,

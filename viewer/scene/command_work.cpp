@@ -40,7 +40,8 @@ std::size_t which(const Session& session, Arguments& arguments) {
   const auto count = static_cast<long long>(session.found_work.size());
   if (count == 0) throw CommandError("there is nothing to recover");
   if (number < 1 || number > count)
-    arguments.fail("there is no number " + std::to_string(number) + ", but 1 to " + std::to_string(count));
+    arguments.fail("there is no number " + std::to_string(number) + ", but 1 to " +
+                   std::to_string(count));
   return static_cast<std::size_t>(number - 1);
 }
 
@@ -63,7 +64,8 @@ void discard_found(Session& session, Arguments& arguments) {
 
 void recover(Session& session, Arguments& arguments) {
   Arguments again = arguments;
-  if (!again.done() && again.word("a number, or discard") == "discard") return discard_found(session, again);
+  if (!again.done() && again.word("a number, or discard") == "discard")
+    return discard_found(session, again);
   const auto work = session.found_work[which(session, arguments)];
   LoadRequest request = work->source;
   request.work = work;
@@ -76,7 +78,9 @@ void panel_width(Session& session, Arguments& arguments) {
   const std::string text = arguments.word("a width, or usual");
   arguments.end();
   const double ems =
-      text == "usual" ? 0 : Arguments("panel-width", "mesh|side EMS|usual", text).number("a width", 8, 60);
+      text == "usual"
+          ? 0
+          : Arguments("panel-width", "mesh|side EMS|usual", text).number("a width", 8, 60);
   Panels& panels = session.view.panels;
   (panel == "mesh" ? panels.mesh_ems : panels.side_ems) = static_cast<float>(ems);
 }
@@ -93,21 +97,24 @@ std::vector<Command> work_commands() {
        {{"Ctrl+Shift+P", "palette"}}},
       {"panel-width",
        "mesh|side EMS|usual",
-       "How wide a panel is, in units of the font's size: 8 to 60, as far as the window has room. Dragging "
+       "How wide a panel is, in units of the font's size: 8 to 60, as far as the window has room. "
+       "Dragging "
        "its border does the same.",
        CommandGroup::View,
        panel_width,
        {}},
       {"unsaved",
        "save|discard|cancel",
-       "Answers the question about unsaved work that a window asks before it quits or opens another mesh. "
+       "Answers the question about unsaved work that a window asks before it quits or opens "
+       "another mesh. "
        "Scripts are never asked.",
        CommandGroup::File,
        unsaved,
        {}},
       {"recover",
        "[N|discard [N|all]]",
-       "Brings back unsaved work of a program that died: the newest, or number N of the list (dialog "
+       "Brings back unsaved work of a program that died: the newest, or number N of the list "
+       "(dialog "
        "recovery); discard forgets it.",
        CommandGroup::File,
        recover,

@@ -47,15 +47,17 @@ struct Command {
 /// Every command, in the order in which they are listed.
 [[nodiscard]] std::span<const Command> commands();
 
-/// Carries out one line; an empty one and a comment do nothing. Loading and running only start here: see
-/// Session::tick. Throws CommandError for what is wrong in the line, io::WriteError from `save`.
+/// Carries out one line; an empty one and a comment do nothing. Loading and running only start
+/// here: see Session::tick. Throws CommandError for what is wrong in the line, io::WriteError from
+/// `save`.
 void execute(Session& session, std::string_view line);
 
 /// Whether the table has a command of the line's name.
 [[nodiscard]] bool is_command(std::string_view line);
 
-/// For what a person asks for in a window: true where the line would lose unsaved work. The line then waits
-/// in Session::asked, and the dialog asks; the command `unsaved` answers. Scripts are not asked.
+/// For what a person asks for in a window: true where the line would lose unsaved work. The line
+/// then waits in Session::asked, and the dialog asks; the command `unsaved` answers. Scripts are
+/// not asked.
 [[nodiscard]] bool asks_first(Session& session, std::string_view line);
 
 /// The line that a chord emits; empty where it has none.

@@ -15,19 +15,21 @@
 
 namespace aomd::scene {
 
-/// What a triangle brings to the normals of its corners: all that is read of it, in half a line of the cache.
+/// What a triangle brings to the normals of its corners: all that is read of it, in half a line of
+/// the cache.
 struct alignas(32) FaceNormal {
   std::array<Vertex, 3> vertices;
   glm::vec3 unit{0};              ///< zero where the face has no area
   std::array<float, 2> angles{};  ///< at the first two vertices, radians
   [[nodiscard]] float angle(std::uint32_t slot) const {
-    return slot < 2 ? angles[slot] : std::max(0.0f, std::numbers::pi_v<float> - angles[0] - angles[1]);
+    return slot < 2 ? angles[slot]
+                    : std::max(0.0f, std::numbers::pi_v<float> - angles[0] - angles[1]);
   }
 };
 [[nodiscard]] FaceNormal face_normal(const Mesh& mesh, Face face);
 
-/// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store T(0,1),
-/// T(0,2) and T(2,0).
+/// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store
+/// T(0,1), T(0,2) and T(2,0).
 class CornerNormals {
  public:
   struct Corner {
@@ -41,10 +43,11 @@ class CornerNormals {
   /// With what face_normal() says of all faces, which must outlive this: for many vertices.
   explicit CornerNormals(const Column<Face, FaceNormal>& faces) : faces_(&faces) {}
 
-  /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by their angles
-  /// at v) where they can be reached from each other through edges that are not on model edges and turn by
-  /// less than 40 degrees; all share one where no model edge is at v and each turns by at most 20 degrees
-  /// from it. Depends on the star of v alone. O(k log k) for k faces. Valid until the next call.
+  /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by
+  /// their angles at v) where they can be reached from each other through edges that are not on
+  /// model edges and turn by less than 40 degrees; all share one where no model edge is at v and
+  /// each turns by at most 20 degrees from it. Depends on the star of v alone. O(k log k) for k
+  /// faces. Valid until the next call.
   [[nodiscard]] std::span<const Corner> at(const Mesh& mesh, Vertex v);
 
  private:

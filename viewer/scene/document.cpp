@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "core/decimate/spacing.h"
+#include "core/decimate/spacing/spacing.h"
 #include "core/mesh/journal_scope.h"
 #include "viewer/scene/saved_work.h"
 
@@ -129,8 +129,8 @@ AsLoaded& Document::as_loaded() {
   return *as_loaded_;
 }
 
-/// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one has left;
-/// but with the model edges that it was given before anything else was done.
+/// What a strategy keeps to, and measures lengths by, is the mesh as loaded, not what another one
+/// has left; but with the model edges that it was given before anything else was done.
 void Document::begin_strategy() {
   stale_ = false;
   strategy_from_ = classified_start();
@@ -144,7 +144,8 @@ void Document::begin_strategy() {
 Decimation& Document::prepared() {
   const bool other = !decimation() || !keeps_to_original();
   const std::size_t start = classified_start();
-  if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start))) begin_strategy();
+  if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start)))
+    begin_strategy();
   DecimationOptions options = options_;
   options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
@@ -160,7 +161,9 @@ bool Document::keeps_to_original() const {
   return has.strategy == options_.strategy && measures;
 }
 
-Decimation* Document::for_judging() { return loaded_ && hindrance().empty() ? &prepared() : nullptr; }
+Decimation* Document::for_judging() {
+  return loaded_ && hindrance().empty() ? &prepared() : nullptr;
+}
 
 bool Document::judges_at_once() const {
   if (!loaded_ || !hindrance().empty()) return false;
@@ -182,8 +185,8 @@ void Document::open_mark(std::string label) {
   const std::size_t cursor = journal().cursor();
   if (journal().epoch() != epoch_at_mark_) last_cut_ = mark_begin_;
   mark_begin_ = cursor;
-  const auto undone =
-      std::find_if(marks_.begin(), marks_.end(), [&](const HistoryMark& m) { return m.begin >= cursor; });
+  const auto undone = std::find_if(marks_.begin(), marks_.end(),
+                                   [&](const HistoryMark& m) { return m.begin >= cursor; });
   undone_marks_.assign(std::make_move_iterator(undone), std::make_move_iterator(marks_.end()));
   marks_.erase(undone, marks_.end());
   epoch_at_mark_ = journal().epoch();
@@ -343,8 +346,9 @@ bool Document::undo() {
 bool Document::redo() {
   if (!can_redo()) return false;
   cancel_run();
-  const auto next = std::find_if(marks_.begin(), marks_.end(),
-                                 [&](const HistoryMark& m) { return m.begin > journal().cursor(); });
+  const auto next = std::find_if(marks_.begin(), marks_.end(), [&](const HistoryMark& m) {
+    return m.begin > journal().cursor();
+  });
   move_to(next == marks_.end() ? journal().size() : next->begin, false);
   return true;
 }

@@ -24,8 +24,8 @@ namespace aomd::scene {
 /// What an edit of the classification would change; see core/model/class_edits.h.
 using ClassEdit = std::function<ClassOverlay(const Mesh&, double corner_angle_deg)>;
 
-/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that moves the
-/// history or replaces the mesh ends it first.
+/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that
+/// moves the history or replaces the mesh ends it first.
 class Document {
  public:
   [[nodiscard]] bool empty() const { return !loaded_; }
@@ -37,7 +37,8 @@ class Document {
     return loaded_ && loaded_->decimation ? &*loaded_->decimation : nullptr;
   }
   [[nodiscard]] const DecimationOptions& options() const { return options_; }
-  /// What the wanted lengths come from: a file, a formula or "curvature"; empty where the options have none.
+  /// What the wanted lengths come from: a file, a formula or "curvature"; empty where the options
+  /// have none.
   [[nodiscard]] std::string_view spacing_source() const {
     return options_.spacing ? std::string_view(spacing_source_) : std::string_view();
   }
@@ -50,16 +51,16 @@ class Document {
   }
   /// Whether the present classification is known to be on it.
   [[nodiscard]] bool lies_on_model() const;
-  /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed and changed
-  /// back by new operations differs. One of a lesson never does.
+  /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed
+  /// and changed back by new operations differs. One of a lesson never does.
   [[nodiscard]] bool unsaved() const;
   /// Where the present mesh was saved last; empty where it was not.
   [[nodiscard]] const std::filesystem::path& saved_file() const { return saved_file_; }
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
-  /// How long the present options want the edges at each vertex to be, also at those that are gone; infinite
-  /// without a limit, where a number of faces decides, or where the mesh cannot be decimated; 0 at a vertex
-  /// that has no edges as loaded. A mesh must be there.
+  /// How long the present options want the edges at each vertex to be, also at those that are gone;
+  /// infinite without a limit, where a number of faces decides, or where the mesh cannot be
+  /// decimated; 0 at a vertex that has no edges as loaded. A mesh must be there.
   [[nodiscard]] Column<Vertex, double> wanted_lengths() const;
   [[nodiscard]] HistoryPlace place() const;
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }
@@ -81,31 +82,33 @@ class Document {
   [[nodiscard]] const AdjacencyChange* last_adjacency_change() const {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
-  /// The present mesh at the start of its history, made at the first need: O(steps + entities), and where
-  /// steps are applied nothing may be running. A mesh of triangles must be there.
+  /// The present mesh at the start of its history, made at the first need: O(steps + entities), and
+  /// where steps are applied nothing may be running. A mesh of triangles must be there.
   [[nodiscard]] AsLoaded& as_loaded();
   /// Whether as_loaded() can be had now.
   [[nodiscard]] bool can_look_back() const { return as_loaded_ || !running_; }
   void replace(std::unique_ptr<LoadedMesh> loaded);
-  /// Takes over what had been done to the present mesh, which has just been loaded with that history, and
-  /// what had been set. Throws as set_spacing and set_model, in the end: all else is then restored.
+  /// Takes over what had been done to the present mesh, which has just been loaded with that
+  /// history, and what had been set. Throws as set_spacing and set_model, in the end: all else is
+  /// then restored.
   void restore(const SavedWork& work);
   /// The mesh as it is now is in that file.
   void mark_saved(std::filesystem::path file);
   /// Keeps what has been done; cheap while nothing runs.
   void set_options(const DecimationOptions& options) { options_ = options; }
-  /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as parse_spacing
-  /// and evaluate_spacing; the options are then as before.
+  /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as
+  /// parse_spacing and evaluate_spacing; the options are then as before.
   void set_spacing(const std::string& source);
   /// For the next mesh that is loaded; reclassify() for the present one.
   void set_classify_options(const ClassifyOptions& options) { classify_ = options; }
-  /// Derives the classification anew; what the file says still wins. One command in the history. A volume
-  /// gets all its faces and edges.
+  /// Derives the classification anew; what the file says still wins. One command in the history. A
+  /// volume gets all its faces and edges.
   void reclassify(const ClassifyOptions& options);
-  /// Edits it by hand where no rule is broken: one command in the history. A surface of triangles must be
-  /// there. Ends a run. (document_classes.cpp)
+  /// Edits it by hand where no rule is broken: one command in the history. A surface of triangles
+  /// must be there. Ends a run. (document_classes.cpp)
   ClassVerdict edit_classes(std::string label, const ClassEdit& edit);
-  /// What a feature angle would lead to; a surface of triangles must be there. Ends a run. O(entities).
+  /// What a feature angle would lead to; a surface of triangles must be there. Ends a run.
+  /// O(entities).
   const FeatureTrial& try_feature_angle(double angle_deg);
   void end_trial() { trial_.reset(); }
   /// The angle that is being tried out, until the mesh changes; null: none.
@@ -113,17 +116,19 @@ class Document {
 
   /// For the next smoothing, and for meshes to come. Ends a run.
   void set_snapping(bool on);
-  /// Reads a CAD file for the present mesh, which must be there, and classifies the mesh on it where no file
-  /// says what it lies on: one command in the history. Blocks while it reads. Throws ModelError, which names
-  /// the file, where it cannot be read or does not fit; everything is then as before.
+  /// Reads a CAD file for the present mesh, which must be there, and classifies the mesh on it
+  /// where no file says what it lies on: one command in the history. Blocks while it reads. Throws
+  /// ModelError, which names the file, where it cannot be read or does not fit; everything is then
+  /// as before.
   void set_model(const std::filesystem::path& file);
   void drop_model();
 
-  /// Stores a relation until it is unset, or lets go of it. No part of the history. A mesh must be there.
+  /// Stores a relation until it is unset, or lets go of it. No part of the history. A mesh must be
+  /// there.
   const AdjacencyChange& set_adjacency(int i, int j, bool on);
 
-  /// Builds the hash set of level 1, 2 or 3 anew, starting with about so many buckets (0: one for each
-  /// entity), or lets go of it. No part of the history. A mesh must be there. O(entities).
+  /// Builds the hash set of level 1, 2 or 3 anew, starting with about so many buckets (0: one for
+  /// each entity), or lets go of it. No part of the history. A mesh must be there. O(entities).
   void build_hash(int level, std::uint32_t buckets);
   void drop_hash(int level) { loaded_->mesh.drop_hash(level); }
 
@@ -134,9 +139,9 @@ class Document {
   std::size_t smooth();
   std::size_t improve();
 
-  /// The decimation as it would go on now, for asking what it says about an edge; made where it is not there
-  /// yet, which takes the quality strategy a second for a million faces. Null where the mesh cannot be
-  /// decimated. Changes neither mesh nor history.
+  /// The decimation as it would go on now, for asking what it says about an edge; made where it is
+  /// not there yet, which takes the quality strategy a second for a million faces. Null where the
+  /// mesh cannot be decimated. Changes neither mesh nor history.
   [[nodiscard]] Decimation* for_judging();
   /// Whether that costs next to nothing.
   [[nodiscard]] bool judges_at_once() const;
@@ -156,8 +161,8 @@ class Document {
   void seek(std::size_t step);
 
   // Branches and bookmarks (document_branches.cpp). A mesh must be there.
-  /// Back to where the branch leaves the present one, and forward to its end: what was ahead becomes a branch
-  /// in its stead. False where there is no such branch. O(steps in between).
+  /// Back to where the branch leaves the present one, and forward to its end: what was ahead
+  /// becomes a branch in its stead. False where there is no such branch. O(steps in between).
   bool switch_branch(unsigned id);
   /// Forgets a branch and those that leave it. Returns how many there were.
   std::size_t remove_branch(unsigned id) { return tree_.remove(id); }
@@ -208,7 +213,8 @@ class Document {
   ClassifyOptions classify_;
   bool snaps_ = false;
   std::vector<HistoryMark> marks_;
-  std::vector<HistoryMark> undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
+  std::vector<HistoryMark>
+      undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
   /// Where the last command began, which cut there if the epoch has changed since.
   std::size_t mark_begin_ = 0;
   std::uint64_t epoch_at_mark_ = 0;

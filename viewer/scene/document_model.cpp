@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/model/fit.h"
 #include "core/model/gmsh_model.h"
+#include "core/model/mesh_on_model.h"
 #include "viewer/scene/document.h"
 
 namespace aomd::scene {
@@ -29,7 +29,8 @@ bool fits(const Mesh& mesh, const Model& model) {
 
 }  // namespace
 
-/// The step after which the present classification has held: 0, or the end of a command that classifies.
+/// The step after which the present classification has held: 0, or the end of a command that
+/// classifies.
 std::size_t Document::classified_at() const {
   const std::size_t cursor = journal().cursor();
   for (auto mark = marks_.rbegin(); mark != marks_.rend(); ++mark) {
@@ -40,7 +41,9 @@ std::size_t Document::classified_at() const {
   return 0;
 }
 
-bool Document::lies_on_model() const { return model() != nullptr && model()->fits_from == classified_at(); }
+bool Document::lies_on_model() const {
+  return model() != nullptr && model()->fits_from == classified_at();
+}
 
 /// Undo, or a feature angle, may have taken the mesh off the model since it was given.
 void Document::fit_to(GivenModel& given) {
@@ -91,7 +94,9 @@ const Model* Document::model_to_snap_to() {
 void Document::make_original() {
   const std::size_t step = classified_at();
   let_go_of_models();
-  visit(step, [&] { loaded_->original = {step, std::make_unique<const DiscreteModel>(loaded_->mesh)}; });
+  visit(step, [&] {
+    loaded_->original = {step, std::make_unique<const DiscreteModel>(loaded_->mesh)};
+  });
 }
 
 /// A new classification may end at a step where another one did before.

@@ -13,7 +13,9 @@ bool counted(const SweepStatistics& s) {
          std::any_of(s.refused.begin(), s.refused.end(), [](std::uint32_t n) { return n > 0; });
 }
 
-std::size_t operations(const SweepStatistics& s) { return std::size_t{s.collapses} + s.swaps + s.smooths; }
+std::size_t operations(const SweepStatistics& s) {
+  return std::size_t{s.collapses} + s.swaps + s.smooths;
+}
 
 /// The last one that counted something; null: none.
 const SweepStatistics* last_counted(const std::vector<SweepStatistics>& sweeps) {

@@ -20,11 +20,12 @@ enum CornerFlag : std::uint32_t {
   hide_edge_20 = 4u,
   highlighted = 8u,  ///< blended with the theme's highlight colour: the selection, a preview
 };
-/// Besides, four bits from here on for each side, from the slot's corner k to the next: what is said about
-/// that edge (EdgeCodes), for RenderSettings::show_edge_codes.
+/// Besides, four bits from here on for each side, from the slot's corner k to the next: what is
+/// said about that edge (EdgeCodes), for RenderSettings::show_edge_codes.
 inline constexpr std::uint32_t edge_code_shift = 8;
 
-/// One corner of a triangle; three in a row make a face slot. A dead slot has three equal positions.
+/// One corner of a triangle; three in a row make a face slot. A dead slot has three equal
+/// positions.
 struct Corner {
   glm::vec3 position{};      ///< relative to Drawable::origin
   std::uint32_t normal = 0;  ///< pack_normal; need not be the geometric one
@@ -33,7 +34,8 @@ struct Corner {
 };
 static_assert(sizeof(Corner) == 24);
 
-/// A line of constant width in pixels with round ends: model edges, highlights. A dead one has width 0.
+/// A line of constant width in pixels with round ends: model edges, highlights. A dead one has
+/// width 0.
 struct Segment {
   glm::vec3 a{};
   glm::vec3 b{};
@@ -50,8 +52,8 @@ struct Disc {
 };
 static_assert(sizeof(Disc) == 20);
 
-/// Things that are pointed at, drawn over the rest: tinted triangles (their normals and flags do not matter),
-/// lines and discs.
+/// Things that are pointed at, drawn over the rest: tinted triangles (their normals and flags do
+/// not matter), lines and discs.
 struct Overlay {
   Patched<Corner> faces;
   Patched<Segment> lines;
@@ -63,27 +65,31 @@ struct Overlay {
   }
 };
 
-/// A picture's content. Positions are float and relative to `origin`, which is double, so that a small part
-/// far from the world's origin keeps its shape. `bounds` is in world coordinates and encloses everything.
+/// A picture's content. Positions are float and relative to `origin`, which is double, so that a
+/// small part far from the world's origin keeps its shape. `bounds` is in world coordinates and
+/// encloses everything.
 struct Drawable {
   glm::dvec3 origin{0};
   Box bounds;
   Patched<Corner> corners;  ///< 3 a face slot
-  Patched<Corner> cells;    ///< what a volume shows besides: sections, shrunken regions; never clipped
+  Patched<Corner>
+      cells;  ///< what a volume shows besides: sections, shrunken regions; never clipped
   Patched<Segment> interior_edges;   ///< drawn when RenderSettings::glass
   Patched<Segment> model_edges;      ///< drawn when RenderSettings::show_model_edges
   Patched<Disc> model_vertices;      ///< drawn when RenderSettings::show_model_vertices
   Patched<Segment> highlight_lines;  ///< always drawn, over the model's
   Patched<Disc> highlight_discs;     ///< always drawn, over the model's
-  Overlay before;                    ///< of a step, what stood there: also where the surface hides it
-  Overlay selected, hovered;         ///< on the surface
-  Overlay preview;                   ///< of an operation: also drawn where the surface hides it
+  Overlay before;             ///< of a step, what stood there: also where the surface hides it
+  Overlay selected, hovered;  ///< on the surface
+  Overlay preview;            ///< of an operation: also drawn where the surface hides it
 };
 
 /// A unit normal as signed 10:10:10:2, x in the lowest bits; error below 0.1 degrees.
 [[nodiscard]] inline std::uint32_t pack_normal(const glm::vec3& n) {
   const glm::vec3 scaled = glm::round(glm::clamp(n, -1.0f, 1.0f) * 511.0f);
-  const auto bits = [](float v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(v)) & 0x3ffu; };
+  const auto bits = [](float v) {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(v)) & 0x3ffu;
+  };
   return bits(scaled.x) | bits(scaled.y) << 10 | bits(scaled.z) << 20;
 }
 

@@ -11,7 +11,8 @@ namespace aomd::scene {
 using DrawingNeeds = std::array<Request, 3>;
 
 [[nodiscard]] inline DrawingNeeds request_for_drawing(Mesh& mesh) {
-  return {mesh.request(2, 0, "drawing"), mesh.request(0, 1, "drawing"), mesh.request(0, 2, "drawing")};
+  return {mesh.request(2, 0, "drawing"), mesh.request(0, 1, "drawing"),
+          mesh.request(0, 2, "drawing")};
 }
 
 }  // namespace aomd::scene

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/decimate/curvature.h"
+#include "core/decimate/spacing/curvature.h"
 #include "core/mesh/geometry.h"
 
 namespace aomd::scene {
@@ -14,8 +14,9 @@ namespace {
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double beyond_share = 0.02;   // of the curvatures, on either side of their scale
 constexpr double curvature_span = 1e3;  // at most, from the scale's low to its high
-constexpr double rounding = 1e-9;       // below this, relative to the diagonal of the box, there is nothing
-constexpr double least_span = 4;        // at least: what hardly differs should look so
+constexpr double rounding =
+    1e-9;  // below this, relative to the diagonal of the box, there is nothing
+constexpr double least_span = 4;  // at least: what hardly differs should look so
 
 /// Quads and volumes are not decimated: nothing is wanted of them, and they stay where they are.
 bool has_field(Coloring coloring, bool skin) {
@@ -24,7 +25,8 @@ bool has_field(Coloring coloring, bool skin) {
 }
 
 /// Most of the values: outliers would leave all others one colour.
-FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& values, double diagonal) {
+FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& values,
+                           double diagonal) {
   std::vector<double> positive;
   for (const Vertex v : mesh.vertices())
     if (values[v] * diagonal > rounding) positive.push_back(values[v]);
@@ -33,7 +35,9 @@ FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& value
   if (positive.empty()) return scale;
   std::sort(positive.begin(), positive.end());
   const auto last = static_cast<double>(positive.size() - 1);
-  const auto at = [&](double part) { return positive[static_cast<std::size_t>(std::lround(part * last))]; };
+  const auto at = [&](double part) {
+    return positive[static_cast<std::size_t>(std::lround(part * last))];
+  };
   scale.add(at(1 - beyond_share));
   scale.add(std::max(at(beyond_share), scale.high / curvature_span));
   if (scale.high < least_span * scale.low) {
@@ -91,7 +95,8 @@ void FieldKeeper::spacing(const FieldSource& source, bool anew) {
   if (!anew && options_ == source.document.options()) return;
   options_ = source.document.options();
   Column<Vertex, double> wanted = source.document.wanted_lengths();
-  if (source.run != nullptr) wanted = closed_up(wanted, std::span<const Vertex>(*source.run->vertices));
+  if (source.run != nullptr)
+    wanted = closed_up(wanted, std::span<const Vertex>(*source.run->vertices));
   FieldScale scale;
   scale.logarithmic = true;
   for (const Vertex v : source.mesh.vertices()) {
@@ -107,8 +112,8 @@ void FieldKeeper::quality(const FieldSource& source, const SurfaceChanges& chang
   const Mesh& mesh = source.mesh;
   const auto measure = [&](Face f) {
     const auto v = mesh.triangle(f);
-    field_->faces[f] =
-        static_cast<float>(smallest_angle_deg(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
+    field_->faces[f] = static_cast<float>(
+        smallest_angle_deg(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])));
   };
   field_->scale.low = 0;
   field_->scale.high = 60;
@@ -161,7 +166,8 @@ void FieldKeeper::take_distances(const Mesh& mesh, SurfaceChanges& changes) {
   scale.add(0);
   for (const Face f : mesh.faces()) scale.add(field_->faces[f]);
   set_scale(scale);
-  if (!changes.everything) changes.faces.insert(changes.faces.end(), measured_.begin(), measured_.end());
+  if (!changes.everything)
+    changes.faces.insert(changes.faces.end(), measured_.begin(), measured_.end());
   measured_.clear();
   pending_ = false;
 }

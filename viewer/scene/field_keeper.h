@@ -18,20 +18,21 @@ namespace aomd::scene {
 struct FieldSource {
   const Mesh& mesh;  ///< of triangles; what is drawn
   Document& document;
-  bool skin = false;                                     ///< `mesh` is the skin of a volume or of quads
-  bool still = true;                                     ///< nothing runs: what takes long may be measured
-  bool as_loaded = false;                                ///< `mesh` is the document's as it was loaded
-  const KeptRun* run = nullptr;                          ///< `mesh` is that of a kept state
+  bool skin = false;             ///< `mesh` is the skin of a volume or of quads
+  bool still = true;             ///< nothing runs: what takes long may be measured
+  bool as_loaded = false;        ///< `mesh` is the document's as it was loaded
+  const KeptRun* run = nullptr;  ///< `mesh` is that of a kept state
   std::optional<std::chrono::microseconds> budget = {};  ///< for what takes long; none: all at once
 };
 
-/// Quality is measured with every change and needs no longer than drawing; Spacing when the options change.
-/// Distance (about 20 microseconds a changed face) and Curvature (O(faces)) wait until nothing runs: until
-/// then changed faces have no colour, or that of before. Distance is measured in slices of time.
+/// Quality is measured with every change and needs no longer than drawing; Spacing when the options
+/// change. Distance (about 20 microseconds a changed face) and Curvature (O(faces)) wait until
+/// nothing runs: until then changed faces have no colour, or that of before. Distance is measured
+/// in slices of time.
 class FieldKeeper {
  public:
-  /// Brings the field that `coloring` names up to date, or lets go of it. `changes` are those of the mesh
-  /// since the last call; faces that get a value late are added to them.
+  /// Brings the field that `coloring` names up to date, or lets go of it. `changes` are those of
+  /// the mesh since the last call; faces that get a value late are added to them.
   void update(Coloring coloring, const FieldSource& source, SurfaceChanges& changes);
   /// Faces still wait to be measured.
   [[nodiscard]] bool pending() const { return pending_; }

@@ -23,7 +23,8 @@ double span_of(std::span<const Sample> samples) {
   if (samples.empty()) return least_span;
   std::vector<double> values;
   for (const Sample& sample : samples) values.push_back(sample.value);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(shown_share * double(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(shown_share * double(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return std::max(least_span, std::ceil(*at));
 }
@@ -52,19 +53,22 @@ double mean_length(const Mesh& mesh) {
   return mesh.count(1) > 0 ? sum / mesh.count(1) : 0;
 }
 
-std::vector<Sample> samples_of(HistogramKind kind, const Mesh& mesh, const Column<Vertex, double>& lengths) {
+std::vector<Sample> samples_of(HistogramKind kind, const Mesh& mesh,
+                               const Column<Vertex, double>& lengths) {
   const bool volume = mesh.count(3) > 0;
   if (kind == HistogramKind::Angle)
     return volume ? measure::smallest_dihedrals(mesh) : measure::smallest_angles(mesh);
   if (volume) return {};
-  return kind == HistogramKind::Length ? measure::length_ratios(mesh, lengths) : measure::valences(mesh);
+  return kind == HistogramKind::Length ? measure::length_ratios(mesh, lengths)
+                                       : measure::valences(mesh);
 }
 
 constexpr std::array kinds = {HistogramKind::Angle, HistogramKind::Length, HistogramKind::Valence};
 
 }  // namespace
 
-bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool wanted, bool still) {
+bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool wanted,
+                             bool still) {
   if (!wanted || document.empty()) {
     const bool had = histograms_.has_value();
     histograms_.reset();
@@ -97,7 +101,8 @@ void HistogramKeeper::measure_before(Document& document, const KeptRun* referenc
   if (!histograms_->wanted_lengths) lengths_.assign(mesh.capacity(0), mean_length(mesh));
   const auto measure = [&](const Mesh& earlier, const Column<Vertex, double>& lengths) {
     for (const HistogramKind kind : kinds)
-      histograms_->pairs[static_cast<std::size_t>(kind)].earlier = samples_of(kind, earlier, lengths);
+      histograms_->pairs[static_cast<std::size_t>(kind)].earlier =
+          samples_of(kind, earlier, lengths);
   };
   if (reference == nullptr)
     measure(mesh, lengths_);

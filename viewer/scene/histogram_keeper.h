@@ -22,7 +22,8 @@ struct HistogramPair {
   measure::Histogram before, now;
 };
 
-/// By HistogramKind. Of a volume there are smallest dihedral angles alone, and the others are empty.
+/// By HistogramKind. Of a volume there are smallest dihedral angles alone, and the others are
+/// empty.
 struct Histograms {
   std::array<HistogramPair, 3> pairs;
   bool changed = false;         ///< whether the mesh may differ from the one as loaded
@@ -42,13 +43,17 @@ struct Histograms {
 /// Makes them where somebody looks, and not again before the mesh or the options have changed.
 class HistogramKeeper {
  public:
-  /// O(1) where nothing has changed, else O(entities). Lets go of them where they are not `wanted`. True when
-  /// they have changed. While something runs, which is not `still`, those that there are stay. `reference` is
-  /// the kept state to compare with; null: the mesh as loaded.
+  /// O(1) where nothing has changed, else O(entities). Lets go of them where they are not `wanted`.
+  /// True when they have changed. While something runs, which is not `still`, those that there are
+  /// stay. `reference` is the kept state to compare with; null: the mesh as loaded.
   bool update(Document& document, const KeptRun* reference, bool wanted, bool still);
   /// Whether they are of the mesh at this place.
-  [[nodiscard]] bool current(const HistoryPlace& place) const { return histograms_ && place == place_; }
-  [[nodiscard]] const Histograms* histograms() const { return histograms_ ? &*histograms_ : nullptr; }
+  [[nodiscard]] bool current(const HistoryPlace& place) const {
+    return histograms_ && place == place_;
+  }
+  [[nodiscard]] const Histograms* histograms() const {
+    return histograms_ ? &*histograms_ : nullptr;
+  }
 
  private:
   void measure_now(const Mesh& mesh);

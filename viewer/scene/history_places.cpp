@@ -6,15 +6,17 @@ namespace aomd::scene {
 
 std::size_t next_command(const Document& document) {
   const auto& marks = document.marks();
-  const auto next = std::upper_bound(marks.begin(), marks.end(), document.journal().cursor(),
-                                     [](std::size_t at, const HistoryMark& m) { return at < m.begin; });
+  const auto next =
+      std::upper_bound(marks.begin(), marks.end(), document.journal().cursor(),
+                       [](std::size_t at, const HistoryMark& m) { return at < m.begin; });
   return next == marks.end() ? document.journal().size() : next->begin;
 }
 
 std::size_t previous_command(const Document& document) {
   const auto& marks = document.marks();
-  const auto next = std::lower_bound(marks.begin(), marks.end(), document.journal().cursor(),
-                                     [](const HistoryMark& m, std::size_t at) { return m.begin < at; });
+  const auto next =
+      std::lower_bound(marks.begin(), marks.end(), document.journal().cursor(),
+                       [](const HistoryMark& m, std::size_t at) { return m.begin < at; });
   return next == marks.begin() ? 0 : (next - 1)->begin;
 }
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd::scene {
 
@@ -15,8 +15,8 @@ void HistoryTree::clear() {
 }
 
 const HistoryBranch* HistoryTree::find(unsigned id) const {
-  const auto found =
-      std::find_if(branches_.begin(), branches_.end(), [&](const HistoryBranch& b) { return b.id == id; });
+  const auto found = std::find_if(branches_.begin(), branches_.end(),
+                                  [&](const HistoryBranch& b) { return b.id == id; });
   return found == branches_.end() ? nullptr : &*found;
 }
 
@@ -73,16 +73,16 @@ std::vector<unsigned> HistoryTree::way_to(unsigned id) const {
 }
 
 void HistoryTree::exchange(unsigned id, Journal& journal, std::vector<HistoryMark>& marks) {
-  const auto at =
-      std::find_if(branches_.begin(), branches_.end(), [&](const HistoryBranch& b) { return b.id == id; });
+  const auto at = std::find_if(branches_.begin(), branches_.end(),
+                               [&](const HistoryBranch& b) { return b.id == id; });
   AOMD_CHECK(at != branches_.end() && at->from == 0 && at->fork == journal.cursor());
   HistoryBranch next = std::move(*at);
   branches_.erase(at);
   leave_present(next.fork, present_);
   arrive(id);
   HistoryBranch old{present_, 0, next.fork, journal.exchange_future(next.part), {}};
-  const auto ahead =
-      std::find_if(marks.begin(), marks.end(), [&](const HistoryMark& m) { return m.begin >= next.fork; });
+  const auto ahead = std::find_if(marks.begin(), marks.end(),
+                                  [&](const HistoryMark& m) { return m.begin >= next.fork; });
   old.marks.assign(std::make_move_iterator(ahead), std::make_move_iterator(marks.end()));
   marks.erase(ahead, marks.end());
   marks.insert(marks.end(), std::make_move_iterator(next.marks.begin()),
@@ -108,8 +108,8 @@ std::size_t HistoryTree::remove(unsigned id) {
 }
 
 const Bookmark* HistoryTree::find_bookmark(const std::string& name) const {
-  const auto found =
-      std::find_if(bookmarks_.begin(), bookmarks_.end(), [&](const Bookmark& b) { return b.name == name; });
+  const auto found = std::find_if(bookmarks_.begin(), bookmarks_.end(),
+                                  [&](const Bookmark& b) { return b.name == name; });
   return found == bookmarks_.end() ? nullptr : &*found;
 }
 
@@ -125,7 +125,8 @@ void HistoryTree::set_bookmark(const std::string& name, std::size_t step) {
 }
 
 bool HistoryTree::remove_bookmark(const std::string& name) {
-  const bool removed = std::erase_if(bookmarks_, [&](const Bookmark& b) { return b.name == name; }) > 0;
+  const bool removed =
+      std::erase_if(bookmarks_, [&](const Bookmark& b) { return b.name == name; }) > 0;
   if (removed) ++version_;
   return removed;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// What is not on the way from the start of a history to its present end: branches, and named places.
+// What is not on the way from the start of a history to its present end: branches, and named
+// places.
 
 #include <cstdint>
 #include <map>
@@ -12,7 +13,8 @@
 
 namespace aomd::scene {
 
-/// What a sweep had counted when `end` steps were applied: at its end, or where its command stopped.
+/// What a sweep had counted when `end` steps were applied: at its end, or where its command
+/// stopped.
 struct SweepMark {
   std::size_t end = 0;
   SweepStatistics statistics;
@@ -21,14 +23,15 @@ struct SweepMark {
 /// The steps that one user-visible command made: from `begin` to the next mark, or to the end.
 struct HistoryMark {
   std::size_t begin = 0;
-  std::string label;                   ///< "sweep"
-  std::vector<SweepMark> sweeps = {};  ///< the last first; what lies beyond the next mark is another branch's
-  std::string stop = {};               ///< why the run stopped; empty where it did not go to its end
-  std::size_t stopped_at = 0;          ///< where that was
+  std::string label;  ///< "sweep"
+  std::vector<SweepMark> sweeps =
+      {};                 ///< the last first; what lies beyond the next mark is another branch's
+  std::string stop = {};  ///< why the run stopped; empty where it did not go to its end
+  std::size_t stopped_at = 0;  ///< where that was
 };
 
-/// Steps that were ahead where something new was done. Branches keep their number while they are the present
-/// one; `from` is the branch that it leaves, 0 for the present one.
+/// Steps that were ahead where something new was done. Branches keep their number while they are
+/// the present one; `from` is the branch that it leaves, 0 for the present one.
 struct HistoryBranch {
   unsigned id = 0;
   unsigned from = 0;
@@ -51,8 +54,8 @@ struct TreePlace {
   std::size_t step = 0;
 };
 
-/// Every branch goes on beyond each place where another one leaves it. Places before a fork belong to the
-/// branch that is left.
+/// Every branch goes on beyond each place where another one leaves it. Places before a fork belong
+/// to the branch that is left.
 class HistoryTree {
  public:
   /// All branches together; the oldest that no other leaves is forgotten first. One is always kept.
@@ -65,13 +68,13 @@ class HistoryTree {
   [[nodiscard]] const std::vector<HistoryBranch>& branches() const { return branches_; }
   [[nodiscard]] const HistoryBranch* find(unsigned id) const;
   [[nodiscard]] std::size_t bytes() const;
-  /// Something new was done after `fork` steps: what was ahead becomes a branch, and the present one gets
-  /// another number. O(branches + bookmarks).
+  /// Something new was done after `fork` steps: what was ahead becomes a branch, and the present
+  /// one gets another number. O(branches + bookmarks).
   void keep(std::size_t fork, JournalPart part, std::vector<HistoryMark> marks);
   /// The branches to exchange one after the other on the way to one.
   [[nodiscard]] std::vector<unsigned> way_to(unsigned id) const;
-  /// A branch that leaves the present one, where the journal stands, becomes the present one. O(its steps +
-  /// those ahead).
+  /// A branch that leaves the present one, where the journal stands, becomes the present one. O(its
+  /// steps + those ahead).
   void exchange(unsigned id, Journal& journal, std::vector<HistoryMark>& marks);
   /// With those that leave it, and the bookmarks on them; returns how many branches there were.
   std::size_t remove(unsigned id);
@@ -83,7 +86,8 @@ class HistoryTree {
   /// Changes whenever a bookmark does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
-  // Places under a number, for what is kept about them elsewhere: without a name, and gone with their branch.
+  // Places under a number, for what is kept about them elsewhere: without a name, and gone with
+  // their branch.
   void set_place(unsigned number, std::size_t step) { places_[number] = {0, step}; }
   void forget_place(unsigned number) { places_.erase(number); }
   [[nodiscard]] const TreePlace* find_place(unsigned number) const;

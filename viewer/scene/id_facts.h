@@ -11,7 +11,8 @@ namespace aomd::scene {
 
 /// The hash set of one level. Without one all is zero.
 struct HashFacts {
-  /// One bar for each number of entities in a bucket from 0 on; the last one counts the crowded ones.
+  /// One bar for each number of entities in a bucket from 0 on; the last one counts the crowded
+  /// ones.
   static constexpr std::size_t bars = EntityHash::crowded_length + 1;
 
   bool built = false;

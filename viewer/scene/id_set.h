@@ -8,7 +8,8 @@
 
 namespace aomd::scene {
 
-/// Cheaper than sorting from a few hundred ids on; kept by its user, so that adding does not allocate.
+/// Cheaper than sorting from a few hundred ids on; kept by its user, so that adding does not
+/// allocate.
 class IdSet {
  public:
   /// O(1).

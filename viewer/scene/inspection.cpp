@@ -20,7 +20,9 @@ std::string point_text(const glm::dvec3& p) {
 
 std::string degrees_text(double deg) { return short_number(deg, 1) + " deg"; }
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+double degrees(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
 
 AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
   const AdjacencyPath path = explain(mesh, e.dimension, level);
@@ -45,8 +47,8 @@ void add_fold(const Mesh& mesh, std::span<const std::uint32_t> faces, Inspection
   VertexBuffer buffer;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto v = mesh.vertices_of({2, faces[i]}, buffer);
-    normals[i] =
-        area_normal(mesh.position(Vertex(v[0])), mesh.position(Vertex(v[1])), mesh.position(Vertex(v[2])));
+    normals[i] = area_normal(mesh.position(Vertex(v[0])), mesh.position(Vertex(v[1])),
+                             mesh.position(Vertex(v[2])));
   }
   result.facts.emplace_back("Fold", degrees_text(degrees(cosine_between(normals[0], normals[1]))));
 }
@@ -114,7 +116,9 @@ void add_attached(const Mesh& mesh, EntityRef e, Inspection& result) {
 }
 
 std::string mark(CheckResult::State state) {
-  return state == CheckResult::State::Passed ? "yes" : state == CheckResult::State::Failed ? "NO" : "-";
+  return state == CheckResult::State::Passed   ? "yes"
+         : state == CheckResult::State::Failed ? "NO"
+                                               : "-";
 }
 
 std::string judgement_text(const Judgement& j) {
@@ -135,7 +139,9 @@ std::string judgement_text(const Judgement& j) {
 
 std::string entity_title(EntityRef e) { return capitalized(name_of(e)); }
 
-std::string entity_label(EntityRef e) { return entity_name(e.dimension)[0] + std::to_string(e.index); }
+std::string entity_label(EntityRef e) {
+  return entity_name(e.dimension)[0] + std::to_string(e.index);
+}
 
 std::string model_words(ModelRef ref) { return ref.valid() ? name_of(ref) : "not classified"; }
 
@@ -149,7 +155,8 @@ Inspection inspect(const Document& document, EntityRef e) {
   if (e.dimension == 0) add_vertex_facts(document, Vertex(e.index), result);
   if (e.dimension == 1) add_edge_facts(document, e, result);
   if (e.dimension == 2) add_face_facts(mesh, e, result);
-  if (e.dimension == 3) result.facts.emplace_back("Shape", std::string(shape_template(mesh.shape(e)).name));
+  if (e.dimension == 3)
+    result.facts.emplace_back("Shape", std::string(shape_template(mesh.shape(e)).name));
   add_attached(mesh, e, result);
   return result;
 }

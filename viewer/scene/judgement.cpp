@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/decimate/change.h"
+#include "core/decimate/guard/surface_change.h"
 #include "core/mesh/names.h"
 #include "viewer/scene/selection_drawing.h"
 
@@ -67,10 +67,11 @@ std::optional<Judgement> judge(Decimation& decimation, const Mesh& mesh, EntityR
   j.entity = e;
   if (e.dimension == 1) {
     for (const CollapseOutlook& o : decimation.outlook(Edge(e.index)))
-      j.ways.push_back(
-          {o, explain_collapse(mesh, o, decimation.options()), collapse_checks(o, decimation.options())});
-    const auto furthest = std::max_element(
-        j.ways.begin(), j.ways.end(), [](const auto& a, const auto& b) { return passed(a) < passed(b); });
+      j.ways.push_back({o, explain_collapse(mesh, o, decimation.options()),
+                        collapse_checks(o, decimation.options())});
+    const auto furthest =
+        std::max_element(j.ways.begin(), j.ways.end(),
+                         [](const auto& a, const auto& b) { return passed(a) < passed(b); });
     j.best = static_cast<std::size_t>(furthest - j.ways.begin());
     j.swap = decimation.swap_outlook(Edge(e.index));
     j.swap_words = j.swap ? explain_swap(mesh, Edge(e.index), *j.swap) : later;
@@ -91,7 +92,8 @@ std::string way_title(const CollapseWay& way) {
          std::to_string(way.outlook.contraction.kept.index);
 }
 
-void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin, Overlay& overlay) {
+void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin,
+                  Overlay& overlay) {
   const Contraction& c = way.outlook.contraction;
   Star deleted, kept;
   gather(mesh, c.deleted, deleted);
@@ -103,12 +105,15 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
   sketch.move(mesh.position(c.deleted), c.position);
   sketch.finish(overlay);
   const EntityRef decided = way.outlook.verdict.entity;
-  const bool own = decided.dimension == 1 && !way.outlook.verdict.accepted() &&
-                   way.outlook.verdict.reason == Reason::Spacing;  // the edge itself is selected already
-  if (decided.valid() && !own) draw_entities(mesh, std::span(&decided, 1), deciding_style(), origin, overlay);
+  const bool own =
+      decided.dimension == 1 && !way.outlook.verdict.accepted() &&
+      way.outlook.verdict.reason == Reason::Spacing;  // the edge itself is selected already
+  if (decided.valid() && !own)
+    draw_entities(mesh, std::span(&decided, 1), deciding_style(), origin, overlay);
 }
 
-void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin, Overlay& overlay) {
+void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin,
+                  Overlay& overlay) {
   const EdgePair& pair = swap.pair;
   Sketch sketch{origin, {}, {}, {}, {}};
   if (pair.f.valid() && pair.g.valid()) {
@@ -120,7 +125,8 @@ void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& o
   sketch.finish(overlay);
 }
 
-void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin, Overlay& overlay) {
+void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin,
+                  Overlay& overlay) {
   Star star;
   gather(mesh, move.vertex, star);
   Change change;

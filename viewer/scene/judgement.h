@@ -1,12 +1,13 @@
 #pragma once
-// Why an entity is as it is: what decimation says about it now, in words, and what that would look like.
+// Why an entity is as it is: what decimation says about it now, in words, and what that would look
+// like.
 
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/decimate/decimation.h"
-#include "core/decimate/explanation.h"
+#include "core/decimate/explain/explanation.h"
 #include "viewer/scene/drawable.h"
 
 namespace aomd::scene {
@@ -37,10 +38,13 @@ struct Judgement {
 [[nodiscard]] std::string way_title(const CollapseWay& way);
 
 /// The new faces of a way, where its kept vertex would be, and what decided against it.
-void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin, Overlay& overlay);
+void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin,
+                  Overlay& overlay);
 /// The two faces that a swap would make; nothing where there are not two.
-void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin, Overlay& overlay);
+void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin,
+                  Overlay& overlay);
 /// The same for a vertex that is smoothed.
-void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin, Overlay& overlay);
+void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin,
+                  Overlay& overlay);
 
 }  // namespace aomd::scene

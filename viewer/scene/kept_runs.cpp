@@ -32,11 +32,14 @@ std::string row_text(const KeptRun& run) {
   const auto distance = [&](double RunDistance::*part) {
     return run.distance ? std::to_string(*run.distance.*part) : std::string();
   };
-  const std::string from = run.number == 0 ? "" : run.from.empty() ? "the mesh as loaded" : run.from;
-  return run.name + '\t' + from + '\t' + run.strategy + '\t' + run.aim + '\t' + optional_text(run.angle_deg) +
-         '\t' + std::to_string(run.faces) + '\t' + std::to_string(run.angles.min_angle_worst_deg) + '\t' +
-         std::to_string(run.angles.min_angle_mean_deg) + '\t' + distance(&RunDistance::rms_pct) + '\t' +
-         distance(&RunDistance::max_pct) + '\t' + optional_text(run.seconds) + '\n';
+  const std::string from = run.number == 0    ? ""
+                           : run.from.empty() ? "the mesh as loaded"
+                                              : run.from;
+  return run.name + '\t' + from + '\t' + run.strategy + '\t' + run.aim + '\t' +
+         optional_text(run.angle_deg) + '\t' + std::to_string(run.faces) + '\t' +
+         std::to_string(run.angles.min_angle_worst_deg) + '\t' +
+         std::to_string(run.angles.min_angle_mean_deg) + '\t' + distance(&RunDistance::rms_pct) +
+         '\t' + distance(&RunDistance::max_pct) + '\t' + optional_text(run.seconds) + '\n';
 }
 
 }  // namespace
@@ -49,7 +52,8 @@ std::string aim_words(const Document& document) {
   return "factor " + short_number(options.factor, 2);
 }
 
-const KeptRun& KeptRuns::keep(Document& document, const std::string& name, std::optional<double> seconds) {
+const KeptRun& KeptRuns::keep(Document& document, const std::string& name,
+                              std::optional<double> seconds) {
   const auto known = std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& row) {
     return row.number > 0 && is_at(row, document, document.journal().cursor());
   });
@@ -83,8 +87,8 @@ void KeptRuns::keep_original(Document& document) {
 }
 
 const KeptRun* KeptRuns::find(unsigned number) const {
-  const auto found =
-      std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& r) { return r.number == number; });
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const KeptRun& r) { return r.number == number; });
   return found == rows_.end() ? nullptr : &*found;
 }
 
@@ -118,7 +122,8 @@ void KeptRuns::set_distance(unsigned number, const RunDistance& distance) {
 
 std::string runs_table(const KeptRuns& runs) {
   std::string text =
-      "Run\tFrom\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest angle, "
+      "Run\tFrom\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest "
+      "angle, "
       "degrees\t"
       "RMS distance, % of the diagonal\tLargest distance, % of the diagonal\tSeconds\n";
   for (const KeptRun& run : runs.rows()) text += row_text(run);

@@ -1,5 +1,6 @@
 #pragma once
-// States of the mesh that are kept to be compared: what finished runs came to, and what the user keeps.
+// States of the mesh that are kept to be compared: what finished runs came to, and what the user
+// keeps.
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +18,8 @@
 
 namespace aomd::scene {
 
-/// One state. Its place in the history is that of its number in HistoryTree, as long as its branch is there.
+/// One state. Its place in the history is that of its number in HistoryTree, as long as its branch
+/// is there.
 struct KeptRun {
   unsigned number = 0;   ///< in the order in which they were kept, from 1; 0: the mesh as loaded
   std::string name;      ///< "Run 1"
@@ -30,7 +32,8 @@ struct KeptRun {
   std::optional<double> seconds;        ///< that the run took; none for what was kept by hand
   std::optional<RunDistance> distance;  ///< none: not measured
   std::shared_ptr<const MeshData> data;
-  std::shared_ptr<const std::vector<Vertex>> vertices;  ///< which vertex of the document each of data's is
+  std::shared_ptr<const std::vector<Vertex>>
+      vertices;  ///< which vertex of the document each of data's is
 };
 
 /// "factor 4", "3,000 faces", "coarsest", "spacing curvature"

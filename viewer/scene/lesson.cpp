@@ -22,7 +22,8 @@ std::string_view trimmed(std::string_view text) {
 /// What a page lacks, as the end of a sentence; "" where nothing is missing.
 std::string defect_of(const LessonPage& page) {
   if (page.text.empty()) return "no text";
-  if (page.task.empty() != page.checks.empty()) return "a task without checks, or checks without a task";
+  if (page.task.empty() != page.checks.empty())
+    return "a task without checks, or checks without a task";
   if (page.checks.empty() != page.solution.empty())
     return "checks without a solution, or a solution without checks";
   for (const LessonCheck& check : page.checks)
@@ -110,7 +111,8 @@ class LessonReader {
     if (word == "lesson") lesson_.title = rest;
     if (word == "about") lesson_.about = rest;
     if (word != "minutes") return;
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), lesson_.minutes);
+    const auto [end, error] =
+        std::from_chars(rest.data(), rest.data() + rest.size(), lesson_.minutes);
     if (error != std::errc{} || end != rest.data() + rest.size() || lesson_.minutes < 1 ||
         lesson_.minutes > most_minutes)
       fail("'" + rest + "' is not a number of minutes from 1 to 60");
@@ -148,7 +150,8 @@ class LessonReader {
     if (line.empty() || line.front() == '#') return;
     if (section_ == Section::Head) fail("this line belongs to no page");
     if (!is_command(line)) fail("there is no command '" + line + "'");
-    if (section_ == Section::Check && line.rfind("expect ", 0) != 0) fail("a check consists of expect lines");
+    if (section_ == Section::Check && line.rfind("expect ", 0) != 0)
+      fail("a check consists of expect lines");
     lines().push_back({line, number_});
   }
 
@@ -178,7 +181,8 @@ class LessonReader {
     Paragraph result = paragraph(collected_, paragraph_line_);
     collected_.clear();
     LessonPage& present = lesson_.pages.back();
-    if (section_ == Section::Hint && !present.hint.empty()) fail("a hint is one paragraph", paragraph_line_);
+    if (section_ == Section::Hint && !present.hint.empty())
+      fail("a hint is one paragraph", paragraph_line_);
     if (section_ == Section::Hint) present.hint = std::move(result);
     if (section_ == Section::Text) present.text.push_back(std::move(result));
     if (section_ == Section::Task) present.task.push_back(std::move(result));
@@ -230,7 +234,8 @@ std::span<const Lesson> lessons() {
 
 const Lesson* find_lesson(std::string_view name) {
   const auto all = lessons();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return l.name == name; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const Lesson& l) { return l.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Lessons: pages of text, with commands that set the scene, tasks, and what tells that a task is done. Their
-// files are described in docs/LESSONS.md.
+// Lessons: pages of text, with commands that set the scene, tasks, and what tells that a task is
+// done. Their files are described in docs/LESSONS.md.
 
 #include <map>
 #include <memory>
@@ -22,8 +22,8 @@ struct TextSpan {
 };
 using Paragraph = std::vector<TextSpan>;
 
-/// From `*emphasis*`, `` `code` ``, `{Key}` and `[a link](command)`. Throws std::invalid_argument saying what
-/// is not closed, or which link has no such command.
+/// From `*emphasis*`, `` `code` ``, `{Key}` and `[a link](command)`. Throws std::invalid_argument
+/// saying what is not closed, or which link has no such command.
 [[nodiscard]] Paragraph parse_paragraph(std::string_view text);
 /// Without marks.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);

@@ -28,7 +28,8 @@ const Mark* mark_at(char c) {
 /// Up to `close`, which is taken too.
 std::string until(std::string_view& text, char close, const char* what) {
   const std::size_t end = text.find(close);
-  if (end == std::string_view::npos) throw std::invalid_argument(std::string(what) + " is not closed");
+  if (end == std::string_view::npos)
+    throw std::invalid_argument(std::string(what) + " is not closed");
   if (end == 0) throw std::invalid_argument(std::string(what) + " is empty");
   std::string inside(text.substr(0, end));
   text.remove_prefix(end + 1);
@@ -43,7 +44,8 @@ TextSpan marked(std::string_view& text, const Mark& mark) {
     throw std::invalid_argument("the link '" + span.text + "' has no (command)");
   text.remove_prefix(1);
   span.line = until(text, ')', "a link's command");
-  if (!is_command(span.line)) throw std::invalid_argument("there is no command '" + span.line + "'");
+  if (!is_command(span.line))
+    throw std::invalid_argument("there is no command '" + span.line + "'");
   return span;
 }
 

@@ -53,9 +53,9 @@ void LessonPlayer::open(Session& session, const Lesson& lesson, std::size_t page
   session.play(false);
   session.document.cancel_run();
   if (!before_)
-    before_ =
-        std::make_unique<Before>(Before{source_of(session.document), session.view, session.document.options(),
-                                        session.document.classify_options(), session.document.snaps()});
+    before_ = std::make_unique<Before>(
+        Before{source_of(session.document), session.view, session.document.options(),
+               session.document.classify_options(), session.document.snaps()});
   before_->options.spacing.reset();  // these belong to the mesh
   before_->options.keep.reset();
   before_->options.model = nullptr;
@@ -72,17 +72,18 @@ void LessonPlayer::open(Session& session, const Lesson& lesson, std::size_t page
   session.document.set_snapping(false);
   const Flag entering(entering_);
   for (std::size_t i = 0; i <= page; ++i) carry_out(session, lesson.pages[i].commands, i < page);
-  session.status =
-      lesson.title + ", page " + std::to_string(page + 1) + " of " + std::to_string(lesson.pages.size());
+  session.status = lesson.title + ", page " + std::to_string(page + 1) + " of " +
+                   std::to_string(lesson.pages.size());
   met_.assign(lesson.pages[page].checks.size(), false);
   done_ = met_.empty();
   looked_at_.reset();
   update(session);
 }
 
-/// Waits before each line, and for loading after the last; what the last one starts may go on before the
-/// user's eyes.
-void LessonPlayer::carry_out(Session& session, const std::vector<LessonLine>& lines, bool to_the_end) {
+/// Waits before each line, and for loading after the last; what the last one starts may go on
+/// before the user's eyes.
+void LessonPlayer::carry_out(Session& session, const std::vector<LessonLine>& lines,
+                             bool to_the_end) {
   for (const LessonLine& line : lines) {
     try {
       session.finish();
@@ -136,19 +137,22 @@ void LessonPlayer::leave(Session& session, bool reload) {
 }
 
 bool LessonPlayer::holds(Session& session, const LessonCheck& check) const {
-  return std::all_of(check.expectations.begin(), check.expectations.end(), [&](const LessonLine& line) {
-    try {
-      execute(session, line.text);
-      return true;
-    } catch (const ExpectationMissed&) {
-      return false;
-    }
-  });
+  return std::all_of(check.expectations.begin(), check.expectations.end(),
+                     [&](const LessonLine& line) {
+                       try {
+                         execute(session, line.text);
+                         return true;
+                       } catch (const ExpectationMissed&) {
+                         return false;
+                       }
+                     });
 }
 
 void LessonPlayer::update(Session& session) {
   if (lesson_ == nullptr || entering_ || session.document.empty()) return;
-  const auto stamp = [&] { return Stamp{session.executed, session.document.place(), session.idle()}; };
+  const auto stamp = [&] {
+    return Stamp{session.executed, session.document.place(), session.idle()};
+  };
   if (done_ || !session.idle() || looked_at_ == stamp()) {
     if (done_ && last_page()) completed.insert(lesson_->name);
     return;
@@ -157,7 +161,8 @@ void LessonPlayer::update(Session& session) {
   for (std::size_t i = 0; i < checks.size(); ++i) met_[i] = holds(session, checks[i]);
   done_ = std::all_of(met_.begin(), met_.end(), [](bool met) { return met; });
   if (done_ && last_page()) completed.insert(lesson_->name);
-  if (done_) session.status = last_page() ? "Done: that was the lesson" : "Done: go on with the next page";
+  if (done_)
+    session.status = last_page() ? "Done: that was the lesson" : "Done: go on with the next page";
   looked_at_ = stamp();
 }
 

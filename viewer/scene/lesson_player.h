@@ -17,9 +17,9 @@ namespace aomd::scene {
 
 class Session;
 
-/// A page always begins in the same way: the commands of the pages up to it are carried out from a session
-/// without options, whatever the user has done. Its meshes are for practice: changing them is no work that
-/// could be lost.
+/// A page always begins in the same way: the commands of the pages up to it are carried out from a
+/// session without options, whatever the user has done. Its meshes are for practice: changing them
+/// is no work that could be lost.
 class LessonPlayer {
  public:
   /// Null: no lesson is open.
@@ -34,13 +34,15 @@ class LessonPlayer {
   /// While its pages' commands are carried out: what they load is for practice.
   [[nodiscard]] bool entering() const { return entering_; }
 
-  /// Opens a page of a lesson. Blocks while it is made; throws CommandError naming the line that failed.
+  /// Opens a page of a lesson. Blocks while it is made; throws CommandError naming the line that
+  /// failed.
   void open(Session& session, const Lesson& lesson, std::size_t page);
   /// Loads one of its meshes.
   void load_mesh(Session& session, const std::string& name);
   /// Carries out what does the page's task.
   void solve(Session& session);
-  /// Puts back options and view, and loads what was there before; another file's mesh may be there already.
+  /// Puts back options and view, and loads what was there before; another file's mesh may be there
+  /// already.
   void leave(Session& session, bool reload);
   /// Looks whether the task is done, where something has happened since. Cheap.
   void update(Session& session);
@@ -48,7 +50,8 @@ class LessonPlayer {
   bool shown = true;                ///< its tab is in front of the mesh's
   bool hinted = false;              ///< the hint is open
   std::set<std::string> completed;  ///< names of lessons whose last page was done
-  /// Whether a word about lessons is worth while: strong at the first start, quiet as long as some are left.
+  /// Whether a word about lessons is worth while: strong at the first start, quiet as long as some
+  /// are left.
   enum class Hint { None, First, Again };
   Hint suggested = Hint::None;
 

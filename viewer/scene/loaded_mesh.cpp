@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimate/spacing.h"
+#include "core/decimate/spacing/spacing.h"
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 #include "viewer/scene/saved_work.h"
@@ -18,7 +18,8 @@ Box box_of(const Mesh& mesh) {
   const glm::dvec3 center = box.center();
   double radius = 0;
   for (const Face f : mesh.faces())
-    for (const Vertex v : mesh.triangle(f)) radius = std::max(radius, glm::length(mesh.position(v) - center));
+    for (const Vertex v : mesh.triangle(f))
+      radius = std::max(radius, glm::length(mesh.position(v) - center));
   box.set_radius(radius);
   return box;
 }
@@ -34,7 +35,8 @@ void remember_file_classes(LoadedMesh& loaded) {
 
 /// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
 UpAxis usual_up_axis(io::Format format) {
-  const bool y = format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
+  const bool y =
+      format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
   return y ? UpAxis::Y : UpAxis::Z;
 }
 
@@ -76,7 +78,8 @@ namespace {
 std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   if (request.data) return make_loaded(*request.data, request.sample, request.classify);
   if (request.file.empty())
-    return make_loaded(make_sample(request.sample, request.sample_size), request.sample, request.classify);
+    return make_loaded(make_sample(request.sample, request.sample_size), request.sample,
+                       request.classify);
   io::ReadResult result = io::read(request.file);
   if (result.mesh.faces.empty() && result.mesh.regions.empty())
     throw io::ReadError(request.file.string(), {}, "there are no faces or regions in it");

@@ -54,24 +54,28 @@ struct LoadRequest {
 
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
-  std::string name;                          ///< "bunny.ply", or a sample's name
-  std::filesystem::path file;                ///< empty for a sample
-  LoadRequest source;                        ///< what it was made from; names nothing for plain data
-  std::optional<io::MeshFingerprint> start;  ///< of the mesh as loaded, where the source asks for it
-  UpAxis up = UpAxis::Z;                     ///< what the source usually means by up
-  std::vector<std::string> notes;            ///< what the reader had to do
-  Box bounds;                                ///< of the vertices that can be seen
+  std::string name;            ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;  ///< empty for a sample
+  LoadRequest source;          ///< what it was made from; names nothing for plain data
+  std::optional<io::MeshFingerprint>
+      start;                       ///< of the mesh as loaded, where the source asks for it
+  UpAxis up = UpAxis::Z;           ///< what the source usually means by up
+  std::vector<std::string> notes;  ///< what the reader had to do
+  Box bounds;                      ///< of the vertices that can be seen
   Mesh mesh;
   Journal journal;
   ClassifyOptions classify_options;
   ClassifyResult classified;
-  Column<Vertex, double> edge_lengths;  ///< mean at each vertex as loaded; empty where there is a skin
-  /// The file's own classification by level and id; empty where it has none. It wins over derived ones.
+  Column<Vertex, double>
+      edge_lengths;  ///< mean at each vertex as loaded; empty where there is a skin
+  /// The file's own classification by level and id; empty where it has none. It wins over derived
+  /// ones.
   std::array<std::vector<ModelRef>, 3> file_classes;
-  /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they are.
+  /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they
+  /// are.
   std::optional<Skin> skin;
-  DrawingNeeds needs;               ///< a volume has none: it stores what its file lists and nothing else
-  std::optional<GivenModel> model;  ///< none until one is given
+  DrawingNeeds needs;  ///< a volume has none: it stores what its file lists and nothing else
+  std::optional<GivenModel> model;          ///< none until one is given
   std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
   std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model
 
@@ -79,9 +83,9 @@ struct LoadedMesh {
   [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }
 };
 
-/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second for a
-/// million faces. Throws what io::read and make_sample throw, and io::ReadError for a file without faces and
-/// regions, and for work that does not fit it.
+/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second
+/// for a million faces. Throws what io::read and make_sample throw, and io::ReadError for a file
+/// without faces and regions, and for work that does not fit it.
 [[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.

@@ -13,7 +13,8 @@
 
 namespace aomd::scene {
 
-/// One load at a time that counts: starting another or cancelling lets the present one run out unheard.
+/// One load at a time that counts: starting another or cancelling lets the present one run out
+/// unheard.
 class Loader {
  public:
   Loader() = default;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
+#include "core/mesh/id_pool.h"
 
 namespace aomd::scene {
 namespace {
@@ -82,8 +83,9 @@ void FactsKeeper::look_at_all(const Mesh& mesh) {
   std::atomic<std::int64_t> boundary = 0, nonmanifold = 0, unused = 0;
   parallel_for(mesh.capacity(1), thread_count(0), a_piece, [&](std::size_t begin, std::size_t end) {
     MeshFacts here;
-    each_alive(mesh.ids(1), begin, end,
-               [&](std::uint32_t id) { count(edges_[Edge(id)] = kind_of(mesh, Edge(id)), +1, here); });
+    each_alive(mesh.ids(1), begin, end, [&](std::uint32_t id) {
+      count(edges_[Edge(id)] = kind_of(mesh, Edge(id)), +1, here);
+    });
     boundary += here.boundary;
     nonmanifold += here.nonmanifold;
   });

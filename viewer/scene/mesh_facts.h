@@ -28,8 +28,8 @@ struct MeshFacts {
   friend bool operator==(const MeshFacts&, const MeshFacts&) = default;
 };
 
-/// Of a mesh with regions, whatever it stores. Edges are not looked at: boundary and nonmanifold are 0.
-/// O(entities).
+/// Of a mesh with regions, whatever it stores. Edges are not looked at: boundary and nonmanifold
+/// are 0. O(entities).
 [[nodiscard]] MeshFacts volume_facts(const Mesh& mesh, const Skin& skin);
 
 /// Of a surface. The mesh must store T(0,1) and T(0,2).

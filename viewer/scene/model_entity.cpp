@@ -110,7 +110,9 @@ class ModelReader {
 
 }  // namespace
 
-ModelEntityFacts model_entity_facts(const Mesh& mesh, ModelRef ref) { return ModelReader(mesh, ref).run(); }
+ModelEntityFacts model_entity_facts(const Mesh& mesh, ModelRef ref) {
+  return ModelReader(mesh, ref).run();
+}
 
 std::string model_entity_title(ModelRef ref) { return capitalized(name_of(ref)); }
 

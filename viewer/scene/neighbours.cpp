@@ -49,7 +49,8 @@ void explain_unknown(const Mesh& mesh, Neighbours& n) {
     return;
   }
   const bool incomplete = j > 0 && !mesh.complete(j);
-  n.words = incomplete ? name + " is not stored, and not every " + entity_name(j) + " exists: store " + name
+  n.words = incomplete ? name + " is not stored, and not every " + entity_name(j) +
+                             " exists: store " + name
                        : name + ": nothing that is stored leads there; store " + name;
 }
 
@@ -58,8 +59,8 @@ void explain_unknown(const Mesh& mesh, Neighbours& n) {
 Neighbours find_neighbours(const Mesh& mesh, EntityRef e, int level) {
   Neighbours n{e, level, {}, false, {}, {}, {}, {}};
   if (level == e.dimension) {
-    n.words =
-        "T has no relation of a level to itself: choose another than " + std::string(entity_name(level));
+    n.words = "T has no relation of a level to itself: choose another than " +
+              std::string(entity_name(level));
     return n;
   }
   const std::string name = relation_name(e.dimension, level);
@@ -98,8 +99,8 @@ void draw_neighbours(const Mesh& mesh, const Neighbours& neighbours, const glm::
                      Overlay& overlay) {
   if (!neighbours.known) return;
   draw_entities(mesh, neighbours.between, between_style(), origin, overlay);
-  draw_entities(mesh, neighbours.entities, neighbours.stored() ? stored_style() : derived_style(), origin,
-                overlay);
+  draw_entities(mesh, neighbours.entities, neighbours.stored() ? stored_style() : derived_style(),
+                origin, overlay);
   draw_entities(mesh, std::span(&neighbours.of, 1), selected_style(), origin, overlay);
 }
 

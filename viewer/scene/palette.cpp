@@ -10,8 +10,8 @@
 namespace aomd::scene {
 namespace {
 
-// Okabe and Ito's hues, ordered so that neighbouring tags lie far apart. Black gives way to a slate violet,
-// because a tint of black is the neutral colour.
+// Okabe and Ito's hues, ordered so that neighbouring tags lie far apart. Black gives way to a slate
+// violet, because a tint of black is the neutral colour.
 constexpr std::array<Color, 8> hues = {
     rgb(0x56b4e9),  // sky blue
     rgb(0xe69f00),  // orange
@@ -23,13 +23,14 @@ constexpr std::array<Color, 8> hues = {
     rgb(0x7a6fb0),  // slate violet
 };
 
-// After each turn through the hues the tints step in lightness: as far as each other, never to the strong
-// colours of edges and vertices.
+// After each turn through the hues the tints step in lightness: as far as each other, never to the
+// strong colours of edges and vertices.
 constexpr std::array<float, 3> face_whiteness = {0.55f, 0.70f, 0.40f};
 
 // Van der Walt and Smith's maps, from an eighth (viridis) and a quarter (magma) of their way on.
-constexpr std::array<Color, 8> viridis = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e), rgb(0x1f9e89),
-                                          rgb(0x35b779), rgb(0x6ece58), rgb(0xb5de2b), rgb(0xfde725)};
+constexpr std::array<Color, 8> viridis = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e),
+                                          rgb(0x1f9e89), rgb(0x35b779), rgb(0x6ece58),
+                                          rgb(0xb5de2b), rgb(0xfde725)};
 constexpr std::array<Color, 7> magma = {rgb(0x50127b), rgb(0x812581), rgb(0xb5367a), rgb(0xe55964),
                                         rgb(0xfb8861), rgb(0xfec287), rgb(0xfcfdbf)};
 
@@ -44,15 +45,19 @@ Place place_of(ModelRef ref) {
   return {n % hues.size(), n / hues.size()};
 }
 
-Color tint(Place place, float whiteness) { return mix_colors(hues[place.hue], rgb(0xffffff), whiteness); }
-Color shade(Place place, float blackness) { return mix_colors(hues[place.hue], rgb(0x10131a), blackness); }
+Color tint(Place place, float whiteness) {
+  return mix_colors(hues[place.hue], rgb(0xffffff), whiteness);
+}
+Color shade(Place place, float blackness) {
+  return mix_colors(hues[place.hue], rgb(0x10131a), blackness);
+}
 
 }  // namespace
 
 Color pack_color(const glm::vec4& rgba) {
   const glm::vec4 bytes = glm::round(glm::clamp(rgba, 0.0f, 1.0f) * 255.0f);
-  return static_cast<Color>(bytes.r) | static_cast<Color>(bytes.g) << 8 | static_cast<Color>(bytes.b) << 16 |
-         static_cast<Color>(bytes.a) << 24;
+  return static_cast<Color>(bytes.r) | static_cast<Color>(bytes.g) << 8 |
+         static_cast<Color>(bytes.b) << 16 | static_cast<Color>(bytes.a) << 24;
 }
 
 glm::vec4 unpack_color(Color color) {
@@ -64,7 +69,8 @@ Color mix_colors(Color a, Color b, float t) {
 }
 
 Color ramp_color(float t, ColorMap map) {
-  const std::span<const Color> stops = map == ColorMap::Viridis ? std::span<const Color>(viridis) : magma;
+  const std::span<const Color> stops =
+      map == ColorMap::Viridis ? std::span<const Color>(viridis) : magma;
   const float at = std::clamp(t, 0.0f, 1.0f) * static_cast<float>(stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   return mix_colors(stops[below], stops[below + 1], at - static_cast<float>(below));

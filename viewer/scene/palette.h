@@ -9,7 +9,8 @@
 
 namespace aomd::scene {
 
-/// sRGB with alpha, one byte each, red in the lowest: the bytes R, G, B, A in memory (and ImGui's ImU32).
+/// sRGB with alpha, one byte each, red in the lowest: the bytes R, G, B, A in memory (and ImGui's
+/// ImU32).
 using Color = std::uint32_t;
 
 /// From components in [0,1]; values outside are clamped.
@@ -22,10 +23,10 @@ using Color = std::uint32_t;
 /// a at t = 0, b at t = 1, per channel.
 [[nodiscard]] Color mix_colors(Color a, Color b, float t);
 
-/// The colour of a model entity, the same in every run and on every machine. Based on the palette of Okabe
-/// and Ito: model vertices strongest, model edges strong, model faces and regions light tints; consecutive
-/// tags get hues that lie far apart. The first 8 tags differ in hue, the next ones in lightness too. Never
-/// the neutral one.
+/// The colour of a model entity, the same in every run and on every machine. Based on the palette
+/// of Okabe and Ito: model vertices strongest, model edges strong, model faces and regions light
+/// tints; consecutive tags get hues that lie far apart. The first 8 tags differ in hue, the next
+/// ones in lightness too. Never the neutral one.
 [[nodiscard]] Color color_of(ModelRef ref);
 
 /// Stands for the lines where model faces meet in a mesh that names no model edges.
@@ -37,8 +38,8 @@ inline constexpr ModelRef unnamed_border{1, 0};
 /// The colour of what is not classified.
 [[nodiscard]] constexpr Color unclassified_color() { return rgb(0xc9ccd1); }
 
-/// Scales for numbers. Lightness rises evenly along both, also for colour-blind eyes and in grey; the darkest
-/// part of each is left out, because shading would not show on it.
+/// Scales for numbers. Lightness rises evenly along both, also for colour-blind eyes and in grey;
+/// the darkest part of each is left out, because shading would not show on it.
 enum class ColorMap {
   Viridis,  ///< dark blue over green to yellow
   Magma,    ///< violet over red to pale yellow: where more is worse

@@ -17,8 +17,9 @@ struct ElementRange {
   friend bool operator==(const ElementRange&, const ElementRange&) = default;
 };
 
-/// A few sorted, disjoint ranges. Ranges closer than `max_gap` elements become one; beyond `max_ranges` the
-/// two nearest become one, so that adding costs O(max_ranges) whatever happened before.
+/// A few sorted, disjoint ranges. Ranges closer than `max_gap` elements become one; beyond
+/// `max_ranges` the two nearest become one, so that adding costs O(max_ranges) whatever happened
+/// before.
 class DirtyRanges {
  public:
   static constexpr std::size_t max_ranges = 64;
@@ -88,8 +89,8 @@ class Patched {
     values_[i] = value;
     dirty_.add({i, i + 1});
   }
-  /// `count` elements from `begin` on, to be written by the caller; dirty from now on. begin + count <=
-  /// size().
+  /// `count` elements from `begin` on, to be written by the caller; dirty from now on. begin +
+  /// count <= size().
   [[nodiscard]] std::span<T> edit(std::size_t begin, std::size_t count) {
     dirty_.add({begin, begin + count});
     return std::span<T>(values_).subspan(begin, count);

@@ -28,8 +28,8 @@ double inner_radius(const std::array<glm::dvec2, 3>& t) {
   return around > 0 ? std::abs(u.x * v.y - u.y * v.x) / around : 0;
 }
 
-/// What the clipping plane leaves, where it cuts or takes whole faces away; a skin is made without the
-/// regions that it takes.
+/// What the clipping plane leaves, where it cuts or takes whole faces away; a skin is made without
+/// the regions that it takes.
 class Clipping {
  public:
   Clipping(const Shown& shown, const View& view) {
@@ -37,7 +37,9 @@ class Clipping {
     plane_ = view.clip->plane(shown.bounds);
     cuts_ = !view.clip->cells;
   }
-  [[nodiscard]] bool keeps(const glm::dvec3& p) const { return !plane_ || !cuts_ || height(p) >= 0; }
+  [[nodiscard]] bool keeps(const glm::dvec3& p) const {
+    return !plane_ || !cuts_ || height(p) >= 0;
+  }
   [[nodiscard]] bool keeps(const Mesh& drawn, Face f) const {
     if (!plane_ || cuts_) return true;
     const auto [a, b, c] = drawn.triangle(f);
@@ -94,14 +96,17 @@ std::uint32_t flags_of(const Shown& shown, Face face) {
   return shown.skin ? shown.skin->flags[face.index] : 0;
 }
 
-Vertex whole(const Shown& shown, Vertex v) { return shown.skin ? shown.skin->vertices[v.index] : v; }
+Vertex whole(const Shown& shown, Vertex v) {
+  return shown.skin ? shown.skin->vertices[v.index] : v;
+}
 
 /// The face itself, or where the mesh does not have it the region behind.
 EntityRef whole(const Shown& shown, Face face, PickLevel level) {
   if (!shown.skin) return level == PickLevel::Region ? EntityRef() : EntityRef(face);
   const Face own = shown.skin->faces[face.index];
   const Region region = shown.skin->regions[face.index];
-  const bool takes_region = level == PickLevel::Region || (level == PickLevel::Automatic && !own.valid());
+  const bool takes_region =
+      level == PickLevel::Region || (level == PickLevel::Automatic && !own.valid());
   if (takes_region) return region.valid() ? EntityRef(region) : EntityRef();
   return own.valid() ? EntityRef(own) : EntityRef();
 }
@@ -150,12 +155,14 @@ void Picker::build(const Shown& shown) {
   loose_.clear();
 }
 
-std::optional<Picker::Hit> Picker::first(const Shown& shown, const View& view, const Ray& ray) const {
+std::optional<Picker::Hit> Picker::first(const Shown& shown, const View& view,
+                                         const Ray& ray) const {
   const auto [from, to] = Clipping(shown, view).kept_part(ray);
   const Ray kept{ray.origin + from * ray.direction, ray.direction};
   Hit best = first_face(shown, view, kept);
   if (cells_) {
-    const auto hit = cells_->first_along(kept.origin, kept.direction, [](std::uint32_t) { return true; });
+    const auto hit =
+        cells_->first_along(kept.origin, kept.direction, [](std::uint32_t) { return true; });
     if (hit.distance < best.distance)
       best = {{}, shown.cell_regions[cells_->source(hit.triangle)], hit.distance};
   }
@@ -223,23 +230,27 @@ EntityRef Picker::at(const Shown& shown, const View& view, glm::dvec2 ndc) {
                              {slant, -slant},
                              {-slant, -slant}})
     if (!hit)
-      hit = first(shown, view, view.camera.ray(project.ndc(at + reach_px * d), view.aspect, shown.bounds));
+      hit = first(shown, view,
+                  view.camera.ray(project.ndc(at + reach_px * d), view.aspect, shown.bounds));
   if (!hit) return {};
   const bool any = view.pick_level == PickLevel::Automatic;
   if (!hit->face.valid()) {
-    const bool taken = !beside && hit->region.valid() && (any || view.pick_level == PickLevel::Region);
+    const bool taken =
+        !beside && hit->region.valid() && (any || view.pick_level == PickLevel::Region);
     return taken ? EntityRef(hit->region) : EntityRef();
   }
   const auto t = shown.drawn.triangle(hit->face);
-  const Near near =
-      nearest_parts(project, shown.drawn, hit->face, flags_of(shown, hit->face), Clipping(shown, view), at);
+  const Near near = nearest_parts(project, shown.drawn, hit->face, flags_of(shown, hit->face),
+                                  Clipping(shown, view), at);
   // On small faces there is less room for each.
   const double vertex_reach = beside ? vertex_px : std::min(vertex_px, 0.7 * near.radius_px);
   const double edge_reach = beside ? edge_px : std::min(edge_px, 0.5 * near.radius_px);
   const bool some_corner = std::isfinite(near.corner_px);
-  if (some_corner && (view.pick_level == PickLevel::Vertex || (any && near.corner_px <= vertex_reach)))
+  if (some_corner &&
+      (view.pick_level == PickLevel::Vertex || (any && near.corner_px <= vertex_reach)))
     return whole(shown, t[near.corner]);
-  if (near.side < 3 && (view.pick_level == PickLevel::Edge || (any && near.side_px <= edge_reach))) {
+  if (near.side < 3 &&
+      (view.pick_level == PickLevel::Edge || (any && near.side_px <= edge_reach))) {
     const Edge e = entity(shown, whole(shown, t[near.side]), whole(shown, t[(near.side + 1) % 3]));
     if (e.valid()) return e;
   }
@@ -248,16 +259,16 @@ EntityRef Picker::at(const Shown& shown, const View& view, glm::dvec2 ndc) {
   return whole(shown, hit->face, view.pick_level);
 }
 
-bool Picker::visible(const Shown& shown, const View& view, const Projector& project, const glm::dvec3& p,
-                     Face own) const {
+bool Picker::visible(const Shown& shown, const View& view, const Projector& project,
+                     const glm::dvec3& p, Face own) const {
   const Ray ray = view.camera.ray(project.ndc(project(p)), view.aspect, shown.bounds);
   const auto hit = first(shown, view, ray);
   const double distance = glm::dot(p - ray.origin, ray.direction);
   return !hit || hit->face == own || hit->distance >= distance * (1 - 1e-6);
 }
 
-// What a face contributes to a box: itself, or its vertices or edges, each where all of it is inside and can
-// be seen.
+// What a face contributes to a box: itself, or its vertices or edges, each where all of it is
+// inside and can be seen.
 void Picker::add_parts(const Shown& shown, const View& view, const Inside& inside, Face f,
                        std::vector<EntityRef>& found) {
   const Mesh& drawn = shown.drawn;
@@ -269,7 +280,8 @@ void Picker::add_parts(const Shown& shown, const View& view, const Inside& insid
       if (inside.vertices[t[i]] && seen(at(i))) found.push_back(whole(shown, t[i]));
   } else if (view.pick_level == PickLevel::Edge) {
     for (std::size_t i = 0, k = 1; i < 3; ++i, k = (i + 1) % 3) {
-      if (!inside.vertices[t[i]] || !inside.vertices[t[k]] || (flags_of(shown, f) >> i & 1u) != 0) continue;
+      if (!inside.vertices[t[i]] || !inside.vertices[t[k]] || (flags_of(shown, f) >> i & 1u) != 0)
+        continue;
       const Edge e = entity(shown, whole(shown, t[i]), whole(shown, t[k]));
       if (e.valid() && seen(0.5 * (at(i) + at(k)))) found.push_back(e);
     }
@@ -291,7 +303,8 @@ void Picker::add_cells(const Shown& shown, const View& view, const Inside& insid
   }
 }
 
-std::vector<EntityRef> Picker::within(const Shown& shown, const View& view, glm::dvec2 low, glm::dvec2 high) {
+std::vector<EntityRef> Picker::within(const Shown& shown, const View& view, glm::dvec2 low,
+                                      glm::dvec2 high) {
   if (!loose_.empty()) forget();  // too many rays to look at those for each
   build(shown);
   const Mesh& drawn = shown.drawn;

@@ -26,7 +26,7 @@ struct Shown {
   const Mesh& mesh;                   ///< the same one, for a surface of triangles
   const SkinSurface* skin = nullptr;  ///< leads from one to the other where they differ
   Box bounds;
-  std::span<const Corner> cells = {};         ///< sections and shrunken regions, relative to `origin`
+  std::span<const Corner> cells = {};  ///< sections and shrunken regions, relative to `origin`
   std::span<const Region> cell_regions = {};  ///< of each triangle of those
   glm::dvec3 origin{0};
 };
@@ -46,8 +46,8 @@ class Projector {
   glm::dvec2 size_;
 };
 
-/// Picks on one shown surface after the other. The tree is built at the first pick; after small changes only
-/// the faces that they touched are looked at beside it.
+/// Picks on one shown surface after the other. The tree is built at the first pick; after small
+/// changes only the faces that they touched are looked at beside it.
 class Picker {
  public:
   /// Another surface is shown, or parts of it have changed: the faces of `changes`.
@@ -56,9 +56,10 @@ class Picker {
   /// Other cells are shown.
   void forget_cells() { cells_.reset(); }
 
-  /// The entity at a place (-1..1): what the view's level asks for. An invalid one beside the surface. Hidden
-  /// classes and what the clipping plane takes away are looked through; sections and shrunken regions give
-  /// their region. O(log n) once the tree is there (0.1 s for 200,000 faces).
+  /// The entity at a place (-1..1): what the view's level asks for. An invalid one beside the
+  /// surface. Hidden classes and what the clipping plane takes away are looked through; sections
+  /// and shrunken regions give their region. O(log n) once the tree is there (0.1 s for 200,000
+  /// faces).
   [[nodiscard]] EntityRef at(const Shown& shown, const View& view, glm::dvec2 ndc);
   /// What can be seen in a rectangle, as a whole: of the view's level, Automatic takes faces.
   [[nodiscard]] std::vector<EntityRef> within(const Shown& shown, const View& view, glm::dvec2 low,
@@ -71,7 +72,8 @@ class Picker {
     double distance = 0;
   };
   void build(const Shown& shown);
-  [[nodiscard]] std::optional<Hit> first(const Shown& shown, const View& view, const Ray& ray) const;
+  [[nodiscard]] std::optional<Hit> first(const Shown& shown, const View& view,
+                                         const Ray& ray) const;
   [[nodiscard]] Hit first_face(const Shown& shown, const View& view, const Ray& ray) const;
   struct Inside {
     Projector project;
@@ -86,7 +88,8 @@ class Picker {
                              const glm::dvec3& p, Face own) const;
   void add_parts(const Shown& shown, const View& view, const Inside& inside, Face f,
                  std::vector<EntityRef>& found);
-  void add_cells(const Shown& shown, const View& view, const Inside& inside, std::vector<EntityRef>& found);
+  void add_cells(const Shown& shown, const View& view, const Inside& inside,
+                 std::vector<EntityRef>& found);
   [[nodiscard]] Edge entity(const Shown& shown, Vertex a, Vertex b);
 
   std::unique_ptr<const TriangleTree> tree_;

@@ -20,7 +20,8 @@ std::string file_name(PictureSeries::Kind kind, int number) {
 }  // namespace
 
 PictureSeries::PictureSeries(Kind kind, std::filesystem::path folder, int count,
-                             std::optional<glm::ivec2> size, const Document& document, const View& view)
+                             std::optional<glm::ivec2> size, const Document& document,
+                             const View& view)
     : kind_(kind),
       folder_(std::move(folder)),
       count_(count),
@@ -33,7 +34,8 @@ PictureSeries::PictureSeries(Kind kind, std::filesystem::path folder, int count,
         std::min<std::size_t>(static_cast<std::size_t>(count), document.journal().size() + 1));
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) throw io::WriteError(folder_.string(), {}, "this folder cannot be made: " + error.message());
+  if (error)
+    throw io::WriteError(folder_.string(), {}, "this folder cannot be made: " + error.message());
 }
 
 std::optional<ScreenshotRequest> PictureSeries::next(Document& document, View& view) {
@@ -44,8 +46,8 @@ std::optional<ScreenshotRequest> PictureSeries::next(Document& document, View& v
   } else {
     view.operation = false;  // a mark that jumps about says nothing
     const double part = count_ > 1 ? static_cast<double>(made_) / (count_ - 1) : 1.0;
-    document.seek(
-        static_cast<std::size_t>(std::llround(part * static_cast<double>(document.journal().size()))));
+    document.seek(static_cast<std::size_t>(
+        std::llround(part * static_cast<double>(document.journal().size()))));
   }
   ++made_;
   return ScreenshotRequest{folder_ / file_name(kind_, made_), size_, false, false};

@@ -19,14 +19,16 @@ struct ScreenshotRequest {
   bool interface = true;           ///< with panels, where there are any
 };
 
-/// One after the other, so that whoever draws can show how far it is and be told to stop. Holds what it has
-/// to put back: the camera, the place in the history, and whether the last operation is marked.
+/// One after the other, so that whoever draws can show how far it is and be told to stop. Holds
+/// what it has to put back: the camera, the place in the history, and whether the last operation is
+/// marked.
 class PictureSeries {
  public:
   enum class Kind { Turntable, History };
 
-  /// `count` >= 1 pictures named turn-0001.png or history-0001.png in `folder`, which is made. A history of S
-  /// operations has at most S + 1 different pictures: no more are made. Throws io::WriteError.
+  /// `count` >= 1 pictures named turn-0001.png or history-0001.png in `folder`, which is made. A
+  /// history of S operations has at most S + 1 different pictures: no more are made. Throws
+  /// io::WriteError.
   PictureSeries(Kind kind, std::filesystem::path folder, int count, std::optional<glm::ivec2> size,
                 const Document& document, const View& view);
 

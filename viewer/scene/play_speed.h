@@ -15,7 +15,8 @@ struct PlaySpeed {
   static constexpr double slowest = 0.5, fastest = 1e6;  ///< operations a second
   static constexpr double shortest_s = 0.5, longest_s = 3600;
 
-  double per_s = 0;     ///< 0: as `whole_s` asks for, but slow enough to follow each of a few operations
+  double per_s =
+      0;  ///< 0: as `whole_s` asks for, but slow enough to follow each of a few operations
   double whole_s = 12;  ///< seconds for the whole history
 
   /// Operations a second in a history of `size` operations.

@@ -1,5 +1,6 @@
 #pragma once
-// Keeps unsaved work on disk while it is being done, so that a program that dies loses a few seconds of it.
+// Keeps unsaved work on disk while it is being done, so that a program that dies loses a few
+// seconds of it.
 
 #include <chrono>
 #include <filesystem>
@@ -10,9 +11,9 @@
 
 namespace aomd::scene {
 
-/// Of one process. Writes in the background, a whole journal each time: after each command, and during a run
-/// every few seconds; never for more than a twentieth of the time. Files appear whole or not at all. Where
-/// the folder cannot be written nothing is kept, and nobody is bothered.
+/// Of one process. Writes in the background, a whole journal each time: after each command, and
+/// during a run every few seconds; never for more than a twentieth of the time. Files appear whole
+/// or not at all. Where the folder cannot be written nothing is kept, and nobody is bothered.
 ///
 /// Kept are surfaces of triangles that came from a file or a sample: what can be decimated.
 class RecoveryKeeper {
@@ -20,14 +21,15 @@ class RecoveryKeeper {
   using Clock = std::chrono::steady_clock;
 
   explicit RecoveryKeeper(std::filesystem::path folder);
-  /// Waits for what is being written. The files stay, for the next start to find: only finish() removes them.
+  /// Waits for what is being written. The files stay, for the next start to find: only finish()
+  /// removes them.
   ~RecoveryKeeper();
   RecoveryKeeper(const RecoveryKeeper&) = delete;
   RecoveryKeeper& operator=(const RecoveryKeeper&) = delete;
 
-  /// Has the present state written where it is due, or the files removed where nothing is unsaved any more.
-  /// To be called after commands and, while something goes on, every now and then: cheap where nothing has
-  /// changed, a copy of the journal where it has.
+  /// Has the present state written where it is due, or the files removed where nothing is unsaved
+  /// any more. To be called after commands and, while something goes on, every now and then: cheap
+  /// where nothing has changed, a copy of the journal where it has.
   void update(const Document& document);
   /// The same whatever the pauses, and waits until it is done.
   void write_now(const Document& document);

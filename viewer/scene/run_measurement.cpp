@@ -7,8 +7,8 @@
 
 namespace aomd::scene {
 
-std::unique_ptr<Background<std::vector<MeasuredRun>>> start_measuring(MeshData original, double unit,
-                                                                      std::vector<MeasuredRun> runs) {
+std::unique_ptr<Background<std::vector<MeasuredRun>>> start_measuring(
+    MeshData original, double unit, std::vector<MeasuredRun> runs) {
   return std::make_unique<Background<std::vector<MeasuredRun>>>(
       [data = std::move(original), unit, runs = std::move(runs)](const std::stop_token& stop,
                                                                  std::atomic<double>&) mutable {
@@ -17,7 +17,8 @@ std::unique_ptr<Background<std::vector<MeasuredRun>>> start_measuring(MeshData o
         for (MeasuredRun& run : runs) {
           if (stop.stop_requested()) break;
           const Mesh result(*run.data);
-          const auto distance = measure::mutual_distance(before, measure::Surface(result), run_samples);
+          const auto distance =
+              measure::mutual_distance(before, measure::Surface(result), run_samples);
           run.distance = {100 * distance.rms() / unit, 100 * distance.max() / unit};
         }
         return std::move(runs);

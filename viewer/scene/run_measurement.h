@@ -24,8 +24,8 @@ struct MeasuredRun {
 
 inline constexpr std::size_t run_samples = 100'000;  ///< on each surface, besides all vertices
 
-/// Measures one after the other on copies, in the background: see measure::mutual_distance. `unit` is the
-/// length that is 100 %. Stopped, it ends after the one that is being measured.
+/// Measures one after the other on copies, in the background: see measure::mutual_distance. `unit`
+/// is the length that is 100 %. Stopped, it ends after the one that is being measured.
 [[nodiscard]] std::unique_ptr<Background<std::vector<MeasuredRun>>> start_measuring(
     MeshData original, double unit, std::vector<MeasuredRun> runs);
 

@@ -104,7 +104,8 @@ SavedWork parse(const Json& json, const fs::path& file) {
   work.marks = marks_from(json.at("marks"), work.steps);
   for (const Json& mark : json.value("bookmarks", Json::array())) {
     work.bookmarks.emplace_back(mark.at(0), mark.at(1));
-    if (work.bookmarks.back().second > work.steps) throw std::range_error("a bookmark beyond the history");
+    if (work.bookmarks.back().second > work.steps)
+      throw std::range_error("a bookmark beyond the history");
   }
   work.options = options_from(json.at("options"));
   work.spacing = json.at("spacing");
@@ -119,7 +120,8 @@ SavedWork parse(const Json& json, const fs::path& file) {
   return work;
 }
 
-/// What a process has left that its NAME.json does not name: journals, and files that it was about to write.
+/// What a process has left that its NAME.json does not name: journals, and files that it was about
+/// to write.
 void remove_strays(const fs::path& folder, const std::string& name, const fs::path& kept) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error); !error && it != fs::directory_iterator();

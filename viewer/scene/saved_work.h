@@ -1,7 +1,7 @@
 #pragma once
-// What a recovery folder keeps of a session: NAME.json says where the mesh came from, how far the history is
-// applied and what was set; NAME-N.journal beside it is that history. NAME is the process, NAME.lock is
-// locked while it lives.
+// What a recovery folder keeps of a session: NAME.json says where the mesh came from, how far the
+// history is applied and what was set; NAME-N.journal beside it is that history. NAME is the
+// process, NAME.lock is locked while it lives.
 
 #include <filesystem>
 #include <memory>
@@ -17,7 +17,8 @@ namespace aomd::scene {
 /// A file that is locked while this lives. The lock goes with the process, however it ends.
 class FileLock {
  public:
-  /// Makes the file where there is none. Null when another holder is alive, or the folder cannot be written.
+  /// Makes the file where there is none. Null when another holder is alive, or the folder cannot be
+  /// written.
   [[nodiscard]] static std::shared_ptr<const FileLock> take(const std::filesystem::path& file);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -34,10 +35,11 @@ struct SavedWork {
   std::size_t cursor = 0;
   std::size_t steps = 0;  ///< in the journal
   std::vector<HistoryMark> marks;
-  std::vector<std::pair<std::string, std::size_t>> bookmarks;  ///< names and places; without branches
-  DecimationOptions options;                                   ///< without spacing, keep and model
-  std::string spacing;                                         ///< source of the spacing; empty: none
-  ClassifyOptions classify;                                    ///< of the next classification
+  std::vector<std::pair<std::string, std::size_t>>
+      bookmarks;              ///< names and places; without branches
+  DecimationOptions options;  ///< without spacing, keep and model
+  std::string spacing;        ///< source of the spacing; empty: none
+  ClassifyOptions classify;   ///< of the next classification
   bool snaps = false;
   std::filesystem::path model;  ///< the CAD file that the mesh lies on; empty: none
   std::int64_t seconds = 0;     ///< when it was written, since 1970
@@ -57,12 +59,12 @@ struct SavedWork {
 /// Throws io::ReadError for what is no such file.
 [[nodiscard]] SavedWork read_saved_work(const std::filesystem::path& file);
 
-/// Puts the history, nothing of it applied, into a mesh that has just been loaded from the work's source.
-/// Throws io::ReadError when the mesh is not the one that the history starts from.
+/// Puts the history, nothing of it applied, into a mesh that has just been loaded from the work's
+/// source. Throws io::ReadError when the mesh is not the one that the history starts from.
 void restore_history(LoadedMesh& loaded, const SavedWork& work);
 
-/// The work that dead processes have left in a folder, newest first; each locked while it is held. Files
-/// that cannot be read are passed over.
+/// The work that dead processes have left in a folder, newest first; each locked while it is held.
+/// Files that cannot be read are passed over.
 [[nodiscard]] std::vector<std::shared_ptr<const SavedWork>> find_saved_work(
     const std::filesystem::path& folder);
 

@@ -27,8 +27,8 @@ Script::Script(const std::filesystem::path& file) : name_(file.string()) {
 bool Script::advance(Session& session) {
   if (done()) return false;
   const std::string& line = lines_[next_];
-  // What fails while it is loaded is the fault of the line that asked for it: wait, unless that is taken
-  // back.
+  // What fails while it is loaded is the fault of the line that asked for it: wait, unless that is
+  // taken back.
   const bool may = may_interrupt(line) && (!session.loading() || line.rfind("cancel", 0) == 0);
   const bool ready = (session.idle() && session.screenshots.empty()) || may;
   if (!ready) return false;

@@ -22,8 +22,9 @@ class Script {
   explicit Script(const std::filesystem::path& file);
 
   [[nodiscard]] bool done() const { return next_ >= lines_.size(); }
-  /// Carries out the next line once the session is idle, or asks for pictures that are not taken yet;
-  /// `cancel`, `pause` and `log` do not wait. Returns false where it had to wait. Throws ScriptError.
+  /// Carries out the next line once the session is idle, or asks for pictures that are not taken
+  /// yet; `cancel`, `pause` and `log` do not wait. Returns false where it had to wait. Throws
+  /// ScriptError.
   bool advance(Session& session);
   /// To be called while what the last line started has thrown: throws ScriptError with that nested.
   [[noreturn]] void fail() const;

@@ -44,11 +44,14 @@ void Selection::add(std::span<const EntityRef> entities) {
 void Selection::remove(std::span<const EntityRef> entities) {
   const std::vector<EntityRef> gone = sorted(entities);
   std::vector<EntityRef> rest;
-  std::set_difference(entities_.begin(), entities_.end(), gone.begin(), gone.end(), std::back_inserter(rest));
+  std::set_difference(entities_.begin(), entities_.end(), gone.begin(), gone.end(),
+                      std::back_inserter(rest));
   replace(std::move(rest));
 }
 
-void Selection::toggle(EntityRef e) { contains(e) ? remove(std::span(&e, 1)) : add(std::span(&e, 1)); }
+void Selection::toggle(EntityRef e) {
+  contains(e) ? remove(std::span(&e, 1)) : add(std::span(&e, 1));
+}
 
 void Selection::drop_dead(const Mesh& mesh) {
   const auto dead = [&](EntityRef e) { return !mesh.alive(e); };
@@ -73,7 +76,8 @@ std::vector<EntityRef> grown(const Mesh& mesh, const Selection& selection) {
   }
   std::vector<EntityRef> result(selection.entities().begin(), selection.entities().end());
   const auto near = [&](std::span<const std::uint32_t> vertices) {
-    return std::any_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return touched[v] != 0; });
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](std::uint32_t v) { return touched[v] != 0; });
   };
   for (int dim = 1; dim <= 3; ++dim)
     for_level(mesh, dim, [&](EntityRef e, std::span<const std::uint32_t> vertices) {

@@ -41,8 +41,9 @@ class Selection {
 /// "3 edges, 1 face"; "nothing".
 [[nodiscard]] std::string selection_text(const Selection& selection);
 
-/// What the selection touches: the entities of its kinds that share a vertex with one of it, itself included.
-/// For vertices those of the faces and regions around. Whatever T stores; O(entities of those kinds).
+/// What the selection touches: the entities of its kinds that share a vertex with one of it, itself
+/// included. For vertices those of the faces and regions around. Whatever T stores; O(entities of
+/// those kinds).
 [[nodiscard]] std::vector<EntityRef> grown(const Mesh& mesh, const Selection& selection);
 
 }  // namespace aomd::scene

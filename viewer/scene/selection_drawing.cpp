@@ -23,7 +23,8 @@ Color with_alpha(Color color, float alpha) {
 /// Puts one entity into an overlay.
 class EntityPainter {
  public:
-  EntityPainter(const Mesh& mesh, const OverlayStyle& style, const glm::dvec3& origin, Overlay& overlay)
+  EntityPainter(const Mesh& mesh, const OverlayStyle& style, const glm::dvec3& origin,
+                Overlay& overlay)
       : mesh_(mesh), style_(style), origin_(origin), overlay_(overlay) {}
 
   void add(EntityRef e) {
@@ -74,7 +75,8 @@ class EntityPainter {
     const glm::vec3 from = place(a), along = place(b) - from;
     for (int k = 0; k < dashes; ++k) {
       const float start = static_cast<float>(k) * (dash + gap);
-      lines_.push_back({from + start * along, from + (start + dash) * along, style_.color, style_.line_px});
+      lines_.push_back(
+          {from + start * along, from + (start + dash) * along, style_.color, style_.line_px});
     }
   }
   void add_polygon(std::span<const std::uint32_t> v) {
@@ -112,10 +114,12 @@ void draw_cells(const Drawable& drawable, std::span<const Region> regions,
   if (regions.empty() || entities.empty() || entities.back().dimension != 3) return;
   std::vector<Corner> corners(overlay.faces.values().begin(), overlay.faces.values().end());
   for (std::size_t n = 0; n < regions.size(); ++n) {
-    if (!regions[n].valid() || !std::binary_search(entities.begin(), entities.end(), EntityRef(regions[n])))
+    if (!regions[n].valid() ||
+        !std::binary_search(entities.begin(), entities.end(), EntityRef(regions[n])))
       continue;
     for (std::size_t i = 3 * n; i < 3 * n + 3; ++i)
-      corners.push_back({drawable.cells[i].position, 0, with_alpha(style.color, style.face_alpha), 0});
+      corners.push_back(
+          {drawable.cells[i].position, 0, with_alpha(style.color, style.face_alpha), 0});
   }
   overlay.faces.assign(std::move(corners));
 }

@@ -23,14 +23,15 @@ struct OverlayStyle {
 /// What decided against an operation.
 [[nodiscard]] OverlayStyle deciding_style();
 
-/// Adds live entities to an overlay: vertices as discs, edges as lines on a dark rim, faces and the sides of
-/// regions as tinted areas with their outline. Beyond `most` the rest is left out. O(entities).
+/// Adds live entities to an overlay: vertices as discs, edges as lines on a dark rim, faces and the
+/// sides of regions as tinted areas with their outline. Beyond `most` the rest is left out.
+/// O(entities).
 void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const OverlayStyle& style,
                    const glm::dvec3& origin, Overlay& overlay);
 inline constexpr std::size_t most_drawn = 60000;
 
-/// Tints the cells of a drawable (sections and shrunken regions, `regions` gives the one of each triangle)
-/// that belong to entities. O(cells log(entities)); `entities` are sorted.
+/// Tints the cells of a drawable (sections and shrunken regions, `regions` gives the one of each
+/// triangle) that belong to entities. O(cells log(entities)); `entities` are sorted.
 void draw_cells(const Drawable& drawable, std::span<const Region> regions,
                 std::span<const EntityRef> entities, const OverlayStyle& style, Overlay& overlay);
 

@@ -135,7 +135,8 @@ void Session::advance_series() {
     return;
   }
   series_->put_back(document, view);
-  status = "Saved " + std::to_string(series_->count()) + " pictures in " + series_->folder().string();
+  status =
+      "Saved " + std::to_string(series_->count()) + " pictures in " + series_->folder().string();
   series_.reset();
 }
 
@@ -164,8 +165,8 @@ void Session::take_comparison(bool wait) {
   auto result = take(comparison_, wait);
   if (!result) return;
   strategies_ = std::move(result);
-  status =
-      strategies_->same ? "Both strategies lead to the same mesh" : "The strategies lead to different meshes";
+  status = strategies_->same ? "Both strategies lead to the same mesh"
+                             : "The strategies lead to different meshes";
 }
 
 void Session::come_to_rest() {
@@ -247,8 +248,10 @@ void Session::refresh_skin() {
   const bool recut = renew(cells_, cell_style(view, content.bounds));
   const auto plane = cells_->whole_plane();
   SurfaceChanges changes;
-  if (const SkinStyle style = skin_style(view); moved || plane != skin_plane_ || style != skin_style_) {
-    if (place != skin_place_ && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
+  if (const SkinStyle style = skin_style(view);
+      moved || plane != skin_plane_ || style != skin_style_) {
+    if (place != skin_place_ && content.volume())
+      facts_.set(volume_facts(content.mesh, *content.skin));
     changes.everything = true;
     if (place != skin_place_ && !content.volume()) facts_.update(content.mesh, changes);
     if (moved || plane != skin_plane_) clipped_skin_.reset();
@@ -299,8 +302,9 @@ void Session::refresh_cells() {
   drawing_.set_cells(std::move(faces.corners));
   cell_regions_ = std::move(faces.regions);
   picker_.forget_cells();
-  drawing_.set_interior_edges(cells_->interior_edges ? draw_interior_edges(mesh, skin, *cells_, origin)
-                                                     : std::vector<Segment>());
+  drawing_.set_interior_edges(cells_->interior_edges
+                                  ? draw_interior_edges(mesh, skin, *cells_, origin)
+                                  : std::vector<Segment>());
 }
 
 void Session::refresh_field(const Mesh& shown, SurfaceChanges& changes) {
@@ -324,7 +328,8 @@ void Session::refresh_surface() {
   judge_edges();
   refresh_marks(changed);
   const auto focus = view.operation ? document.focus() : std::nullopt;
-  if (focus != drawn_focus_ || view.step_sides != drawn_sides_ || changed || view.marked != drawn_mark_) {
+  if (focus != drawn_focus_ || view.step_sides != drawn_sides_ || changed ||
+      view.marked != drawn_mark_) {
     drawing_.highlight_step(document.mesh(), document.journal(), focus, view.step_sides);
     drawn_focus_ = focus;
     drawn_sides_ = view.step_sides;
@@ -340,7 +345,8 @@ std::vector<EntityRef> Session::counted_in(const MarkedBar& bar) {
 
 void Session::refresh_marks(bool changed) {
   auto marked = newly_marked(changed);
-  if (marked && (view.marked || drawn_mark_)) drawing_.set_marked(document.mesh(), std::move(*marked));
+  if (marked && (view.marked || drawn_mark_))
+    drawing_.set_marked(document.mesh(), std::move(*marked));
 }
 
 }  // namespace aomd::scene

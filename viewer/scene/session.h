@@ -1,6 +1,6 @@
 #pragma once
-// All of the viewer's state that is not on the GPU: document, view, what is under way, and what is to be
-// said.
+// All of the viewer's state that is not on the GPU: document, view, what is under way, and what is
+// to be said.
 
 #include <deque>
 #include <filesystem>
@@ -53,9 +53,10 @@ class Session {
   std::string asked;                     ///< the line that waits for an answer about unsaved work
   std::optional<std::string> next_line;  ///< to be carried out after the present one
   LessonPlayer lesson;
-  std::uint64_t executed = 0;                                ///< how many commands were carried out
-  std::unique_ptr<RecoveryKeeper> recovery;                  ///< null: unsaved work is not kept
-  std::vector<std::shared_ptr<const SavedWork>> found_work;  ///< of programs that died, newest first
+  std::uint64_t executed = 0;                ///< how many commands were carried out
+  std::unique_ptr<RecoveryKeeper> recovery;  ///< null: unsaved work is not kept
+  std::vector<std::shared_ptr<const SavedWork>>
+      found_work;  ///< of programs that died, newest first
 
   void start_loading(LoadRequest request);
   void cancel_loading();
@@ -67,21 +68,23 @@ class Session {
   /// Nothing is loaded, running, played, exported, measured or judged.
   [[nodiscard]] bool idle() const { return at_rest() && !fields_.pending(); }
 
-  /// Measures the paper's two ways to store adjacencies on a copy of the present mesh, which must be there
-  /// and can be decimated, in the background. Ends a run.
+  /// Measures the paper's two ways to store adjacencies on a copy of the present mesh, which must
+  /// be there and can be decimated, in the background. Ends a run.
   void start_comparison();
   void cancel_comparison();
   /// While it goes on; else null.
   [[nodiscard]] const Background<StrategyResult>* comparison() const { return comparison_.get(); }
   /// The last one on the present mesh; null before.
-  [[nodiscard]] const StrategyResult* strategies() const { return strategies_ ? &*strategies_ : nullptr; }
+  [[nodiscard]] const StrategyResult* strategies() const {
+    return strategies_ ? &*strategies_ : nullptr;
+  }
 
   // States that are kept (session_runs.cpp). A mesh that can be decimated must be there.
   /// Keeps the present one; without a name it gets one, or keeps the one that it has.
   void keep_run(const std::string& name);
   void remove_run(unsigned number);
-  /// Measures in the background how far they are from the mesh as loaded, where that is not known yet. Ends a
-  /// run.
+  /// Measures in the background how far they are from the mesh as loaded, where that is not known
+  /// yet. Ends a run.
   void start_measuring();
   void cancel_measuring();
   [[nodiscard]] bool measuring() const { return measurement_ != nullptr; }
@@ -104,7 +107,8 @@ class Session {
   /// Puts back what it changed; the pictures that are made stay.
   void cancel_series();
 
-  /// What goes on by itself, for a frame of `frame_s` seconds: loading, a run (about `budget`), playing.
+  /// What goes on by itself, for a frame of `frame_s` seconds: loading, a run (about `budget`),
+  /// playing.
   void tick(std::chrono::microseconds budget, double frame_s);
   /// The same until nothing is loaded, running or played. Throws what loading threw.
   void finish();
@@ -121,15 +125,18 @@ class Session {
   [[nodiscard]] SurfaceDrawing& drawing() { return drawing_; }
   [[nodiscard]] const SurfaceDrawing& drawing() const { return drawing_; }
   /// The reference (above), in the same colours; null where it is not shown.
-  [[nodiscard]] SurfaceDrawing* original_drawing() { return shows_original_ ? &original_drawing_ : nullptr; }
+  [[nodiscard]] SurfaceDrawing* original_drawing() {
+    return shows_original_ ? &original_drawing_ : nullptr;
+  }
   [[nodiscard]] bool shows_original() const { return shows_original_; }
-  /// The reference has the left half of the picture, the present one the right. Volumes stay as loaded.
+  /// The reference has the left half of the picture, the present one the right. Volumes stay as
+  /// loaded.
   [[nodiscard]] bool side_by_side() const {
     return view.side_by_side && !document.empty() && !document.content().skin;
   }
 
-  // What lies under a place of the picture (-1..1), or in a rectangle (session_picking.cpp). A mesh must be
-  // there.
+  // What lies under a place of the picture (-1..1), or in a rectangle (session_picking.cpp). A mesh
+  // must be there.
   [[nodiscard]] EntityRef pick(glm::dvec2 ndc);
   [[nodiscard]] std::vector<EntityRef> pick(glm::dvec2 low, glm::dvec2 high);
   /// What the mouse points at.
@@ -143,25 +150,31 @@ class Session {
   /// One line on it: why an edge stays. Empty where that is not known at once.
   [[nodiscard]] const std::string& hovered_words() const { return hovered_words_; }
   /// Of the only entity that is selected; null where there are none or several.
-  [[nodiscard]] const Inspection* inspection() const { return inspection_ ? &*inspection_ : nullptr; }
+  [[nodiscard]] const Inspection* inspection() const {
+    return inspection_ ? &*inspection_ : nullptr;
+  }
   /// What decimation says about it; null where nothing, and while it runs.
   [[nodiscard]] const Judgement* judgement() const { return judgement_ ? &*judgement_ : nullptr; }
-  /// Around the only entity that is selected, of the level View::neighbours; null where nothing is to light
-  /// up.
-  [[nodiscard]] const Neighbours* neighbours() const { return neighbours_ ? &*neighbours_ : nullptr; }
+  /// Around the only entity that is selected, of the level View::neighbours; null where nothing is
+  /// to light up.
+  [[nodiscard]] const Neighbours* neighbours() const {
+    return neighbours_ ? &*neighbours_ : nullptr;
+  }
   /// What is said about every edge, while the colours show it; else null (session_verdicts.cpp).
   [[nodiscard]] const VerdictField* verdicts() const { return verdicts_ ? &*verdicts_ : nullptr; }
-  /// The edges that would be refused now, and why. A mesh that can be decimated must be there. O(edges).
+  /// The edges that would be refused now, and why. A mesh that can be decimated must be there.
+  /// O(edges).
   [[nodiscard]] std::vector<EntityRef> edges_refused_for(Reason reason);
-  /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may run, and
-  /// a mesh must be there. O(entities).
+  /// What the bar of a histogram counts: faces, edges or vertices, of a volume regions. Nothing may
+  /// run, and a mesh must be there. O(entities).
   [[nodiscard]] std::vector<EntityRef> counted_in(const MarkedBar& bar);
-  /// Of the highlighted model entity, while the page about it is up; null: none. As it was before a run.
+  /// Of the highlighted model entity, while the page about it is up; null: none. As it was before a
+  /// run.
   [[nodiscard]] const ModelEntityFacts* model_entity() const {
     return model_entity_ ? &*model_entity_ : nullptr;
   }
-  /// Draws entities as what stands against something, or would come of it, until the mesh or the selection
-  /// changes.
+  /// Draws entities as what stands against something, or would come of it, until the mesh or the
+  /// selection changes.
   void point_out(std::vector<EntityRef> entities);
   /// Which of the judgement's ways is drawn; their number: the swap.
   [[nodiscard]] std::size_t previewed_way() const;
@@ -218,13 +231,15 @@ class Session {
   std::vector<EntityRef> marked_cells_;  ///< of a mesh that is drawn by its skin
   SurfaceDrawing original_drawing_;
   bool shows_original_ = false;
-  std::pair<std::uint64_t, unsigned> drawn_original_;  ///< mesh and reference that original_drawing_ has
-  std::unique_ptr<BesideMesh> beside_;                 ///< the reference, where it is a kept state
+  std::pair<std::uint64_t, unsigned>
+      drawn_original_;                  ///< mesh and reference that original_drawing_ has
+  std::unique_ptr<BesideMesh> beside_;  ///< the reference, where it is a kept state
   unsigned beside_number_ = 0;
   std::unique_ptr<Background<std::vector<MeasuredRun>>> measurement_;
   double run_time_s_ = 0;               ///< of the run that goes on
   std::unique_ptr<SkinCutter> cutter_;  ///< of the present skin's mesh, once a plane was there
-  std::optional<Skin> clipped_skin_;    ///< of the regions before the plane, where it takes whole ones
+  std::optional<Skin>
+      clipped_skin_;  ///< of the regions before the plane, where it takes whole ones
   std::optional<glm::dvec4> skin_plane_;
   std::optional<CellStyle> cells_;           ///< what is drawn of the inside; none: nothing
   std::vector<Region> cell_regions_;         ///< of each triangle of the drawing's cells

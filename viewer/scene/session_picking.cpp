@@ -90,11 +90,12 @@ void Session::refresh_neighbours(bool anew) {
     neighbours_ = find_neighbours(document.mesh(), e, *view.neighbours);
 }
 
-/// What the mouse points at comes before what is selected; neighbours take the place of what an operation
-/// would lead to: both at once would be too much.
+/// What the mouse points at comes before what is selected; neighbours take the place of what an
+/// operation would lead to: both at once would be too much.
 const Judgement* Session::previewed() const {
   if (!view.preview || neighbours_) return nullptr;
-  const bool points = hovered_ && hovered_judgement_ && hovered_judgement_->entity == hovered_->entity;
+  const bool points =
+      hovered_ && hovered_judgement_ && hovered_judgement_->entity == hovered_->entity;
   if (points && hovered_->entity != selection.single()) return &*hovered_judgement_;
   return judgement_ ? &*judgement_ : nullptr;
 }
@@ -108,7 +109,8 @@ void Session::refresh_preview() {
   drawn_preview_ = wanted;
   Drawable& drawable = drawing_.drawable();
   drawable.preview.clear();
-  if (neighbours_) draw_neighbours(document.mesh(), *neighbours_, drawable.origin, drawable.preview);
+  if (neighbours_)
+    draw_neighbours(document.mesh(), *neighbours_, drawable.origin, drawable.preview);
   if (judged == nullptr) return;
   if (way < judged->ways.size())
     draw_preview(document.mesh(), judged->ways[way], drawable.origin, drawable.preview);
@@ -125,7 +127,8 @@ void Session::refresh_selection(bool mesh_changed, bool cells_changed) {
     hovered_.reset();
   }
   Drawable& drawable = drawing_.drawable();
-  if (!points_anew_ && (mesh_changed || selection.revision() != drawn_selection_)) pointed_out_.clear();
+  if (!points_anew_ && (mesh_changed || selection.revision() != drawn_selection_))
+    pointed_out_.clear();
   if (mesh_changed || cells_changed || points_anew_ || selection.revision() != drawn_selection_) {
     points_anew_ = false;
     drawable.selected.clear();

@@ -1,4 +1,5 @@
-// States that are kept, and what the present mesh is compared with: the mesh as loaded, or one of them.
+// States that are kept, and what the present mesh is compared with: the mesh as loaded, or one of
+// them.
 
 #include "viewer/scene/session.h"
 #include "viewer/scene/text.h"

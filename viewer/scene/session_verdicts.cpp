@@ -10,7 +10,8 @@ void Session::refresh_verdicts(const SurfaceChanges& changes) {
     drawing_.set_edge_codes(nullptr);
     return;
   }
-  const bool anew = !verdicts_ || changes.everything || verdict_options_ != document.options() || was_busy_;
+  const bool anew =
+      !verdicts_ || changes.everything || verdict_options_ != document.options() || was_busy_;
   if (!busy() && anew) {
     verdicts_.emplace().start(document.mesh());
     verdict_options_ = document.options();

@@ -34,16 +34,18 @@ struct CornerKey {
 
 }  // namespace
 
-/// Brings together the sides and faces that lie on the same vertices. Sorting a few of them at a time is
-/// several times as fast as looking each up in a table of all.
+/// Brings together the sides and faces that lie on the same vertices. Sorting a few of them at a
+/// time is several times as fast as looking each up in a table of all.
 class SideMatcher {
  public:
-  explicit SideMatcher(const Mesh& mesh) : mesh_(mesh), begin_(mesh.capacity(0) + std::size_t{1}, 0) {
+  explicit SideMatcher(const Mesh& mesh)
+      : mesh_(mesh), begin_(mesh.capacity(0) + std::size_t{1}, 0) {
     each_polygon([&](const CornerKey& key, const Entry&) { ++begin_[key.low + 1]; });
     for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
     entries_.resize(begin_.back());
     std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-    each_polygon([&](const CornerKey& key, const Entry& entry) { entries_[at[key.low]++] = entry; });
+    each_polygon(
+        [&](const CornerKey& key, const Entry& entry) { entries_[at[key.low]++] = entry; });
     sort();
   }
 
@@ -54,7 +56,8 @@ class SideMatcher {
       const auto filed = std::span(entries_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
       for (std::size_t i = 0; i < filed.size();) {
         std::size_t end = i + 1;
-        while (end < filed.size() && filed[end].second == filed[i].second && filed[end].high == filed[i].high)
+        while (end < filed.size() && filed[end].second == filed[i].second &&
+               filed[end].high == filed[i].high)
           ++end;
         each_equal(filed.subspan(i, end - i), visit);
         i = end;
@@ -119,8 +122,8 @@ class SideMatcher {
       return visit(std::span<const Entry>(run));
     while (!run.empty()) {
       const Entry first = run.front();
-      const auto end = std::stable_partition(run.begin(), run.end(),
-                                             [&](const Entry& other) { return equal(first, other); });
+      const auto end = std::stable_partition(
+          run.begin(), run.end(), [&](const Entry& other) { return equal(first, other); });
       const auto count = static_cast<std::size_t>(end - run.begin());
       visit(std::span<const Entry>(run.first(count)));
       run = run.subspan(count);
@@ -168,12 +171,15 @@ class Kept {
       auto& kept = kept_[dim - 2];
       kept.assign(mesh.capacity(dim), 0);
       for (std::uint32_t id = 0; id < kept.size(); ++id)
-        kept[id] =
-            mesh.alive({dim, id}) &&
-            glm::dot(glm::dvec3(plane), middle(mesh, mesh.vertices_of({dim, id}, buffer))) + plane.w >= 0;
+        kept[id] = mesh.alive({dim, id}) &&
+                   glm::dot(glm::dvec3(plane), middle(mesh, mesh.vertices_of({dim, id}, buffer))) +
+                           plane.w >=
+                       0;
     }
   }
-  [[nodiscard]] bool operator()(const Entry& e) const { return kept_[e.place == is_face ? 0 : 1][e.id] != 0; }
+  [[nodiscard]] bool operator()(const Entry& e) const {
+    return kept_[e.place == is_face ? 0 : 1][e.id] != 0;
+  }
 
  private:
   std::array<std::vector<char>, 2> kept_;
@@ -182,7 +188,8 @@ class Kept {
 /// Leaves what is before the plane. A face between regions that are gone goes with them.
 void leave(const Kept& kept, std::vector<Entry>& entries) {
   const bool has_region = entries.front().place != is_face;
-  std::erase_if(entries, [&](const Entry& e) { return !(has_region && e.place == is_face) && !kept(e); });
+  std::erase_if(entries,
+                [&](const Entry& e) { return !(has_region && e.place == is_face) && !kept(e); });
   if (has_region && !entries.empty() && entries.front().place == is_face) entries.clear();
 }
 
@@ -249,7 +256,8 @@ void Skin::finish(const Mesh& mesh) {
   bounds_ = box_of(mesh, faces_);
 }
 
-SkinCutter::SkinCutter(const Mesh& mesh) : mesh_(mesh), sides_(std::make_unique<SideMatcher>(mesh)) {}
+SkinCutter::SkinCutter(const Mesh& mesh)
+    : mesh_(mesh), sides_(std::make_unique<SideMatcher>(mesh)) {}
 
 SkinCutter::~SkinCutter() = default;
 

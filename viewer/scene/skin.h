@@ -20,9 +20,9 @@ struct SkinFace {
   std::uint8_t count = 0;                                   ///< how many vertices
   bool has_inside = false;                                  ///< there is a region behind it
   bool has_outside = false;                                 ///< and one in front of it
-  ModelRef inside, outside;                                 ///< what these regions are classified on
-  ModelRef model;                        ///< what the face itself is classified on, where the mesh has it
-  Face face;                             ///< invalid where the mesh does not have it
+  ModelRef inside, outside;  ///< what these regions are classified on
+  ModelRef model;            ///< what the face itself is classified on, where the mesh has it
+  Face face;                 ///< invalid where the mesh does not have it
   Region inside_region, outside_region;  ///< invalid where there is none
 
   [[nodiscard]] std::span<const std::uint32_t> corners() const { return {vertices.data(), count}; }
@@ -30,8 +30,9 @@ struct SkinFace {
   [[nodiscard]] bool outer() const { return !has_outside; }
 };
 
-/// The outer surface (sides with one region, faces with none), and inside it what separates model regions or
-/// lies on a model face. O(regions + faces); of the memory that takes only the result stays.
+/// The outer surface (sides with one region, faces with none), and inside it what separates model
+/// regions or lies on a model face. O(regions + faces); of the memory that takes only the result
+/// stays.
 class Skin {
  public:
   explicit Skin(const Mesh& mesh);
@@ -53,14 +54,14 @@ class Skin {
 
 class SideMatcher;
 
-/// Skins of parts of one mesh, which must outlive it and not change. O(sides log sides) once, and about 20
-/// bytes a side.
+/// Skins of parts of one mesh, which must outlive it and not change. O(sides log sides) once, and
+/// about 20 bytes a side.
 class SkinCutter {
  public:
   explicit SkinCutter(const Mesh& mesh);
   ~SkinCutter();
-  /// As if regions, and faces without one, were not there whose middle is behind the plane: dot(xyz, p) + w <
-  /// 0. O(regions + faces), several times as fast as a Skin.
+  /// As if regions, and faces without one, were not there whose middle is behind the plane:
+  /// dot(xyz, p) + w < 0. O(regions + faces), several times as fast as a Skin.
   [[nodiscard]] Skin before(const glm::dvec4& plane) const;
 
  private:

@@ -77,8 +77,9 @@ class SurfaceBuilder {
       std::rotate(polygon_.begin(), polygon_.begin() + 1, polygon_.end());
     const std::size_t last = polygon_.size() - 1;
     for (std::size_t k = 1; k < last; ++k) {
-      data_.faces.vertices.insert(data_.faces.vertices.end(),
-                                  {vertex(polygon_[0]), vertex(polygon_[k]), vertex(polygon_[k + 1])});
+      data_.faces.vertices.insert(
+          data_.faces.vertices.end(),
+          {vertex(polygon_[0]), vertex(polygon_[k]), vertex(polygon_[k + 1])});
       data_.faces.shapes.push_back(Shape::Triangle);
       data_.faces.classes.push_back(model);
       std::uint32_t flags = bright ? highlighted : 0u;

@@ -15,15 +15,15 @@ namespace aomd::scene {
 struct SkinStyle {
   std::set<ModelRef> hidden_regions{};  ///< taken away: what they covered shows
   std::optional<ModelRef> highlighted_region{};
-  bool faces = true;       ///< the sides of regions and faces at all; else only model edges and vertices
+  bool faces = true;  ///< the sides of regions and faces at all; else only model edges and vertices
   bool interfaces = true;  ///< faces between two regions that both are there
   friend bool operator==(const SkinStyle&, const SkinStyle&) = default;
 };
 
-/// Triangles in the order of the skin's polygons, a quad along its shorter diagonal. Stores T(2,0), T(0,1)
-/// and T(0,2), and has the model edges and model vertices of the whole mesh; where it has no model edge at
-/// all, borders between faces of different classes become unnamed_border. Faces are classified as their model
-/// face, else as the region that they bound.
+/// Triangles in the order of the skin's polygons, a quad along its shorter diagonal. Stores T(2,0),
+/// T(0,1) and T(0,2), and has the model edges and model vertices of the whole mesh; where it has no
+/// model edge at all, borders between faces of different classes become unnamed_border. Faces are
+/// classified as their model face, else as the region that they bound.
 struct SkinSurface {
   Mesh mesh;
   std::vector<std::uint32_t> flags;  ///< CornerFlag by face: hidden diagonals, highlights
@@ -34,6 +34,7 @@ struct SkinSurface {
 };
 
 /// O(skin + vertices + model edges).
-[[nodiscard]] SkinSurface make_skin_surface(const Mesh& mesh, const Skin& skin, const SkinStyle& style);
+[[nodiscard]] SkinSurface make_skin_surface(const Mesh& mesh, const Skin& skin,
+                                            const SkinStyle& style);
 
 }  // namespace aomd::scene

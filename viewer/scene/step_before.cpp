@@ -3,7 +3,7 @@
 #include <set>
 #include <span>
 
-#include "core/mesh/check.h"
+#include "core/base/assertion.h"
 
 namespace aomd::scene {
 namespace {
@@ -25,7 +25,8 @@ class Reversal {
         if (head.dim == 0) moved_[Vertex(record[1])] = unpack_position(&record[3]);
         if (head.dim != 2) return;
         created_.erase(record[1]);  // an id that the step gave to another face later
-        if (head.count == 3) faces_[record[1]] = {Vertex(record[3]), Vertex(record[4]), Vertex(record[5])};
+        if (head.count == 3)
+          faces_[record[1]] = {Vertex(record[3]), Vertex(record[4]), Vertex(record[5])};
         return;
       case RecordKind::Rebind:
         for (std::size_t i = head.count; i-- > 0;) rebind_back(&record[1 + 4 * i]);
@@ -40,8 +41,9 @@ class Reversal {
 
   [[nodiscard]] StepBefore result() {
     // A smoothing may come out where the vertex was.
-    std::erase_if(moved_,
-                  [&](const auto& m) { return mesh_.alive(m.first) && mesh_.position(m.first) == m.second; });
+    std::erase_if(moved_, [&](const auto& m) {
+      return mesh_.alive(m.first) && mesh_.position(m.first) == m.second;
+    });
     for (const auto& [v, position] : moved_)
       if (mesh_.alive(v))
         for (const Face f : mesh_.row<2>(v)) was(f.index);

@@ -22,8 +22,8 @@ struct StepBefore {
   }
 };
 
-/// Of the last step that is applied to a mesh of triangles, which must store T(0,2) and T(2,0). O(its
-/// records).
+/// Of the last step that is applied to a mesh of triangles, which must store T(0,2) and T(2,0).
+/// O(its records).
 [[nodiscard]] StepBefore step_before(const Mesh& mesh, const Journal& journal, std::size_t step);
 
 }  // namespace aomd::scene

@@ -71,11 +71,13 @@ EdgesByReason edges_left(Decimation& decimation, const Mesh& mesh) {
     return edges;
   }
   Vertex deleted;
-  for (const Edge e : mesh.edges()) ++edges[static_cast<std::size_t>(decimation.judge(e, deleted).reason)];
+  for (const Edge e : mesh.edges())
+    ++edges[static_cast<std::size_t>(decimation.judge(e, deleted).reason)];
   return edges;
 }
 
-std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options, std::int64_t faces) {
+std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
+                       std::int64_t faces) {
   const std::string target = counted(options.target_faces, "face");
   if (options.target_faces > 0 && faces <= options.target_faces)
     return "Stopped at the aim of " + target + ".";
@@ -84,9 +86,11 @@ std::string stop_words(const EdgesByReason& edges, const DecimationOptions& opti
   std::string text = options.target_faces > 0 ? "Stopped above the aim of " + target : "Stopped";
   if (counts.empty()) return text + ": no edge is left.";
   const auto [most, reason] = counts.front();
-  if (reason != Reason::None && 2 * most > all) text += std::string(", mostly by ") + decider(reason);
+  if (reason != Reason::None && 2 * most > all)
+    text += std::string(", mostly by ") + decider(reason);
   std::vector<std::string> parts;
-  for (const auto& [n, why] : counts) parts.push_back(grouped(n) + " " + said_of(why, n == 1, options));
+  for (const auto& [n, why] : counts)
+    parts.push_back(grouped(n) + " " + said_of(why, n == 1, options));
   return text + ": of " + counted(all, "edge") + " left, " + joined(parts, " and ") + ".";
 }
 

@@ -28,7 +28,8 @@ class Runner {
       collapsed = collapses;
       if (!run_phase(collapses ? run.collapses : run.improvement)) return false;
     }
-    for (int level = 0; level < 3; ++level) run.counts[static_cast<std::size_t>(level)] = mesh_.count(level);
+    for (int level = 0; level < 3; ++level)
+      run.counts[static_cast<std::size_t>(level)] = mesh_.count(level);
     return true;
   }
 
@@ -59,14 +60,15 @@ bool same(const Mesh& a, const Mesh& b) {
   for (const Face f : a.faces())
     if (a.triangle(f) != b.triangle(f)) return false;
   for (const Edge e : a.edges())
-    if (a.edge_vertices(e) != b.edge_vertices(e) || a.classification(e) != b.classification(e)) return false;
+    if (a.edge_vertices(e) != b.edge_vertices(e) || a.classification(e) != b.classification(e))
+      return false;
   return true;
 }
 
 /// A column for a copy of the mesh.
 template <typename T>
-std::shared_ptr<const Column<Vertex, T>> closed_up(const Mesh& mesh,
-                                                   const std::shared_ptr<const Column<Vertex, T>>& column) {
+std::shared_ptr<const Column<Vertex, T>> closed_up(
+    const Mesh& mesh, const std::shared_ptr<const Column<Vertex, T>>& column) {
   if (!column) return {};
   return std::make_shared<Column<Vertex, T>>(
       aomd::closed_up(*column, std::span<const Vertex>(mesh.vertices().list())));
@@ -77,8 +79,8 @@ nlohmann::ordered_json json_of(const StrategyPart& part) {
 }
 
 std::string row(const char* way, const char* name, const StrategyPart& part) {
-  return std::string(way) + "\t" + name + "\t" + std::to_string(part.ms) + "\t" + std::to_string(part.bytes) +
-         "\t" + std::to_string(part.peak) + "\n";
+  return std::string(way) + "\t" + name + "\t" + std::to_string(part.ms) + "\t" +
+         std::to_string(part.bytes) + "\t" + std::to_string(part.peak) + "\n";
 }
 
 }  // namespace

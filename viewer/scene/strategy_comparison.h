@@ -1,7 +1,7 @@
 #pragma once
-// The paper's two ways to store adjacencies during decimation (its section 4), measured on a mesh: T(0,1) and
-// T(0,2) kept throughout, or T(0,2) given up for T(0,1) and T(1,2) whenever edges are swapped and vertices
-// smoothed.
+// The paper's two ways to store adjacencies during decimation (its section 4), measured on a mesh:
+// T(0,1) and T(0,2) kept throughout, or T(0,2) given up for T(0,1) and T(1,2) whenever edges are
+// swapped and vertices smoothed.
 
 #include <algorithm>
 #include <array>
@@ -41,15 +41,16 @@ struct StrategyResult {
 /// "Keep T(0,2)", "Exchange it"
 inline constexpr std::array<const char*, 2> way_names = {"Keep T(0,2)", "Exchange it"};
 
-/// Both ways on the calling thread. `going_on` is told the progress, 0..1, now and then; where it says no,
-/// this returns early with what there is.
-[[nodiscard]] StrategyResult compare_strategies(const MeshData& data, const DecimationOptions& options,
+/// Both ways on the calling thread. `going_on` is told the progress, 0..1, now and then; where it
+/// says no, this returns early with what there is.
+[[nodiscard]] StrategyResult compare_strategies(const MeshData& data,
+                                                const DecimationOptions& options,
                                                 const std::function<bool(double)>& going_on = {});
 
-/// Both ways on copies of the mesh, in the background, with these options by the paper's strategy; no model
-/// is snapped to. O(size) on the calling thread.
-[[nodiscard]] std::unique_ptr<Background<StrategyResult>> start_comparing(const Mesh& mesh,
-                                                                          const DecimationOptions& options);
+/// Both ways on copies of the mesh, in the background, with these options by the paper's strategy;
+/// no model is snapped to. O(size) on the calling thread.
+[[nodiscard]] std::unique_ptr<Background<StrategyResult>> start_comparing(
+    const Mesh& mesh, const DecimationOptions& options);
 
 /// A line of titles, then one line a way and part; columns separated by tabs.
 [[nodiscard]] std::string strategies_table(const StrategyResult& result);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
+#include "core/mesh/id_pool.h"
 
 namespace aomd::scene {
 namespace {
@@ -15,7 +16,8 @@ constexpr std::size_t words_per_face = 12;
 bool ChangeReader::can_follow(const HistoryPlace& now) const {
   if (now.generation != place_.generation || now.creations != place_.creations) return false;
   // A cut behind the place where this reader stood took nothing that it has seen.
-  return now.epoch == place_.epoch || (now.epoch == place_.epoch + 1 && place_.cursor <= now.last_cut);
+  return now.epoch == place_.epoch ||
+         (now.epoch == place_.epoch + 1 && place_.cursor <= now.last_cut);
 }
 
 /// Beyond a part of the mesh a fresh start costs less than following.
@@ -24,7 +26,8 @@ bool ChangeReader::is_far(const Mesh& mesh, const Journal& journal, std::size_t 
   return 3 * journal.words_of(first, last) > words_per_face * mesh.count(2);
 }
 
-SurfaceChanges ChangeReader::read(const Mesh& mesh, const Journal& journal, const HistoryPlace& now) {
+SurfaceChanges ChangeReader::read(const Mesh& mesh, const Journal& journal,
+                                  const HistoryPlace& now) {
   SurfaceChanges changes;
   if (now == place_) return changes;
   changes.everything = !can_follow(now) || is_far(mesh, journal, now.cursor);
@@ -79,9 +82,11 @@ void ChangeReader::add_stars(const Mesh& mesh, SurfaceChanges& changes) {
 void ChangeReader::remember(const Mesh& mesh) {
   constexpr std::size_t faces_a_piece = 16384;
   triangles_.assign(mesh.capacity(2), {});
-  parallel_for(mesh.capacity(2), thread_count(0), faces_a_piece, [&](std::size_t begin, std::size_t end) {
-    each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) { triangles_[id] = mesh.triangle(Face(id)); });
-  });
+  parallel_for(mesh.capacity(2), thread_count(0), faces_a_piece,
+               [&](std::size_t begin, std::size_t end) {
+                 each_alive(mesh.ids(2), begin, end,
+                            [&](std::uint32_t id) { triangles_[id] = mesh.triangle(Face(id)); });
+               });
 }
 
 void ChangeReader::remember(const Mesh& mesh, Face face) {

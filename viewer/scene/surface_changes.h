@@ -11,7 +11,8 @@
 
 namespace aomd::scene {
 
-/// Where a mesh stands in its history, and what a reader of it needs to know to go on from where it was.
+/// Where a mesh stands in its history, and what a reader of it needs to know to go on from where it
+/// was.
 struct HistoryPlace {
   std::uint64_t generation = 0;  ///< another mesh has another one
   std::uint64_t creations = 0;   ///< changes of T that made entities, which no journal records
@@ -23,27 +24,32 @@ struct HistoryPlace {
 
 /// Sorted, without duplicates. Entities may be dead by now.
 struct SurfaceChanges {
-  bool everything = false;       ///< start afresh; the lists are empty
-  std::vector<Face> faces;       ///< created, destroyed, rebound, classified, or with a vertex that moved
-  std::vector<Vertex> vertices;  ///< whose star changed in any way: corners of `faces`, before and after
-  std::vector<Edge> edges;       ///< touched themselves, or at `vertices`
+  bool everything = false;  ///< start afresh; the lists are empty
+  std::vector<Face>
+      faces;  ///< created, destroyed, rebound, classified, or with a vertex that moved
+  std::vector<Vertex>
+      vertices;             ///< whose star changed in any way: corners of `faces`, before and after
+  std::vector<Edge> edges;  ///< touched themselves, or at `vertices`
 
   [[nodiscard]] bool nothing() const {
     return !everything && faces.empty() && vertices.empty() && edges.empty();
   }
 };
 
-/// Reads the changes of one mesh after the other. Keeps a copy of the triangles, since a journal does not say
-/// what stood where a face is gone. The mesh must store T(0,1), T(0,2) and T(2,0).
+/// Reads the changes of one mesh after the other. Keeps a copy of the triangles, since a journal
+/// does not say what stood where a face is gone. The mesh must store T(0,1), T(0,2) and T(2,0).
 class ChangeReader {
  public:
-  /// Changes since the last call. O(what the steps in between touched); O(size) when it must start afresh.
-  [[nodiscard]] SurfaceChanges read(const Mesh& mesh, const Journal& journal, const HistoryPlace& now);
+  /// Changes since the last call. O(what the steps in between touched); O(size) when it must start
+  /// afresh.
+  [[nodiscard]] SurfaceChanges read(const Mesh& mesh, const Journal& journal,
+                                    const HistoryPlace& now);
 
  private:
   [[nodiscard]] bool can_follow(const HistoryPlace& now) const;
   [[nodiscard]] bool is_far(const Mesh& mesh, const Journal& journal, std::size_t cursor) const;
-  void collect(const Mesh& mesh, const Journal& journal, std::size_t cursor, SurfaceChanges& changes);
+  void collect(const Mesh& mesh, const Journal& journal, std::size_t cursor,
+               SurfaceChanges& changes);
   void add_stars(const Mesh& mesh, SurfaceChanges& changes);
   void remember(const Mesh& mesh);
   void remember(const Mesh& mesh, Face face);

@@ -6,8 +6,9 @@
 
 #include <glm/common.hpp>
 
-#include "core/mesh/parallel.h"
+#include "core/base/parallel.h"
 #include "viewer/scene/step_before.h"
+#include "core/mesh/id_pool.h"
 
 namespace aomd::scene {
 namespace {
@@ -31,7 +32,8 @@ float vertex_radius_px(const Mesh& mesh) {
 }
 
 bool same(const Corner& a, const Corner& b) {
-  return a.position == b.position && a.normal == b.normal && a.color == b.color && a.flags == b.flags;
+  return a.position == b.position && a.normal == b.normal && a.color == b.color &&
+         a.flags == b.flags;
 }
 
 template <typename T>
@@ -89,7 +91,8 @@ void SurfaceDrawing::set_bounds(const Box& bounds) {
   drawable_.origin = bounds.center();
 }
 
-SurfaceDrawing::Style SurfaceDrawing::style_of(const Mesh& mesh, const View& view, bool changed) const {
+SurfaceDrawing::Style SurfaceDrawing::style_of(const Mesh& mesh, const View& view,
+                                               bool changed) const {
   Style style{.coloring = view.coloring,
               .hidden = view.hidden,
               .highlighted = view.highlighted,
@@ -124,39 +127,42 @@ Color SurfaceDrawing::color(ModelRef ref) const {
 /// Of all corners, face by face. In pieces that write to places of their own.
 std::vector<std::uint32_t> SurfaceDrawing::pack_normals(const Mesh& mesh) {
   Column<Face, FaceNormal> faces(mesh.capacity(2));
-  parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-    each_alive(mesh.ids(2), begin, end,
-               [&](std::uint32_t id) { faces[Face(id)] = face_normal(mesh, Face(id)); });
-  });
+  parallel_for(
+      mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
+        each_alive(mesh.ids(2), begin, end,
+                   [&](std::uint32_t id) { faces[Face(id)] = face_normal(mesh, Face(id)); });
+      });
   std::vector<std::uint32_t> packed(3 * std::size_t{mesh.capacity(2)});
-  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-    CornerNormals normals(faces);
-    each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
-      for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
-        packed[3 * std::size_t{c.face.index} + c.slot] = pack_normal(c.normal);
-    });
-  });
+  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece,
+               [&](std::size_t begin, std::size_t end) {
+                 CornerNormals normals(faces);
+                 each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
+                   for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
+                     packed[3 * std::size_t{c.face.index} + c.slot] = pack_normal(c.normal);
+                 });
+               });
   return packed;
 }
 
 /// All corners, likewise.
 void SurfaceDrawing::draw_faces(const Mesh& mesh, std::span<Corner> corners) const {
   const std::vector<std::uint32_t> normals = pack_normals(mesh);
-  parallel_for(mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-    std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
-              corners.begin() + static_cast<std::ptrdiff_t>(3 * end), Corner());
-    ModelRef known;
-    Color of_known = color(known);
-    each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
-      if (const ModelRef model = mesh.classification(Face(id)); model != known)
-        of_known = color(known = model);
-      const auto drawn = corners_of(mesh, Face(id), of_known);
-      for (std::size_t i = 0, to = 3 * std::size_t{id}; i < 3; ++i, ++to) {
-        corners[to] = drawn[i];
-        corners[to].normal = normals[to];
-      }
-    });
-  });
+  parallel_for(mesh.capacity(2), thread_count(0), items_a_piece,
+               [&](std::size_t begin, std::size_t end) {
+                 std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
+                           corners.begin() + static_cast<std::ptrdiff_t>(3 * end), Corner());
+                 ModelRef known;
+                 Color of_known = color(known);
+                 each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
+                   if (const ModelRef model = mesh.classification(Face(id)); model != known)
+                     of_known = color(known = model);
+                   const auto drawn = corners_of(mesh, Face(id), of_known);
+                   for (std::size_t i = 0, to = 3 * std::size_t{id}; i < 3; ++i, ++to) {
+                     corners[to] = drawn[i];
+                     corners[to].normal = normals[to];
+                   }
+                 });
+               });
 }
 
 void SurfaceDrawing::rebuild(const Mesh& mesh) {
@@ -191,7 +197,8 @@ void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
 }
 
 /// Of a face that is alive, but for the normals, which depend on its neighbours.
-std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face, Color of_model) const {
+std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face,
+                                                 Color of_model) const {
   std::array<Corner, 3> corners;
   const ModelRef model = mesh.classification(face);
   const glm::dvec3 center = center_of(mesh, face);
@@ -204,7 +211,8 @@ std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face, Co
   for (std::size_t i = 0; i < 3; ++i) {
     glm::vec3 position = place(mesh, vertices[i]);
     if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
-    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_model, flags};
+    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_model,
+                  flags};
   }
   return corners;
 }
@@ -286,8 +294,8 @@ void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {
   }
 }
 
-void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step,
-                                    StepSides sides) {
+void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
+                                    std::optional<std::size_t> step, StepSides sides) {
   std::vector<Segment> lines;
   std::vector<Disc> discs;
   drawable_.before.clear();
@@ -300,8 +308,8 @@ void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal, st
                        uses > 1 ? 0.6f * step_line_px : step_line_px});
     // The vertex that all the faces share: a collapse's kept end, a smoothing's moved vertex.
     for (const auto& [vertex, uses] : touched.corners)
-      if (journal.step(*step).kind != StepKind::Swap && uses == static_cast<int>(touched.faces.size()) &&
-          uses > 1)
+      if (journal.step(*step).kind != StepKind::Swap &&
+          uses == static_cast<int>(touched.faces.size()) && uses > 1)
         discs.push_back({place(mesh, vertex), highlight_color, step_disc_px});
   }
   draw_marked(mesh, lines, discs);
@@ -312,7 +320,8 @@ void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal, st
 }
 
 /// Beside what stands there now only what has gone; alone everything.
-void SurfaceDrawing::draw_before(const Mesh& mesh, const Journal& journal, std::size_t step, bool alone) {
+void SurfaceDrawing::draw_before(const Mesh& mesh, const Journal& journal, std::size_t step,
+                                 bool alone) {
   const StepBefore before = step_before(mesh, journal, step);
   std::vector<Segment> lines;
   std::vector<Disc> discs;
@@ -320,7 +329,8 @@ void SurfaceDrawing::draw_before(const Mesh& mesh, const Journal& journal, std::
   std::map<Side, int> sides;
   for (const auto& t : before.faces)
     for (std::size_t i = 0; i < 3; ++i) ++sides[std::minmax(t[i], t[(i + 1) % 3])];
-  const std::map<Side, int> now = alone ? std::map<Side, int>() : touched_by(mesh, journal, step).sides;
+  const std::map<Side, int> now =
+      alone ? std::map<Side, int>() : touched_by(mesh, journal, step).sides;
   for (const auto& [side, uses] : sides) {
     const bool moved = before.moved.contains(side.first) || before.moved.contains(side.second);
     if (moved || !now.contains(side))
@@ -347,7 +357,8 @@ void SurfaceDrawing::draw_marked(const Mesh& mesh, std::vector<Segment>& lines,
                                  std::vector<Disc>& discs) const {
   for (const EntityRef e : marked_) {
     if (!mesh.alive(e)) continue;
-    if (e.dimension == 0) discs.push_back({place(mesh, Vertex(e.index)), highlight_color, marked_disc_px});
+    if (e.dimension == 0)
+      discs.push_back({place(mesh, Vertex(e.index)), highlight_color, marked_disc_px});
     if (e.dimension != 1) continue;
     const auto [a, b] = mesh.edge_vertices(Edge(e.index));
     lines.push_back({place(mesh, a), place(mesh, b), highlight_color, marked_line_px});

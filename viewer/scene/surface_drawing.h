@@ -63,24 +63,29 @@ class SurfaceDrawing {
   void set_bounds(const Box& bounds);
   /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
   void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
-  /// What is said about each edge, for the flags of its faces; null: nothing. Drawn from the next update on.
+  /// What is said about each edge, for the flags of its faces; null: nothing. Drawn from the next
+  /// update on.
   void set_edge_codes(std::shared_ptr<const EdgeCodes> codes) { edge_codes_ = std::move(codes); }
   /// These codes have changed in place. O(edges).
   void recode(const Mesh& mesh, const std::vector<Edge>& edges);
   /// Numbers that give colours instead of model faces; null: none. Drawn from the next update on.
   void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
-  /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and shrinks.
+  /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and
+  /// shrinks.
   void set_whole_faces(bool whole) { whole_faces_ = whole; }
-  /// Brightens faces, edges and vertices; those of the last call are as before. O(entities), and drawn from
-  /// the next highlight_step() on where they are edges or vertices.
+  /// Brightens faces, edges and vertices; those of the last call are as before. O(entities), and
+  /// drawn from the next highlight_step() on where they are edges or vertices.
   void set_marked(const Mesh& mesh, std::vector<EntityRef> marked);
   /// Sections and shrunken regions, and edges inside a volume.
   void set_cells(std::vector<Corner> cells) { drawable_.cells.assign(std::move(cells)); }
-  void set_interior_edges(std::vector<Segment> edges) { drawable_.interior_edges.assign(std::move(edges)); }
-  /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities did.
+  void set_interior_edges(std::vector<Segment> edges) {
+    drawable_.interior_edges.assign(std::move(edges));
+  }
+  /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities
+  /// did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
-  /// Highlights what the last applied step has left of what it touched, with lines around its faces and a dot
-  /// on its vertex, and what stood there before it, in another colour. O(its records).
+  /// Highlights what the last applied step has left of what it touched, with lines around its faces
+  /// and a dot on its vertex, and what stood there before it, in another colour. O(its records).
   void highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step,
                       StepSides sides = {});
 
@@ -117,7 +122,9 @@ class SurfaceDrawing {
   void draw_marked(const Mesh& mesh, std::vector<Segment>& lines, std::vector<Disc>& discs) const;
   void draw_normals(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
-  [[nodiscard]] bool highlighted(ModelRef ref) const { return style_.highlighted == ref && ref.valid(); }
+  [[nodiscard]] bool highlighted(ModelRef ref) const {
+    return style_.highlighted == ref && ref.valid();
+  }
   [[nodiscard]] Color color(ModelRef ref) const;
   [[nodiscard]] bool marked(Face face) const {
     return face.index < marked_faces_.size() && marked_faces_[face.index];

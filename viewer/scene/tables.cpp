@@ -47,7 +47,9 @@ std::string counts(const Session& session) {
     row("Euler number", now.euler(), then.euler());
   }
   const Mesh& mesh = session.document.mesh();
-  const auto bytes = [&](const char* name, std::size_t n) { add_row(text, {name, std::to_string(n), ""}); };
+  const auto bytes = [&](const char* name, std::size_t n) {
+    add_row(text, {name, std::to_string(n), ""});
+  };
   bytes("Mesh, bytes", mesh.entity_bytes());
   bytes("Adjacency, bytes", mesh.adjacency_bytes());
   bytes("History, bytes", session.document.journal().bytes());
@@ -73,16 +75,17 @@ std::string legend(const Session& session) {
 std::string adjacency(const Session& session) {
   const Mesh& mesh = session.document.mesh();
   std::string text;
-  add_row(text, {"Relation", "Stored", "Set", "Requests", "Bytes", "Mean row", "Rows", "Asked by", "Path"});
+  add_row(text, {"Relation", "Stored", "Set", "Requests", "Bytes", "Mean row", "Rows", "Asked by",
+                 "Path"});
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       if (i == j) continue;
       const AdjacencyCell cell = adjacency_cell(mesh, i, j);
-      add_row(text,
-              {relation_name(i, j), cell.stored ? "yes" : "no", cell.set ? "yes" : "no", plain(cell.requests),
-               std::to_string(cell.stored ? cell.bytes : 0),
-               cell.stored ? short_number(mean_row_length(mesh, i, j)) : "",
-               cell.stored ? plain(mesh.count(i)) : "", askers(mesh, i, j), explain(mesh, i, j).text()});
+      add_row(text, {relation_name(i, j), cell.stored ? "yes" : "no", cell.set ? "yes" : "no",
+                     plain(cell.requests), std::to_string(cell.stored ? cell.bytes : 0),
+                     cell.stored ? short_number(mean_row_length(mesh, i, j)) : "",
+                     cell.stored ? plain(mesh.count(i)) : "", askers(mesh, i, j),
+                     explain(mesh, i, j).text()});
     }
   return text;
 }
@@ -90,7 +93,8 @@ std::string adjacency(const Session& session) {
 std::string hashes(const Session& session) {
   std::string text = "Level\tBuilt\tEntities\tBuckets\tUsed\tCrowded\tWorst\tBytes\tGrowths";
   for (std::size_t length = 0; length < HashFacts::bars; ++length)
-    text += "\tBuckets of " + std::to_string(length) + (length + 1 == HashFacts::bars ? " and more" : "");
+    text += "\tBuckets of " + std::to_string(length) +
+            (length + 1 == HashFacts::bars ? " and more" : "");
   text += '\n';
   for (int level = 1; level < 4; ++level) {
     const HashFacts facts = hash_facts(session.document.mesh(), level);
@@ -113,8 +117,8 @@ std::string ids(const Session& session) {
     const IdFacts facts = id_facts(session.document.mesh(), level);
     std::string top;
     for (const std::uint32_t id : facts.top) top += (top.empty() ? "" : " ") + std::to_string(id);
-    add_row(text, {entity_plural(level), plain(facts.alive), plain(facts.free), plain(facts.capacity),
-                   plain(facts.next), top});
+    add_row(text, {entity_plural(level), plain(facts.alive), plain(facts.free),
+                   plain(facts.capacity), plain(facts.next), top});
   }
   return text;
 }

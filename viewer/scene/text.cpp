@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/text.h"
 #include "core/mesh/names.h"
 
 namespace aomd::scene {
@@ -14,11 +15,7 @@ std::string grouped(std::int64_t n) {
 }
 
 std::string counted(std::int64_t n, std::string_view one) {
-  const std::string text = grouped(n) + " ";
-  if (n == 1) return text + std::string(one);
-  constexpr std::string_view latin = "vertex";
-  if (one.ends_with(latin)) return text + std::string(one.substr(0, one.size() - 2)) + "ices";
-  return text + std::string(one) + (one.ends_with("ch") ? "es" : "s");
+  return grouped(n) + " " + (n == 1 ? std::string(one) : plural(one));
 }
 
 std::string signed_grouped(std::int64_t n) {

@@ -36,7 +36,8 @@ template <typename Words>
 /// "+12", "−1,234", "±0".
 [[nodiscard]] std::string signed_grouped(std::int64_t n);
 
-/// "7 faces, 15 edges, 10 vertices": by dimension, the highest first; what there is none of is left out.
+/// "7 faces, 15 edges, 10 vertices": by dimension, the highest first; what there is none of is left
+/// out.
 [[nodiscard]] std::string counts_text(const std::array<std::size_t, 4>& counts);
 
 /// "934 B", "1.4 KB", "21.7 MB": powers of 1000.

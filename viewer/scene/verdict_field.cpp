@@ -65,7 +65,8 @@ std::vector<Edge> VerdictField::judge(Decimation& decimation, const Mesh& mesh,
   const auto start = std::chrono::steady_clock::now();
   std::vector<Edge> others;
   for (; pending(); ++next_) {
-    if (budget && next_ % between_checks == 0 && std::chrono::steady_clock::now() - start > *budget) break;
+    if (budget && next_ % between_checks == 0 && std::chrono::steady_clock::now() - start > *budget)
+      break;
     const Edge e = queue_[next_];
     if (!mesh.alive(e)) continue;
     Vertex deleted;

@@ -1,5 +1,6 @@
 #pragma once
-// Why each edge would be refused now: what the colours of `color verdict` and `select refused` read.
+// Why each edge would be refused now: what the colours of `color verdict` and `select refused`
+// read.
 
 #include <array>
 #include <chrono>
@@ -33,8 +34,8 @@ class VerdictField {
   void start(const Mesh& mesh);
   /// Only those that changes have touched do: at vertices whose faces have changed.
   void note(const Mesh& mesh, const SurfaceChanges& changes);
-  /// Goes on for about `budget`, without one to the end. Returns the edges whose code is another one now.
-  /// About 2 us an edge, and what guards cost.
+  /// Goes on for about `budget`, without one to the end. Returns the edges whose code is another
+  /// one now. About 2 us an edge, and what guards cost.
   std::vector<Edge> judge(Decimation& decimation, const Mesh& mesh,
                           std::optional<std::chrono::microseconds> budget);
 

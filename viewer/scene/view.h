@@ -15,17 +15,29 @@
 
 namespace aomd::scene {
 
-/// What a click takes: Automatic is the vertex or edge that is near, else the face, else the region.
+/// What a click takes: Automatic is the vertex or edge that is near, else the face, else the
+/// region.
 enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
-/// What is drawn of what an operation on the selected edge would lead to: a collapse to the end that is
-/// better off, or to either, or the swap.
+/// What is drawn of what an operation on the selected edge would lead to: a collapse to the end
+/// that is better off, or to either, or the swap.
 enum class PreviewedWay { Best, First, Second, Swap };
-/// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h. Verdict:
-/// why each edge would be refused now.
+/// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h.
+/// Verdict: why each edge would be refused now.
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
-enum class Dialog { None, Open, Save, Screenshot, Shortcuts, About, Palette, Unsaved, Recovery, Lessons };
+enum class Dialog {
+  None,
+  Open,
+  Save,
+  Screenshot,
+  Shortcuts,
+  About,
+  Palette,
+  Unsaved,
+  Recovery,
+  Lessons
+};
 
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
@@ -48,26 +60,26 @@ struct Panels {
   friend bool operator==(const Panels&, const Panels&) = default;
 };
 
-/// Surfaces are cut so far inside of the plane, in parts of the box's diagonal, and sections lie twice as
-/// far: a face that lies in the plane is gone, and a section is not cut by its own plane.
+/// Surfaces are cut so far inside of the plane, in parts of the box's diagonal, and sections lie
+/// twice as far: a face that lies in the plane is gone, and a section is not cut by its own plane.
 inline constexpr double clip_hair = 1e-5;
 
 /// A plane across an axis, behind which nothing is shown.
 struct Clip {
   int axis = 0;           ///< 0..2
   double position = 0.5;  ///< 0..1 through the box of the mesh as loaded
-  bool cells =
-      false;          ///< whole faces and regions, by their centres; else cut through, volumes with a section
-  bool flip = false;  ///< shows what lies beyond instead of what lies before
+  bool cells = false;     ///< whole faces and regions, by their centres; else cut through, volumes
+                          ///< with a section
+  bool flip = false;      ///< shows what lies beyond instead of what lies before
 
-  /// Keeps points p with dot(xyz, p) + w >= 0. Moved by `inward` parts of the box's diagonal into what is
-  /// kept.
+  /// Keeps points p with dot(xyz, p) + w >= 0. Moved by `inward` parts of the box's diagonal into
+  /// what is kept.
   [[nodiscard]] glm::dvec4 plane(const Box& box, double inward = 0) const {
     glm::dvec4 result(0);
     const double sign = flip ? 1 : -1;
     result[axis] = sign;
-    result.w =
-        -sign * (box.low[axis] + position * (box.high[axis] - box.low[axis])) - inward * box.diagonal();
+    result.w = -sign * (box.low[axis] + position * (box.high[axis] - box.low[axis])) -
+               inward * box.diagonal();
     return result;
   }
   friend bool operator==(const Clip&, const Clip&) = default;
@@ -108,16 +120,17 @@ struct View {
   std::set<ModelRef> hidden;
   std::optional<ModelRef> highlighted;
   PickLevel pick_level = PickLevel::Automatic;
-  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to, or a collapse
-                        ///< of the edge that the mouse points at
+  bool preview = true;  ///< what an operation on the selected edge or vertex would lead to, or a
+                        ///< collapse of the edge that the mouse points at
   PreviewedWay previewed = PreviewedWay::Best;
   bool labels = false;             ///< ids at what is selected and around the cursor
   bool labels_everywhere = false;  ///< also at all else, as far as there is room
   std::optional<int> neighbours;   ///< the level whose entities around the selected one light up
   TensorSections sections;
   std::optional<MarkedBar> marked;
-  std::optional<glm::dvec2> menu;  ///< where a menu for what is selected is open in the picture, -1..1
-  std::string bar_menu;            ///< which menu of the menu bar is open: "File"; empty: none by a command
+  std::optional<glm::dvec2>
+      menu;              ///< where a menu for what is selected is open in the picture, -1..1
+  std::string bar_menu;  ///< which menu of the menu bar is open: "File"; empty: none by a command
   Theme theme = Theme::Light;
   Panels panels;
   Dialog dialog = Dialog::None;

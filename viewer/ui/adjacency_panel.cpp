@@ -90,12 +90,13 @@ EntityRef centre_for(const Frame& frame, int j) {
   return e.valid() && e.dimension != j ? e : EntityRef();
 }
 
-/// Numbers and names, or numbers where a name is too wide. While one entity is selected they light up what is
-/// around it.
+/// Numbers and names, or numbers where a name is too wide. While one entity is selected they light
+/// up what is around it.
 void column_titles(Frame& frame, const Grid& grid) {
   ImGui::PushFont(frame.fonts.small);
   bool wide = true;
-  for (const char* name : levels) wide = wide && ImGui::CalcTextSize(name).x <= grid.cell.x + grid.gap;
+  for (const char* name : levels)
+    wide = wide && ImGui::CalcTextSize(name).x <= grid.cell.x + grid.gap;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (std::size_t j = 0; j < levels.size(); ++j) {
     const float left = corner.x + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap);
@@ -120,12 +121,14 @@ void column_titles(Frame& frame, const Grid& grid) {
 void diagonal_cell(const Frame& frame, const Grid& grid) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 middle{at.x + 0.5f * grid.cell.x, at.y + 0.5f * grid.cell.y};
-  ImGui::GetWindowDrawList()->AddLine({middle.x - 0.3f * em(), middle.y}, {middle.x + 0.3f * em(), middle.y},
+  ImGui::GetWindowDrawList()->AddLine({middle.x - 0.3f * em(), middle.y},
+                                      {middle.x + 0.3f * em(), middle.y},
                                       ImGui::GetColorU32(frame.colors.border), 0.1f * em());
   ImGui::Dummy(grid.cell);
 }
 
-void draw_cell(const Frame& frame, const Grid& grid, const scene::AdjacencyCell& cell, bool hovered) {
+void draw_cell(const Frame& frame, const Grid& grid, const scene::AdjacencyCell& cell,
+               bool hovered) {
   const ImVec2 from = ImGui::GetItemRectMin();
   Look look = look_of(frame, state_of(cell));
   if (hovered) look.border = frame.colors.text;
@@ -137,7 +140,8 @@ void draw_cell(const Frame& frame, const Grid& grid, const scene::AdjacencyCell&
   ImVec2 at{from.x, from.y + 0.5f * (grid.cell.y - lines * line)};
   draw_centered(at, grid.cell.x, short_bytes(cell.bytes, grid.cell.x - 0.3f * em()), look.text);
   at.y += line;
-  if (cell.requests > 0) draw_centered(at, grid.cell.x, "\u00d7" + std::to_string(cell.requests), look.text);
+  if (cell.requests > 0)
+    draw_centered(at, grid.cell.x, "\u00d7" + std::to_string(cell.requests), look.text);
   ImGui::PopFont();
 }
 
@@ -182,7 +186,8 @@ std::optional<Place> table(Frame& frame) {
     ImGui::SetCursorPosY(top + 0.5f * (grid.cell.y - em()));
     muted(frame, levels[static_cast<std::size_t>(i)]);
     for (int j = 0; j < 4; ++j) {
-      ImGui::SetCursorPos({left + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap), top});
+      ImGui::SetCursorPos(
+          {left + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap), top});
       if (i == j)
         diagonal_cell(frame, grid);
       else if (relation_cell(frame, grid, i, j))
@@ -194,10 +199,11 @@ std::optional<Place> table(Frame& frame) {
 }
 
 void key(const Frame& frame) {
-  constexpr std::array<std::pair<State, const char*>, 4> entries = {{{State::Set, "Set"},
-                                                                     {State::Requested, "Requested \u00d7 n"},
-                                                                     {State::Implied, "Implied"},
-                                                                     {State::Absent, "Not stored"}}};
+  constexpr std::array<std::pair<State, const char*>, 4> entries = {
+      {{State::Set, "Set"},
+       {State::Requested, "Requested \u00d7 n"},
+       {State::Implied, "Implied"},
+       {State::Absent, "Not stored"}}};
   constexpr std::array<const char*, 4> help = {
       "You asked for it, or the mesh was made with it: it stays until you let go of it.",
       "Algorithms and the viewer hold it with n requests: it goes when the last one ends.",
@@ -222,7 +228,8 @@ void totals(const Frame& frame) {
   const std::size_t entities = mesh.entity_bytes();
   const int top = mesh.count(3) > 0 ? 3 : 2;
   if (!begin_values("totals", 2)) return;
-  value_row(frame, "Adjacencies", scene::bytes_text(adjacency), "All stored relations and hash sets");
+  value_row(frame, "Adjacencies", scene::bytes_text(adjacency),
+            "All stored relations and hash sets");
   value_row(frame, "Entities", scene::bytes_text(entities), entity_memory_help);
   if (mesh.count(top) > 0)
     value_row(frame, top == 3 ? "Both, per region" : "Both, per face",
@@ -239,7 +246,8 @@ void last_change(const Frame& frame) {
   if (frame.interactive && change->refusal.empty())
     words += " (" + scene::short_number(change->ms, change->ms < 10 ? 2 : 0) + " ms)";
   ImGui::PushTextWrapPos(0);
-  ImGui::PushStyleColor(ImGuiCol_Text, change->refusal.empty() ? frame.colors.text : frame.colors.bad);
+  ImGui::PushStyleColor(ImGuiCol_Text,
+                        change->refusal.empty() ? frame.colors.text : frame.colors.bad);
   text(words + ".");
   ImGui::PopStyleColor();
   if (!change->refusal.empty()) muted(frame, "Nothing has changed.");
@@ -251,7 +259,8 @@ std::optional<Place> explained_cell(const Frame& frame, const std::optional<Plac
   if (hovered) return hovered;
   const scene::Neighbours* n = frame.session.neighbours();
   if (n && n->level != n->of.dimension) return Place{n->of.dimension, n->level};
-  if (const scene::AdjacencyChange* c = frame.document().last_adjacency_change()) return Place{c->i, c->j};
+  if (const scene::AdjacencyChange* c = frame.document().last_adjacency_change())
+    return Place{c->i, c->j};
   return {};
 }
 

@@ -35,7 +35,8 @@ void counts(const Frame& frame, const scene::ModelEntityFacts& facts) {
                 scene::grouped(facts.counts[level]),
                 "Mesh entities of this kind that lie on it; not those that only bound it.");
   for (const auto& [name, value] : facts.facts)
-    value_row(frame, name.c_str(), value, "Of all its mesh entities together, in units of the mesh.");
+    value_row(frame, name.c_str(), value,
+              "Of all its mesh entities together, in units of the mesh.");
   end_values();
 }
 
@@ -57,7 +58,8 @@ void model_entity_buttons(Frame& frame, const scene::ModelEntityFacts& facts) {
   command_button(frame, "Select", "select class " + name, width);
   ImGui::SameLine();
   const bool hidden = frame.session.view.hidden.contains(facts.ref);
-  command_button(frame, hidden ? "Unhide" : "Hide", "hide " + name + (hidden ? " off" : " on"), width);
+  command_button(frame, hidden ? "Unhide" : "Hide", "hide " + name + (hidden ? " off" : " on"),
+                 width);
   ImGui::SameLine();
   if (ImGui::Button("Copy##model", {width, 0}))
     ImGui::SetClipboardText(scene::model_entity_text(facts).c_str());
@@ -90,10 +92,12 @@ void model_entity_section(Frame& frame) {
   tooltip("Ends the highlight.");
   counts(frame, *facts);
   model_entity_buttons(frame, *facts);
-  links(frame, "Bounded by", facts->bounded_by, "Model edges and vertices at its ends or around it.");
+  links(frame, "Bounded by", facts->bounded_by,
+        "Model edges and vertices at its ends or around it.");
   links(frame, "Bounds", facts->bounds,
         "Model entities of higher dimension that it lies at the end or border of.");
-  links(frame, "Beside", facts->beside, "Of its own dimension, with a part of the border in common.");
+  links(frame, "Beside", facts->beside,
+        "Of its own dimension, with a part of the border in common.");
   entity_links(frame, *facts);
   if (facts->ref.dimension() == 2 && !frame.document().content().skin)
     command_button(frame, "Split where model edges cut it",
@@ -106,7 +110,8 @@ void class_edits(Frame& frame) {
   gap(0.2f);
   heading(frame, "Classification");
   tooltip(
-      "What the selection lies on. Collapses keep model edges and model vertices. An edit that would break a "
+      "What the selection lies on. Collapses keep model edges and model vertices. An edit that "
+      "would break a "
       "rule is refused, with the rule and what breaks it.");
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   command_button(frame, "Promote", "promote", width);
@@ -134,8 +139,10 @@ void model_entity_menu(Frame& frame, ModelRef ref) {
   command_item(frame, hidden ? "Unhide" : "Hide", "hide " + name + (hidden ? " off" : " on"));
   if (!frame.document().content().skin) {
     ImGui::Separator();
-    command_item(frame, "Put the selection on it", "assign " + name, false, !frame.session.selection.empty());
-    if (ref.dimension() == 2) command_item(frame, "Split where model edges cut it", "split-face " + name);
+    command_item(frame, "Put the selection on it", "assign " + name, false,
+                 !frame.session.selection.empty());
+    if (ref.dimension() == 2)
+      command_item(frame, "Split where model edges cut it", "split-face " + name);
   }
   ImGui::EndPopup();
 }

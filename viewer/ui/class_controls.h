@@ -5,7 +5,8 @@
 
 namespace aomd::ui {
 
-/// What is highlighted: counts, neighbours, size, the mesh entities on it. Draws nothing where nothing is.
+/// What is highlighted: counts, neighbours, size, the mesh entities on it. Draws nothing where
+/// nothing is.
 void model_entity_section(Frame& frame);
 /// What puts the selection onto other model entities. Draws nothing for volumes and quads.
 void class_edits(Frame& frame);

@@ -19,7 +19,8 @@ struct FieldWishes {
   std::string completion;  ///< what Tab makes of the text
 };
 
-/// Emptied, or completed, from outside: ImGui would select it all, so that the next key replaced it.
+/// Emptied, or completed, from outside: ImGui would select it all, so that the next key replaced
+/// it.
 int edit_field(ImGuiInputTextCallbackData* data) {
   FieldWishes& wishes = *static_cast<FieldWishes*>(data->UserData);
   if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
@@ -39,7 +40,8 @@ std::string_view without_blank(std::string_view line) {
 
 /// What the manual says after the name, where the line has no arguments yet.
 std::string_view missing_arguments(const scene::CommandMatch& match) {
-  return without_blank(match.line) == match.command->name ? match.command->arguments : std::string_view();
+  return without_blank(match.line) == match.command->name ? match.command->arguments
+                                                          : std::string_view();
 }
 
 float row_height() { return 2.5f * em(); }
@@ -90,8 +92,8 @@ void CommandPalette::draw_field(const Frame& frame) {
   const auto flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways |
                      ImGuiInputTextFlags_CallbackCompletion;
   FieldWishes wishes{caret_to_end_, chosen_ < matches_.size() ? matches_[chosen_].line : text_};
-  entered_ = ImGui::InputTextWithHint("##text", "Type a command, or what it is to do", buffer.data(),
-                                      buffer.size(), flags, edit_field, &wishes);
+  entered_ = ImGui::InputTextWithHint("##text", "Type a command, or what it is to do",
+                                      buffer.data(), buffer.size(), flags, edit_field, &wishes);
   text_ = buffer.data();
   if (text_ == searched_) return;
   matches_ = scene::find_commands(text_, recent);
@@ -100,10 +102,12 @@ void CommandPalette::draw_field(const Frame& frame) {
   scroll_ = true;
 }
 
-bool CommandPalette::draw_row(const Frame& frame, const scene::CommandMatch& match, bool chosen) const {
+bool CommandPalette::draw_row(const Frame& frame, const scene::CommandMatch& match,
+                              bool chosen) const {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool pressed = ImGui::Selectable("##row", chosen, ImGuiSelectableFlags_None, {0, row_height()});
+  const bool pressed =
+      ImGui::Selectable("##row", chosen, ImGuiSelectableFlags_None, {0, row_height()});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float left = from.x + 0.5f * em(), top = from.y + 0.25f * em();
   const std::string_view line = without_blank(match.line);

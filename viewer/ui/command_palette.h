@@ -9,8 +9,9 @@
 
 namespace aomd::ui {
 
-/// The content of the palette's dialog. Enter, or a click, emits the chosen line; where it lacks arguments it
-/// is put into the field to be completed. Stays open over an error, which it shows, and closes otherwise.
+/// The content of the palette's dialog. Enter, or a click, emits the chosen line; where it lacks
+/// arguments it is put into the field to be completed. Stays open over an error, which it shows,
+/// and closes otherwise.
 class CommandPalette {
  public:
   static constexpr std::size_t most_recent = 8;
@@ -25,7 +26,8 @@ class CommandPalette {
  private:
   void draw_field(const Frame& frame);
   void draw_list(Frame& frame);
-  [[nodiscard]] bool draw_row(const Frame& frame, const scene::CommandMatch& match, bool chosen) const;
+  [[nodiscard]] bool draw_row(const Frame& frame, const scene::CommandMatch& match,
+                              bool chosen) const;
   void draw_footer(const Frame& frame) const;
   void move_choice();
   void choose(Frame& frame, const scene::CommandMatch& match);

@@ -23,36 +23,43 @@ void label(const Frame& frame, const char* name, const char* help) {
 float name_width() { return 5.4f * em(); }
 
 constexpr const char* spacing_help =
-    "The spacing: how long edges become, in the units of the mesh as opened, then Enter. A file with a "
+    "The spacing: how long edges become, in the units of the mesh as opened, then Enter. A file "
+    "with a "
     "number "
-    "for each vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the "
+    "for each vertex; curvature: longer where it is flatter; or a formula of x, y, z, h (mean "
+    "length of the "
     "edges "
     "there), k (curvature) and diag (diagonal of the box), like x < 0 ? 2 * h : 8 * h.";
 
 constexpr const char* factor_help =
-    "The spacing as a factor: how many times longer edges become (\u00d7 their mean length at the start) "
+    "The spacing as a factor: how many times longer edges become (\u00d7 their mean length at the "
+    "start) "
     "where "
     "the angle does not bind.";
 constexpr const char* faces_help = "Stops at this many faces, or where nothing more may go.";
-constexpr const char* angle_help = "How far the normal of a face may turn in one operation, in degrees.";
+constexpr const char* angle_help =
+    "How far the normal of a face may turn in one operation, in degrees.";
 constexpr const char* feature_help =
-    "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses respect.";
+    "Edges whose faces meet at more than this angle (degrees) become model edges, which collapses "
+    "respect.";
 constexpr const char* regularity_help =
-    "0: accuracy first, the surface stays as close to the mesh as opened as its faces allow. 1: regular "
+    "0: accuracy first, the surface stays as close to the mesh as opened as its faces allow. 1: "
+    "regular "
     "faces "
     "first, closer to equilateral, for a larger distance. No unit.";
 constexpr const char* passes_help =
     "How many sweeps are followed by edge swaps and vertex smoothing: a number of sweeps.";
 
 void strategy_control(Frame& frame, const DecimationOptions& options) {
-  constexpr Choice choices[] = {
-      {"Paper",
-       "The loop as printed in the paper: edges in their order, in sweeps; a collapse leaves the other "
-       "vertex "
-       "where it is."},
-      {"Quality",
-       "What costs least goes first, the vertex that stays is put where the error is least, and the result "
-       "is fitted to the mesh as opened."}};
+  constexpr Choice choices[] = {{"Paper",
+                                 "The loop as printed in the paper: edges in their order, in "
+                                 "sweeps; a collapse leaves the other "
+                                 "vertex "
+                                 "where it is."},
+                                {"Quality",
+                                 "What costs least goes first, the vertex that stays is put where "
+                                 "the error is least, and the result "
+                                 "is fitted to the mesh as opened."}};
   label(frame, "Strategy", "How to choose what goes.");
   ImGui::SameLine(name_width());
   ImGui::SetNextItemWidth(-1);
@@ -119,12 +126,14 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
 }
 
 void aim_control(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
-  const Choice choices[] = {{"Spacing factor", factor_help},
-                            {"Number of faces", faces_help},
-                            {"Spacing", spacing_help, frame.can_decimate()},
-                            {"Coarsest", "No spacing: only the angle and the model stop a collapse."}};
+  const Choice choices[] = {
+      {"Spacing factor", factor_help},
+      {"Number of faces", faces_help},
+      {"Spacing", spacing_help, frame.can_decimate()},
+      {"Coarsest", "No spacing: only the angle and the model stop a collapse."}};
   label(frame, "Aim at",
-        "How far to go: to a spacing of edges, to a number of faces, or as far as the limits let it.");
+        "How far to go: to a spacing of edges, to a number of faces, or as far as the limits let "
+        "it.");
   ImGui::SameLine(name_width());
   ImGui::SetNextItemWidth(-1);
   const Aim present = aim_of(options);
@@ -143,9 +152,11 @@ void snap_control(Frame& frame) {
   if (ImGui::Checkbox(name, &on)) frame.emit(on ? "snap model" : "snap none");
   ImGui::EndDisabled();
   tooltip(
-      "Smoothing puts every vertex that it moves back onto the model face or edge that it lies on: of the "
+      "Smoothing puts every vertex that it moves back onto the model face or edge that it lies on: "
+      "of the "
       "CAD "
-      "model when one is given, or else onto the facets of the mesh as opened (distance 0 but for rounding, "
+      "model when one is given, or else onto the facets of the mesh as opened (distance 0 but for "
+      "rounding, "
       "in the mesh's units of length). Off: it may leave the model, and round shapes shrink.");
 }
 
@@ -157,7 +168,8 @@ void angle_control(Frame& frame, const DecimationOptions& options) {
     frame.emit("angle " + short_number(angle));
 }
 
-/// Deriving the classification takes longer than a frame on large meshes: only when the value is let go.
+/// Deriving the classification takes longer than a frame on large meshes: only when the value is
+/// let go.
 void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   const auto present = frame.document().classify_options().feature_angle_deg;
   const scene::FeatureTrial* trial = frame.document().trial();
@@ -167,12 +179,14 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   same_line_right(6.1f * em());
   bool on = present.has_value();
   if (ImGui::Checkbox("Features", &on))
-    frame.emit(on ? "feature-angle " + short_number(drafts.feature_angle_deg) : "feature-angle off");
-  tooltip("Off: only boundaries, non-manifold edges and borders between model faces are model edges.");
+    frame.emit(on ? "feature-angle " + short_number(drafts.feature_angle_deg)
+                  : "feature-angle off");
+  tooltip(
+      "Off: only boundaries, non-manifold edges and borders between model faces are model edges.");
   ImGui::BeginDisabled(!on);
   ImGui::BeginGroup();
-  const bool changed =
-      number_control("feature", drafts.feature_angle_deg, {1, 90, "%.1f\u00b0", false, feature_help});
+  const bool changed = number_control("feature", drafts.feature_angle_deg,
+                                      {1, 90, "%.1f\u00b0", false, feature_help});
   ImGui::EndGroup();
   ImGui::EndDisabled();
   drafts.editing_feature_angle = (drafts.editing_feature_angle || changed) && on;

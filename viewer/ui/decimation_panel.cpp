@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/decimate/explanation.h"
+#include "core/decimate/explain/explanation.h"
 #include "viewer/scene/text.h"
 #include "viewer/scene/verdict_field.h"
 #include "viewer/ui/link_flow.h"
@@ -14,7 +14,9 @@ namespace {
 
 using scene::grouped;
 
-float half_width() { return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x); }
+float half_width() {
+  return 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+}
 
 void operation_buttons(Frame& frame) {
   const bool ready = frame.can_decimate() && !frame.document().running();
@@ -40,8 +42,9 @@ void run_controls(Frame& frame) {
   const Decimation& decimation = *document.decimation();
   gap(0.15f);
   bar(document.run_progress(), ImGui::GetColorU32(frame.colors.accent), 0.5f);
-  muted(frame, "Sweep " + std::to_string(decimation.sweeps().size()) + ": " + phase_name(decimation.phase()) +
-                   ", " + std::to_string(static_cast<int>(100 * document.run_progress())) + " %");
+  muted(frame, "Sweep " + std::to_string(decimation.sweeps().size()) + ": " +
+                   phase_name(decimation.phase()) + ", " +
+                   std::to_string(static_cast<int>(100 * document.run_progress())) + " %");
 }
 
 void refusal_row(Frame& frame, Reason reason, std::uint32_t count, std::uint32_t most) {
@@ -65,13 +68,15 @@ void refusal_row(Frame& frame, Reason reason, std::uint32_t count, std::uint32_t
 }
 
 void refusal_table(Frame& frame, const SweepStatistics& sweep) {
-  const std::uint32_t most = std::max(1u, *std::max_element(sweep.refused.begin(), sweep.refused.end()));
+  const std::uint32_t most =
+      std::max(1u, *std::max_element(sweep.refused.begin(), sweep.refused.end()));
   if (!ImGui::BeginTable("refusals", 3, ImGuiTableFlags_SizingFixedFit)) return;
   ImGui::TableSetupColumn("reason", ImGuiTableColumnFlags_WidthFixed, 8.0f * em());
   ImGui::TableSetupColumn("bar", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("count", ImGuiTableColumnFlags_WidthFixed, 3.8f * em());
   for (std::size_t i = 1; i < sweep.refused.size(); ++i)
-    if (const std::uint32_t n = sweep.refused[i]; n > 0) refusal_row(frame, static_cast<Reason>(i), n, most);
+    if (const std::uint32_t n = sweep.refused[i]; n > 0)
+      refusal_row(frame, static_cast<Reason>(i), n, most);
   ImGui::EndTable();
 }
 
@@ -83,8 +88,9 @@ void stop_section(Frame& frame) {
   text(broken_at_blanks(stop, ImGui::GetContentRegionAvail().x));
   const std::size_t runs = frame.session.runs.size();
   if (frame.session.view.panels.runs || runs == 0) return;
-  LinkFlow(frame).add(runs == 1 ? "1 run is kept" : std::to_string(runs) + " runs are kept: compare",
-                      "panel runs on", "The table of what runs came to, to go back to and to compare.");
+  LinkFlow(frame).add(
+      runs == 1 ? "1 run is kept" : std::to_string(runs) + " runs are kept: compare",
+      "panel runs on", "The table of what runs came to, to go back to and to compare.");
 }
 
 void last_sweep_section(Frame& frame) {

@@ -61,7 +61,9 @@ const char* title_of(Dialog dialog) {
 }
 
 std::string line_for(Dialog dialog, const std::filesystem::path& file) {
-  const char* command = dialog == Dialog::Open ? "open" : dialog == Dialog::Save ? "save" : "screenshot";
+  const char* command = dialog == Dialog::Open   ? "open"
+                        : dialog == Dialog::Save ? "save"
+                                                 : "screenshot";
   return std::string(command) + " \"" + file.string() + "\"";
 }
 
@@ -96,7 +98,8 @@ void draw_mouse(const Frame& frame) {
   shortcut_row(frame, "Ctrl + drag", "Select what can be seen in a box; with Shift add it");
   shortcut_row(frame, "Double click", "Nearer to what is there; beside the mesh show all of it");
   shortcut_row(frame, "Ctrl + click", "On a slider's field: type a value");
-  shortcut_row(frame, "Drag a border", "Of a side panel: wider or narrower; double click: as at first");
+  shortcut_row(frame, "Drag a border",
+               "Of a side panel: wider or narrower; double click: as at first");
 }
 
 void draw_keys(const Frame& frame) {
@@ -107,7 +110,8 @@ void draw_keys(const Frame& frame) {
 
 void draw_shortcuts(const Frame& frame) {
   const float below = ImGui::GetFrameHeightWithSpacing() + 1.2f * em();
-  const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  const auto flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   if (!ImGui::BeginTable("keys", 2, flags, {0, ImGui::GetContentRegionAvail().y - below})) return;
   ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 11 * em());
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
@@ -121,12 +125,14 @@ void draw_shortcuts(const Frame& frame) {
 void draw_about(const Frame& frame) {
   ImGui::PushTextWrapPos(0);
   text(
-      "A mesh database whose stored adjacencies follow the algorithm, decimation on top of it, and a viewer "
+      "A mesh database whose stored adjacencies follow the algorithm, decimation on top of it, and "
+      "a viewer "
       "in which "
       "every operation can be watched, reversed and replayed.");
   gap();
   muted(frame,
-        "After B. K. Karamete, \"An Algorithm Oriented Mesh Database (AOMD) Application: Decimation\".");
+        "After B. K. Karamete, \"An Algorithm Oriented Mesh Database (AOMD) Application: "
+        "Decimation\".");
   gap();
   muted(frame, "Version " AOMD_VERSION
                ". Everything in the menus is also a command: aomd-view --help lists them, and a "
@@ -158,7 +164,8 @@ void draw_content(Frame& frame, DialogState& state, bool appearing) {
   }
   gap(0.2f);
   const float width = 6 * em();
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                       std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
   if (ImGui::Button("Close", {width, 0})) frame.emit("dialog none");
 }
 
@@ -170,7 +177,8 @@ ImVec2 size_of(Dialog dialog) {
                      : dialog == Dialog::Lessons  ? ImVec2(42, 40)
                      : dialog == Dialog::Palette  ? ImVec2(42, 27)
                                                   : ImVec2(44, 34);
-  return {std::min(ems.x * em(), display.x - 2 * em()), std::min(ems.y * em(), display.y - 2 * em())};
+  return {std::min(ems.x * em(), display.x - 2 * em()),
+          std::min(ems.y * em(), display.y - 2 * em())};
 }
 
 void draw_loading(Frame& frame) {
@@ -192,9 +200,9 @@ void draw_loading(Frame& frame) {
 void draw_error(Frame& frame) {
   const ImVec2 from = ImGui::GetWindowPos();
   const float height = ImGui::GetWindowHeight();
-  ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 0.35f * em(), from.y + height},
-                                            ImGui::GetColorU32(frame.colors.bad),
-                                            ImGui::GetStyle().WindowRounding, ImDrawFlags_RoundCornersLeft);
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      from, {from.x + 0.35f * em(), from.y + height}, ImGui::GetColorU32(frame.colors.bad),
+      ImGui::GetStyle().WindowRounding, ImDrawFlags_RoundCornersLeft);
   ImGui::Indent(0.4f * em());
   ImGui::PushTextWrapPos(30 * em());
   text(frame.session.error);
@@ -218,8 +226,9 @@ void draw_dialogs(Frame& frame, DialogState& state) {
   ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize(size_of(wanted));
   bool open = true;
-  const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoScrollbar;
+  const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoScrollbar;
   if (!ImGui::BeginPopupModal(title, &open, flags)) return;
   draw_content(frame, state, appearing);
   ImGui::EndPopup();
@@ -229,8 +238,9 @@ void draw_dialogs(Frame& frame, DialogState& state) {
 void draw_messages(Frame& frame, const Area& viewport) {
   const bool in_palette = frame.session.view.dialog == scene::Dialog::Palette;
   if (!frame.session.loading() && (frame.session.error.empty() || in_palette)) return;
-  ImGui::SetNextWindowPos({viewport.position.x + 0.5f * viewport.size.x, viewport.position.y + em()},
-                          ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowPos(
+      {viewport.position.x + 0.5f * viewport.size.x, viewport.position.y + em()}, ImGuiCond_Always,
+      {0.5f, 0});
   const auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing;

@@ -12,12 +12,15 @@ void ramp_bar(scene::ColorMap map) {
   constexpr int parts = 14;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 0.8f * em();
-  const auto color_at = [&](int i) { return scene::ramp_color(static_cast<float>(i) / parts, map); };
+  const auto color_at = [&](int i) {
+    return scene::ramp_color(static_cast<float>(i) / parts, map);
+  };
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (int i = 0; i < parts; ++i) {
     const auto x = [&](int k) { return from.x + width * static_cast<float>(k) / parts; };
     const ImU32 left = color_at(i), right = color_at(i + 1);
-    list.AddRectFilledMultiColor({x(i), from.y}, {x(i + 1), from.y + height}, left, right, right, left);
+    list.AddRectFilledMultiColor({x(i), from.y}, {x(i + 1), from.y + height}, left, right, right,
+                                 left);
   }
   ImGui::Dummy({width, height});
 }
@@ -54,7 +57,8 @@ void field_legend(const Frame& frame) {
   if (field == nullptr) {
     muted(frame, why_none(coloring));
   } else if (field->scale.empty()) {
-    muted(frame, coloring == scene::Coloring::Spacing ? "No limit." : "Flat all over, or not measured yet.");
+    muted(frame, coloring == scene::Coloring::Spacing ? "No limit."
+                                                      : "Flat all over, or not measured yet.");
   } else if (coloring == scene::Coloring::Distance && field->scale.high == 0) {
     muted(frame, "None: all faces lie on it.");
   } else {

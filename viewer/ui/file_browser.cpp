@@ -36,7 +36,8 @@ std::string shown_folder(const fs::path& folder) {
 fs::path below_home(const std::string& typed) {
   const char* home = std::getenv("HOME");
   const bool meant = home != nullptr && (typed == "~" || typed.rfind("~/", 0) == 0);
-  return meant ? fs::path(home) / typed.substr(std::min<std::size_t>(2, typed.size())) : fs::path(typed);
+  return meant ? fs::path(home) / typed.substr(std::min<std::size_t>(2, typed.size()))
+               : fs::path(typed);
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ class FileBrowser {
   void begin(const BrowserPurpose& purpose);
   void set_folder(const std::filesystem::path& folder);
   /// Draws the content of the dialog. The file that was chosen, once.
-  [[nodiscard]] std::optional<std::filesystem::path> draw(Frame& frame, const BrowserPurpose& purpose);
+  [[nodiscard]] std::optional<std::filesystem::path> draw(Frame& frame,
+                                                          const BrowserPurpose& purpose);
 
  private:
   struct Entry {
@@ -46,7 +47,8 @@ class FileBrowser {
   std::string typed_;    ///< a name in the folder, or a whole path
   std::string problem_;  ///< why the folder or the name will not do
   bool chosen_ = false;
-  int times_shown_ = 0;  ///< the field of each time is one of its own: ImGui would go on with the last one
+  int times_shown_ =
+      0;  ///< the field of each time is one of its own: ImGui would go on with the last one
 };
 
 }  // namespace aomd::ui

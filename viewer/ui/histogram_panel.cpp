@@ -29,39 +29,41 @@ struct Words {
 
 std::array<Words, 3> words_of(const scene::Histograms& all) {
   const Words angle =
-      all.volume ? Words{HistogramKind::Angle,
-                         "angle",
-                         "Smallest dihedral angle",
-                         "The smallest angle between two sides of each region; 70.5 degrees in a regular "
-                         "tetrahedron, 90 in a cube.",
-                         "regions",
-                         "\u00b0",
-                         "worst",
-                         true,
-                         false,
-                         true}
-                 : Words{HistogramKind::Angle,
-                         "angle",
-                         "Smallest angle",
-                         "The smallest angle of each face; 60 degrees in a regular triangle.",
-                         "faces",
-                         "\u00b0",
-                         "worst",
-                         true,
-                         false,
-                         true};
+      all.volume
+          ? Words{HistogramKind::Angle,
+                  "angle",
+                  "Smallest dihedral angle",
+                  "The smallest angle between two sides of each region; 70.5 degrees in a regular "
+                  "tetrahedron, 90 in a cube.",
+                  "regions",
+                  "\u00b0",
+                  "worst",
+                  true,
+                  false,
+                  true}
+          : Words{HistogramKind::Angle,
+                  "angle",
+                  "Smallest angle",
+                  "The smallest angle of each face; 60 degrees in a regular triangle.",
+                  "faces",
+                  "\u00b0",
+                  "worst",
+                  true,
+                  false,
+                  true};
   const char* lengths =
       all.wanted_lengths
-          ? "The length of each edge over the mean spacing at its ends: 1 is as long as it should be."
+          ? "The length of each edge over the mean spacing at its ends: 1 is as long as it should "
+            "be."
           : "The length of each edge over the mean length of the edges as loaded: the present "
             "options give no spacing.";
-  return {
-      angle,
-      {HistogramKind::Length, "length", all.wanted_lengths ? "Edge length / spacing" : "Edge length / mean",
-       lengths, "edges", "", "longest", false, false, true},
-      {HistogramKind::Valence, "valence", "Edges at a vertex",
-       "The valence: 6 inside a regular surface of triangles, 4 at its border.", "vertices", "", "most",
-       false, true, true}};
+  return {angle,
+          {HistogramKind::Length, "length",
+           all.wanted_lengths ? "Edge length / spacing" : "Edge length / mean", lengths, "edges",
+           "", "longest", false, false, true},
+          {HistogramKind::Valence, "valence", "Edges at a vertex",
+           "The valence: 6 inside a regular surface of triangles, 4 at its border.", "vertices", "",
+           "most", false, true, true}};
 }
 
 std::string bin_text(const Words& words, const Histogram& h, std::size_t bin) {
@@ -141,8 +143,8 @@ void draw_steps(const Frame& frame, const Chart& chart, const Histogram& before)
 void axis_numbers(const Frame& frame, const Words& words, const Histogram& h) {
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   const auto put = [&](float at, const std::string& text, float align) {
-    ImGui::SetCursorPosX(left +
-                         std::clamp(at * width - align * ImGui::CalcTextSize(text.c_str()).x, 0.0f, width));
+    ImGui::SetCursorPosX(
+        left + std::clamp(at * width - align * ImGui::CalcTextSize(text.c_str()).x, 0.0f, width));
     muted(frame, text);
   };
   ImGui::PushFont(frame.fonts.small);
@@ -151,8 +153,8 @@ void axis_numbers(const Frame& frame, const Words& words, const Histogram& h) {
     for (std::size_t bin = 0; bin < h.counts.size(); bin += 2) {
       if (bin > 0) ImGui::SameLine();
       const bool last = bin + 1 == h.counts.size();
-      put((static_cast<float>(bin) + 0.5f) / bins, scene::short_number(h.bound(bin), 0) + (last ? "+" : ""),
-          0.5f);
+      put((static_cast<float>(bin) + 0.5f) / bins,
+          scene::short_number(h.bound(bin), 0) + (last ? "+" : ""), 0.5f);
     }
   } else {
     // Whole numbers, also where the range depends on the mesh.
@@ -172,9 +174,11 @@ void numbers_line(const Frame& frame, const Words& words, const Histogram& h, bo
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float side = 0.7f * em(), y = at.y + 0.5f * ImGui::GetTextLineHeight();
   if (now)
-    list.AddRectFilled({at.x, y - 0.5f * side}, {at.x + side, y + 0.5f * side}, now_color(frame, false));
+    list.AddRectFilled({at.x, y - 0.5f * side}, {at.x + side, y + 0.5f * side},
+                       now_color(frame, false));
   else
-    list.AddRectFilled({at.x, y - 0.06f * em()}, {at.x + side, y + 0.06f * em()}, before_color(frame));
+    list.AddRectFilled({at.x, y - 0.06f * em()}, {at.x + side, y + 0.06f * em()},
+                       before_color(frame));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.1f * em());
   const double worst = words.worst_is_least ? h.least : h.largest;
   std::string line = (now ? "now" : frame.session.reference_name()) + ": ";
@@ -200,7 +204,8 @@ bool point_at(Frame& frame, const Words& words, const scene::Histograms& all, co
   const auto bin = static_cast<std::size_t>(
       std::clamp(part * static_cast<float>(chart.bins), 0.0f, static_cast<float>(chart.bins - 1)));
   std::string text = bin_text(words, pair.now, bin) + "\nnow: " + count_text(words, pair.now, bin);
-  if (all.changed) text += "\n" + frame.session.reference_name() + ": " + count_text(words, pair.before, bin);
+  if (all.changed)
+    text += "\n" + frame.session.reference_name() + ": " + count_text(words, pair.before, bin);
   tooltip(text + "\nClick to select them.");
   const double middle = 0.5 * (pair.now.bound(bin) + pair.now.bound(bin + 1));
   const std::string bar = std::string(words.command) + " " + scene::short_number(middle, 4);
@@ -220,8 +225,8 @@ bool chart(Frame& frame, const Words& words, const scene::Histograms& all, float
   chart.bins = pair.now.counts.size();
   chart.highest = 1e-9;
   for (std::size_t bin = 0; bin < chart.bins; ++bin)
-    chart.highest =
-        std::max({chart.highest, share(pair.now, bin), all.changed ? share(pair.before, bin) : 0.0});
+    chart.highest = std::max(
+        {chart.highest, share(pair.now, bin), all.changed ? share(pair.before, bin) : 0.0});
   ImGui::InvisibleButton(words.command, {chart.to.x - chart.from.x, height});
   const bool pointed_at = point_at(frame, words, all, chart);
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -8,7 +8,8 @@ namespace {
 
 const void* as_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
-// ImTextureID is a pointer up to ImGui 1.91.3 and an integer afterwards; only this kind of cast fits both.
+// ImTextureID is a pointer up to ImGui 1.91.3 and an integer afterwards; only this kind of cast
+// fits both.
 ImTextureID to_id(GLuint texture) { return (ImTextureID)(std::intptr_t)texture; }
 GLuint from_id(ImTextureID id) { return (GLuint)(std::intptr_t)id; }
 
@@ -29,7 +30,8 @@ ImGuiLayer::ImGuiLayer(const render::Gl& gl, const render::ShaderSources& source
   for (GLuint i = 0; i < 3; ++i) gl_.EnableVertexAttribArray(i);
   gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, as_offset(offsetof(ImDrawVert, pos)));
   gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride, as_offset(offsetof(ImDrawVert, uv)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, as_offset(offsetof(ImDrawVert, col)));
+  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+                          as_offset(offsetof(ImDrawVert, col)));
   update_fonts();
 }
 
@@ -79,14 +81,15 @@ void ImGuiLayer::set_state(const ImDrawData& data) {
   program_.use();
   program_.set("atlas", 0);
   const glm::vec2 scale(2.0f / data.DisplaySize.x, -2.0f / data.DisplaySize.y);
-  program_.set("scale_offset",
-               glm::vec4(scale, -1.0f - data.DisplayPos.x * scale.x, 1.0f - data.DisplayPos.y * scale.y));
+  program_.set("scale_offset", glm::vec4(scale, -1.0f - data.DisplayPos.x * scale.x,
+                                         1.0f - data.DisplayPos.y * scale.y));
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
 }
 
 void ImGuiLayer::draw_list(const ImDrawList& list, const ImDrawData& data) {
-  gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
+  gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data,
+                 GL_STREAM_DRAW);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
                  GL_STREAM_DRAW);
   for (const ImDrawCmd& command : list.CmdBuffer) {

@@ -10,9 +10,9 @@
 
 namespace aomd::ui {
 
-/// The back end that draws: program, buffers and the font atlas of the current ImGui context. Both contexts
-/// must be current whenever a member runs. Works with ImGui 1.86 to 1.91; callbacks in draw lists are called,
-/// ImDrawCallback_ResetRenderState sets our state again.
+/// The back end that draws: program, buffers and the font atlas of the current ImGui context. Both
+/// contexts must be current whenever a member runs. Works with ImGui 1.86 to 1.91; callbacks in
+/// draw lists are called, ImDrawCallback_ResetRenderState sets our state again.
 class ImGuiLayer {
  public:
   /// Builds and uploads the font atlas as it is now. Throws render::GlError.

@@ -48,7 +48,8 @@ void facts_table(Frame& frame, const scene::Inspection& inspection) {
       if (name == "Spacing") tooltip(scene::field_text(scene::Coloring::Spacing).help);
       ImGui::TableNextColumn();
       if (name == "Lies on" && model.valid())
-        LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model), "Show this model entity");
+        LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model),
+                            "Show this model entity");
       else
         wrapped(value, frame.colors.text);
     }
@@ -63,7 +64,8 @@ void neighbour_links(const Frame& frame, LinkFlow& flow, int i, const scene::Adj
   const std::string name = entity_name(level.level);
   if (level.known)
     flow.add(lit ? "[hide]" : "[show]", "neighbours " + (lit ? "off" : name),
-             "Lights them up in the picture: stored ones solid, derived ones dashed, with the path to them.");
+             "Lights them up in the picture: stored ones solid, derived ones dashed, with the path "
+             "to them.");
   else
     flow.add("[store " + relation_name(i, level.level) + "]",
              "adjacency " + std::to_string(i) + " " + std::to_string(level.level) + " on",
@@ -81,11 +83,13 @@ void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
     ImGui::SameLine();
     const std::string how = level.stored ? "stored" : level.known ? "derived" : "not stored";
     ImGui::PushFont(frame.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, level.known ? frame.colors.text_muted : frame.colors.warning);
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          level.known ? frame.colors.text_muted : frame.colors.warning);
     text_right(relation + " " + how);
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    tooltip(level.stored ? "The row of " + relation + " as it is stored." : relation + ": " + level.how);
+    tooltip(level.stored ? "The row of " + relation + " as it is stored."
+                         : relation + ": " + level.how);
     LinkFlow flow(frame);
     neighbour_links(frame, flow, inspection.entity.dimension, level);
     for (const std::uint32_t id : level.ids)
@@ -118,7 +122,8 @@ void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const CheckResult& c = checks[i];
     const float width = ImGui::CalcTextSize(c.name).x;
-    if (i > 0 && ImGui::GetItemRectMax().x + 0.5f * em() + width < right) ImGui::SameLine(0, 0.5f * em());
+    if (i > 0 && ImGui::GetItemRectMax().x + 0.5f * em() + width < right)
+      ImGui::SameLine(0, 0.5f * em());
     const ImVec4 color = c.state == State::Passed   ? frame.colors.good
                          : c.state == State::Failed ? frame.colors.bad
                                                     : frame.colors.text_muted;
@@ -153,10 +158,11 @@ void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number
     const glm::dvec3& p = way.outlook.contraction.position;
     muted(frame, "Cost " + scene::significant(*way.outlook.cost));
     tooltip(
-        "What orders the collapses: the error that it adds, as a part of the mesh's diagonal, and a little "
+        "What orders the collapses: the error that it adds, as a part of the mesh's diagonal, and "
+        "a little "
         "for its length. The cheapest goes first.");
-    wrapped(frame, "Kept vertex at " + scene::significant(p.x) + ", " + scene::significant(p.y) + ", " +
-                       scene::significant(p.z));
+    wrapped(frame, "Kept vertex at " + scene::significant(p.x) + ", " + scene::significant(p.y) +
+                       ", " + scene::significant(p.z));
   }
   ImGui::PopID();
 }
@@ -186,7 +192,9 @@ void judgement_section(Frame& frame, const scene::Judgement& judgement) {
     gap(0.2f);
     heading(frame, title);
     if (judgement.swap) swap_choice(frame, judgement);
-    wrapped(words, !known ? frame.colors.text_muted : accepted ? frame.colors.good : frame.colors.bad);
+    wrapped(words, !known     ? frame.colors.text_muted
+                   : accepted ? frame.colors.good
+                              : frame.colors.bad);
   };
   section("Swap", judgement.swap_words, judgement.swap && judgement.swap->verdict.accepted(),
           judgement.swap.has_value());
@@ -240,10 +248,10 @@ void inspector_panel(Frame& frame) {
   gap(0.2f);
   model_entity_section(frame);
   if (frame.session.selection.empty())
-    wrapped(
-        frame,
-        "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what is adjacent and "
-        "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.");
+    wrapped(frame,
+            "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what "
+            "is adjacent and "
+            "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.");
   else if (const scene::Inspection* inspection = frame.session.inspection())
     one_entity(frame, *inspection);
   else

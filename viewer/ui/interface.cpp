@@ -20,7 +20,8 @@ namespace {
 
 constexpr auto fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                               ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                              ImGuiWindowFlags_NoSavedSettings |
+                              ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// A window that fills an area; draws nothing where the area is empty.
 template <typename Content>
@@ -102,7 +103,8 @@ void Interface::draw_panels(Frame& frame) {
   docked("##side", layout_.side, ImGuiWindowFlags_None,
          [&] { side_panel(frame, drafts_, histogram_drafts_); });
   docked("##runs", layout_.runs, ImGuiWindowFlags_NoScrollbar, [&] { runs_panel(frame); });
-  docked("##timeline", layout_.timeline, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
+  docked("##timeline", layout_.timeline,
+         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse,
          [&] { timeline_panel(frame); });
 }
 
@@ -123,8 +125,8 @@ std::string Interface::place_words(ImVec2 mouse) const {
   return number(std::clamp(x, -1.0, 1.0)) + " " + number(std::clamp(y, -1.0, 1.0));
 }
 
-/// A press that stays where it is selects, with Ctrl a drag selects a box. The mesh as loaded, beside the
-/// present one, is only looked at.
+/// A press that stays where it is selects, with Ctrl a drag selects a box. The mesh as loaded,
+/// beside the present one, is only looked at.
 void Interface::handle_click(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && dragging_) {
@@ -188,7 +190,8 @@ void Interface::handle_mouse(Frame& frame) {
       const double x = 2 * (io.MousePos.x - area.position.x) / area.size.x - 1;
       const double y = 1 - 2 * (io.MousePos.y - area.position.y) / area.size.y;
       if (std::abs(x) <= 1 && std::abs(y) <= 1)
-        frame.emit("zoom " + number(std::pow(1.15, io.MouseWheel)) + " " + number(x) + " " + number(y));
+        frame.emit("zoom " + number(std::pow(1.15, io.MouseWheel)) + " " + number(x) + " " +
+                   number(y));
     }
   }
   handle_click(frame);
@@ -197,7 +200,8 @@ void Interface::handle_mouse(Frame& frame) {
   const bool moved = io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
   if (!dragging_ || !moved || (!left && !other) || (left && (boxing_ || !moved_))) return;
   if (other || io.KeyShift) {
-    frame.emit("pan " + number(io.MouseDelta.x / area.size.x) + " " + number(-io.MouseDelta.y / area.size.y));
+    frame.emit("pan " + number(io.MouseDelta.x / area.size.x) + " " +
+               number(-io.MouseDelta.y / area.size.y));
     return;
   }
   const double scale = degrees_per_window / std::min(area.size.x, area.size.y);

@@ -16,8 +16,8 @@
 
 namespace aomd::ui {
 
-/// Between ImGui::NewFrame and ImGui::Render. Reads the session, emits lines, and never changes anything
-/// else.
+/// Between ImGui::NewFrame and ImGui::Render. Reads the session, emits lines, and never changes
+/// anything else.
 class Interface {
  public:
   RecentFiles recent;
@@ -27,7 +27,8 @@ class Interface {
   /// Draws everything; what is left for the scene is layout().viewport.
   [[nodiscard]] std::vector<std::string> draw(const scene::Session& session, const Fonts& fonts);
   /// The line that a chord means now; empty where it means nothing or goes into a field.
-  [[nodiscard]] static std::string line_for_chord(const scene::Session& session, std::string_view chord);
+  [[nodiscard]] static std::string line_for_chord(const scene::Session& session,
+                                                  std::string_view chord);
   [[nodiscard]] const Layout& layout() const { return layout_; }
   /// What the palette has run, newest first: kept between sessions.
   [[nodiscard]] std::vector<std::string>& recent_commands() { return dialogs_.palette.recent; }
@@ -49,8 +50,9 @@ class Interface {
   HistogramDrafts histogram_drafts_;
   bool dragging_ = false;  ///< a drag that began on the scene
   bool moved_ = false;     ///< and has left the place where it began: no click
-  bool again_ = false;     ///< the second press of a double click: it has moved the picture below the mouse
-  bool boxing_ = false;    ///< a drag with Ctrl
+  bool again_ =
+      false;  ///< the second press of a double click: it has moved the picture below the mouse
+  bool boxing_ = false;  ///< a drag with Ctrl
   ImVec2 began_;
   bool right_still_ = false;  ///< the right button is down on the picture, where it was pressed
   ImVec2 right_began_;

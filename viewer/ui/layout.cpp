@@ -38,8 +38,10 @@ Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float
   const float menu = bars ? std::round(menu_ems * em) : 0;
   const float status = bars ? std::round(status_ems * em) : 0;
   const float timeline = bars && panels.timeline ? std::round(timeline_ems * em) : 0;
-  const float left = bars && panels.mesh ? panel_width(panels.mesh_ems, mesh_ems, display.x, em) : 0;
-  const float right = bars && panels.side ? panel_width(panels.side_ems, side_ems, display.x, em) : 0;
+  const float left =
+      bars && panels.mesh ? panel_width(panels.mesh_ems, mesh_ems, display.x, em) : 0;
+  const float right =
+      bars && panels.side ? panel_width(panels.side_ems, side_ems, display.x, em) : 0;
   const float height = std::max(1.0f, display.y - menu - status - timeline);
   layout.menu = {{0, 0}, {display.x, menu}};
   layout.mesh = {{0, menu}, {left, height}};
@@ -47,7 +49,8 @@ Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float
   layout.timeline = {{0, menu + height}, {display.x, timeline}};
   layout.status = {{0, display.y - status}, {display.x, status}};
   const float width = std::max(1.0f, display.x - left - right);
-  const float runs = bars && panels.runs ? std::round(std::min(runs_ems * em, runs_share * height)) : 0;
+  const float runs =
+      bars && panels.runs ? std::round(std::min(runs_ems * em, runs_share * height)) : 0;
   layout.viewport = {{left, menu}, {width, height - runs}};
   layout.runs = {{left, menu + height - runs}, {width, runs}};
   return layout;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/decimate/explanation.h"
+#include "core/decimate/explain/explanation.h"
 #include "core/mesh/names.h"
 #include "viewer/scene/arguments.h"
 #include "viewer/scene/palette.h"
@@ -19,7 +19,8 @@ struct Item {
   int dimension = 0;
   ModelRef ref;
   bool title = false;
-  std::size_t count = 0;  ///< model entities below a title; mesh entities of the same dimension on an entity
+  std::size_t count =
+      0;  ///< model entities below a title; mesh entities of the same dimension on an entity
 };
 
 /// Highest first: regions are few, and faces are what one sees.
@@ -49,8 +50,8 @@ void title_row(const Frame& frame, const Item& item) {
   ImGui::PopStyleColor();
 }
 
-/// Round for vertices, a line for edges, a square for faces and regions; only its outline where the entity is
-/// hidden.
+/// Round for vertices, a line for edges, a square for faces and regions; only its outline where the
+/// entity is hidden.
 void swatch(const Item& item, bool hidden, scene::Color color) {
   const float side = 0.78f * em();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -117,7 +118,8 @@ void rows(Frame& frame, const std::vector<Item>& items) {
 void verdict_legend(Frame& frame, const scene::VerdictField& verdicts) {
   heading(frame, "Verdicts on edges");
   tooltip(
-      "Each face shows the colours of its three edges, a third for each: why decimation would refuse the "
+      "Each face shows the colours of its three edges, a third for each: why decimation would "
+      "refuse the "
       "edge "
       "now, with the present options.");
   const auto& counts = verdicts.counts();
@@ -146,7 +148,8 @@ void verdict_legend(Frame& frame, const scene::VerdictField& verdicts) {
 void legend_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
   field_legend(frame);
-  if (const scene::VerdictField* verdicts = frame.session.verdicts()) verdict_legend(frame, *verdicts);
+  if (const scene::VerdictField* verdicts = frame.session.verdicts())
+    verdict_legend(frame, *verdicts);
   heading(frame, "Classification");
   tooltip("The model entities that the mesh lies on, with the number of mesh entities on each.");
   if (!frame.session.view.hidden.empty()) {

@@ -15,13 +15,14 @@ void page_marks(const Frame& frame, const LessonPlayer& player) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::size_t pages = player.lesson()->pages.size();
   const float space = 0.2f * em(), height = 0.22f * em();
-  const float width =
-      (ImGui::GetContentRegionAvail().x - space * static_cast<float>(pages - 1)) / static_cast<float>(pages);
+  const float width = (ImGui::GetContentRegionAvail().x - space * static_cast<float>(pages - 1)) /
+                      static_cast<float>(pages);
   for (std::size_t i = 0; i < pages; ++i) {
     const float x = at.x + static_cast<float>(i) * (width + space);
     const ImU32 color = i <= player.page_number() ? ImGui::GetColorU32(frame.colors.accent)
                                                   : ImGui::GetColorU32(ImGuiCol_FrameBg);
-    ImGui::GetWindowDrawList()->AddRectFilled({x, at.y}, {x + width, at.y + height}, color, 0.5f * height);
+    ImGui::GetWindowDrawList()->AddRectFilled({x, at.y}, {x + width, at.y + height}, color,
+                                              0.5f * height);
   }
   ImGui::Dummy({1, height});
 }
@@ -80,15 +81,16 @@ void task_box(Frame& frame, const LessonPlayer& player) {
   ImGui::Unindent(0.75f * em());
   const float end = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
   const ImVec4 color = player.done() ? frame.colors.good : frame.colors.accent;
-  ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 0.2f * em(), end}, ImGui::GetColorU32(color),
-                                            0.1f * em());
+  ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + 0.2f * em(), end},
+                                            ImGui::GetColorU32(color), 0.1f * em());
 }
 
 void next_button(Frame& frame, const LessonPlayer& player, float width) {
   if (!player.last_page()) return primary_button(frame, "Next", "lesson next", width);
   const auto all = scene::lessons();
   const auto next = static_cast<std::size_t>(player.lesson() - all.data()) + 1;
-  if (next < all.size()) return primary_button(frame, "Next lesson", "lesson " + all[next].name, width);
+  if (next < all.size())
+    return primary_button(frame, "Next lesson", "lesson " + all[next].name, width);
   primary_button(frame, "All lessons", "dialog lessons", width);
 }
 

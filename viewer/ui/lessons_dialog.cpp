@@ -36,7 +36,8 @@ void lesson_row(Frame& frame, const scene::Lesson& lesson, std::size_t number, b
 void lessons_dialog(Frame& frame) {
   muted(frame, "Each takes a few minutes and ends with something to try.");
   const float below = ImGui::GetFrameHeightWithSpacing() + 0.9f * em();
-  if (ImGui::BeginChild("list", {0, std::max(6 * em(), ImGui::GetContentRegionAvail().y - below)})) {
+  if (ImGui::BeginChild("list",
+                        {0, std::max(6 * em(), ImGui::GetContentRegionAvail().y - below)})) {
     const auto all = scene::lessons();
     for (std::size_t i = 0; i < all.size(); ++i)
       lesson_row(frame, all[i], i + 1, frame.session.lesson.completed.contains(all[i].name));

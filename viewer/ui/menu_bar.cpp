@@ -97,7 +97,8 @@ void camera_menu(Frame& frame) {
   }
   ImGui::Separator();
   const scene::Camera& camera = frame.session.view.camera;
-  command_item(frame, "Orthographic", camera.orthographic ? "camera perspective" : "camera orthographic",
+  command_item(frame, "Orthographic",
+               camera.orthographic ? "camera perspective" : "camera orthographic",
                camera.orthographic);
   const bool z_up = camera.up_axis == scene::UpAxis::Z;
   command_item(frame, "Z is up", z_up ? "camera up=y" : "camera up=z", z_up);
@@ -111,7 +112,8 @@ void color_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Colours")) return;
   const scene::Coloring present = frame.session.view.coloring;
   const bool surface = frame.has_mesh() && !frame.document().content().skin;
-  const auto item = [&](const char* name, const char* line, scene::Coloring coloring, bool enabled = true) {
+  const auto item = [&](const char* name, const char* line, scene::Coloring coloring,
+                        bool enabled = true) {
     command_item(frame, name, line, present == coloring, enabled);
   };
   item("Classification", "color classification", scene::Coloring::Classification);
@@ -128,11 +130,13 @@ void clip_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Clip and shrink", frame.has_mesh())) return;
   const scene::View& view = frame.session.view;
   for (const char* axis : {"x", "y", "z"})
-    command_item(frame, (std::string("Across ") + axis).c_str(), std::string("clip ") + axis + " 0.5");
+    command_item(frame, (std::string("Across ") + axis).c_str(),
+                 std::string("clip ") + axis + " 0.5");
   command_item(frame, "Whole cells across x", "clip x 0.5 cells");
   command_item(frame, "No clipping", "clip off", false, view.clip.has_value());
   ImGui::Separator();
-  command_item(frame, "Shrunken cells", view.shrink > 0 ? "shrink 0" : "shrink 0.3", view.shrink > 0);
+  command_item(frame, "Shrunken cells", view.shrink > 0 ? "shrink 0" : "shrink 0.3",
+               view.shrink > 0);
   ImGui::EndMenu();
 }
 
@@ -142,7 +146,8 @@ void view_menu(Frame& frame) {
   const bool volume = frame.has_mesh() && frame.document().content().volume();
   const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
-  command_item(frame, "Show what is selected", "fit selection", false, !frame.session.selection.empty());
+  command_item(frame, "Show what is selected", "fit selection", false,
+               !frame.session.selection.empty());
   camera_menu(frame);
   color_menu(frame);
   clip_menu(frame);
@@ -157,11 +162,13 @@ void view_menu(Frame& frame) {
   command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces, volume);
   command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges, volume);
   command_item(frame, "Ids at the selection", "labels toggle", view.labels);
-  command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on", view.preview);
+  command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on",
+               view.preview);
   command_item(frame, "Axes", "show axes toggle", view.axes);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
   const scene::StepSides sides = view.step_sides;
-  command_item(frame, "    What was there before", "operation before", !sides.after, view.operation);
+  command_item(frame, "    What was there before", "operation before", !sides.after,
+               view.operation);
   command_item(frame, "    What is there after", "operation after", !sides.before, view.operation);
   command_item(frame, "    Both", "operation both", sides.before && sides.after, view.operation);
   ImGui::Separator();
@@ -176,7 +183,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Histograms",
                up(scene::Page::Histograms) ? "panel histograms off" : "panel histograms on",
                up(scene::Page::Histograms));
-  command_item(frame, "Selection", up(scene::Page::Selection) ? "panel selection off" : "panel selection on",
+  command_item(frame, "Selection",
+               up(scene::Page::Selection) ? "panel selection off" : "panel selection on",
                up(scene::Page::Selection));
   command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
   command_item(frame, "Runs", "panel runs toggle", view.panels.runs);

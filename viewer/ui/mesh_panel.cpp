@@ -43,7 +43,8 @@ const char* classified_by(const scene::Document& document) {
 void model_lines(const Frame& frame) {
   const scene::GivenModel* model = frame.document().model();
   if (model == nullptr) return;
-  const std::string help = "The CAD model " + model->file.string() + ": " + scene::counts_text(model->counts);
+  const std::string help =
+      "The CAD model " + model->file.string() + ": " + scene::counts_text(model->counts);
   const float width = ImGui::GetContentRegionAvail().x;
   text(fitted("Model " + model->file.filename().string(), width));
   tooltip(help);
@@ -60,7 +61,8 @@ void file_line(Frame& frame) {
   copy_button(frame, "counts");
   muted(frame, classified_by(frame.document()));
   tooltip(
-      "Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a file says "
+      "Which model vertex, edge or face every vertex, edge and face of the mesh lies on. What a "
+      "file says "
       "wins; "
       "the rest follows from feature angles.");
 }
@@ -102,17 +104,19 @@ void shape_rows(const Frame& frame) {
   if (only_shape(facts)) return;
   for (std::size_t s = 0; s < shape_count(); ++s)
     if (facts.shapes[s] > 0)
-      value_row(frame, ("   " + shape_words(static_cast<Shape>(s))).c_str(), grouped(facts.shapes[s]), "");
+      value_row(frame, ("   " + shape_words(static_cast<Shape>(s))).c_str(),
+                grouped(facts.shapes[s]), "");
 }
 
 /// A level that holds what the file lists, or all sides of the level above.
-void level_row(const Frame& frame, int dim, const char* complete, const char* listed, std::int64_t count) {
+void level_row(const Frame& frame, int dim, const char* complete, const char* listed,
+               std::int64_t count) {
   const bool whole = frame.document().mesh().complete(dim);
   value_row(frame, whole ? complete : listed, grouped(count),
-            whole
-                ? "All that the regions have, each counted once"
-                : "Only those that the file lists: the level is not complete. Storing a relation that needs "
-                  "the others creates them (panel Adjacencies).");
+            whole ? "All that the regions have, each counted once"
+                  : "Only those that the file lists: the level is not complete. Storing a relation "
+                    "that needs "
+                    "the others creates them (panel Adjacencies).");
 }
 
 void volume_rows(const Frame& frame) {
@@ -125,8 +129,10 @@ void volume_rows(const Frame& frame) {
             "Sides with one region, and faces with none: what is drawn");
   level_row(frame, 2, "Faces", "Faces, listed", facts.faces);
   level_row(frame, 1, "Edges", "Edges, listed", facts.edges);
-  value_row(frame, "Vertices", grouped(facts.vertices), "All vertices, also those that nothing uses");
-  value_row(frame, "Unused vertices", grouped(facts.unused), "Vertices that nothing uses; they are kept");
+  value_row(frame, "Vertices", grouped(facts.vertices),
+            "All vertices, also those that nothing uses");
+  value_row(frame, "Unused vertices", grouped(facts.unused),
+            "Vertices that nothing uses; they are kept");
 }
 
 void surface_rows(const Frame& frame) {
@@ -139,11 +145,13 @@ void surface_rows(const Frame& frame) {
   const Row rows[] = {
       {"Edges", now.edges, then.edges, "Edges of faces, each counted once"},
       {"Vertices", now.vertices, then.vertices, "All vertices, also those that no face uses"},
-      {"Unused vertices", now.unused, then.unused, "Vertices that no face uses; they are kept and saved"},
+      {"Unused vertices", now.unused, then.unused,
+       "Vertices that no face uses; they are kept and saved"},
       {"Boundary edges", now.boundary, then.boundary, "Edges with one face"},
       {"Non-manifold", now.nonmanifold, then.nonmanifold, "Edges with more than two faces"},
       {"Euler number", now.euler(), then.euler(),
-       "Used vertices \u2212 edges + faces: 2 for a sphere, 0 for a torus. It stays while the topology "
+       "Used vertices \u2212 edges + faces: 2 for a sphere, 0 for a torus. It stays while the "
+       "topology "
        "does."},
   };
   for (const Row& row : rows) count_row(frame, row);

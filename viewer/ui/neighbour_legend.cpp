@@ -22,8 +22,9 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const scene::Neighbours& n) {
-  static const scene::OverlayStyle selected = scene::selected_style(), stored = scene::stored_style(),
-                                   derived = scene::derived_style(), between = scene::between_style();
+  static const scene::OverlayStyle selected = scene::selected_style(),
+                                   stored = scene::stored_style(), derived = scene::derived_style(),
+                                   between = scene::between_style();
   std::vector<Row> rows{{nullptr, n.words}};
   if (!n.known) return rows;
   rows.push_back({&selected, name_of(n.of)});
@@ -46,8 +47,9 @@ void draw_swatch(const scene::OverlayStyle& style, ImVec2 from) {
   const float step = width / (static_cast<float>(parts) - (parts > 1 ? 0.4f : 0.0f));
   for (int k = 0; k < parts; ++k) {
     const float x = from.x + static_cast<float>(k) * step;
-    list.AddRectFilled({x, y - 0.5f * line}, {x + (parts > 1 ? 0.6f * step : width), y + 0.5f * line},
-                       style.color, 0.4f * line);
+    list.AddRectFilled({x, y - 0.5f * line},
+                       {x + (parts > 1 ? 0.6f * step : width), y + 0.5f * line}, style.color,
+                       0.4f * line);
   }
 }
 
@@ -63,7 +65,8 @@ std::vector<Row> broken(std::vector<Row> rows, float width) {
 void neighbour_legend(const Frame& frame, const Area& viewport) {
   const scene::Neighbours* neighbours = frame.session.neighbours();
   if (neighbours == nullptr || viewport.size.x < 2 * axes_ems * em()) return;
-  const float pad = pad_ems * em(), most = std::min(26 * em(), viewport.size.x - (axes_ems + 1) * em());
+  const float pad = pad_ems * em(),
+              most = std::min(26 * em(), viewport.size.x - (axes_ems + 1) * em());
   const std::vector<Row> rows = broken(rows_of(*neighbours), most - 2 * pad);
   ImVec2 size{0, 0};
   for (const Row& row : rows) {
@@ -81,8 +84,8 @@ void neighbour_legend(const Frame& frame, const Area& viewport) {
   ImVec2 at{from.x + pad, from.y + pad};
   for (const Row& row : rows) {
     if (row.style) draw_swatch(*row.style, at);
-    list.AddText({at.x + (row.style ? swatch_ems * em() : 0), at.y}, ImGui::GetColorU32(frame.colors.text),
-                 row.words.c_str());
+    list.AddText({at.x + (row.style ? swatch_ems * em() : 0), at.y},
+                 ImGui::GetColorU32(frame.colors.text), row.words.c_str());
     at.y += ImGui::CalcTextSize(row.words.c_str()).y;
   }
 }

@@ -48,12 +48,14 @@ void draw_end(const Frame& frame, const AxisEnd& end, ImVec2 middle, ImVec2 at, 
   const float radius = (end.positive ? 0.58f : 0.38f) * em();
   if (end.positive) list.AddLine(middle, at, color, 0.14f * em());
   list.AddCircleFilled(at, radius, end.positive ? color : ImGui::GetColorU32(frame.colors.panel));
-  list.AddCircle(at, radius, hovered ? ImGui::GetColorU32(frame.colors.text) : color, 0, 0.11f * em());
+  list.AddCircle(at, radius, hovered ? ImGui::GetColorU32(frame.colors.text) : color, 0,
+                 0.11f * em());
   if (!end.positive) return;
   ImGui::PushFont(frame.fonts.small);
   const char* letter = letters[static_cast<std::size_t>(end.axis)];
   const ImVec2 size = ImGui::CalcTextSize(letter);
-  list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, ImGui::GetColorU32(frame.colors.panel), letter);
+  list.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, ImGui::GetColorU32(frame.colors.panel),
+               letter);
   ImGui::PopFont();
 }
 
@@ -85,11 +87,11 @@ void orientation_axes(Frame& frame, const Area& viewport) {
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize({2 * half, 2 * half});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  const bool visible = ImGui::Begin("##axes", nullptr,
-                                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                                        ImGuiWindowFlags_NoBringToFrontOnFocus |
-                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const bool visible = ImGui::Begin(
+      "##axes", nullptr,
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+          ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
+          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   ImGui::PopStyleVar();
   if (visible) draw_ends(frame, {corner.x + half, corner.y + half}, reach);
   ImGui::End();

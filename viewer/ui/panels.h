@@ -10,13 +10,16 @@ namespace aomd::ui {
 
 /// What the memory of entities is, wherever it is shown.
 inline constexpr const char* entity_memory_help =
-    "Entities, coordinates and classification. Ids of deleted entities and their places are kept, for undo "
-    "and for what is made next: so it does not shrink while faces go, and the stacks of free ids grow. Id "
+    "Entities, coordinates and classification. Ids of deleted entities and their places are kept, "
+    "for undo "
+    "and for what is made next: so it does not shrink while faces go, and the stacks of free ids "
+    "grow. Id "
     "stacks, on the page T(I,J), count the alive and the free ones.";
 
 /// File, counts and their change since loading, memory.
 void mesh_panel(Frame& frame);
-/// The titles of the mesh's panel and the lesson's while a lesson is open. True where the lesson's is up.
+/// The titles of the mesh's panel and the lesson's while a lesson is open. True where the lesson's
+/// is up.
 [[nodiscard]] bool lesson_titles(Frame& frame);
 /// The page of the lesson that is open: text, task, and the way on.
 void lesson_panel(Frame& frame);
@@ -37,7 +40,8 @@ void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
 /// T(I,J): what is stored, for whom, at what cost; cells store and free relations.
 void adjacency_panel(Frame& frame);
-/// Its sections below the table, each open or closed: hash sets, id stacks, and what strategies cost.
+/// Its sections below the table, each open or closed: hash sets, id stacks, and what strategies
+/// cost.
 void tensor_sections(Frame& frame);
 /// The two ways to store adjacencies during decimation, measured.
 void strategy_section(Frame& frame);
@@ -67,7 +71,8 @@ void neighbour_legend(const Frame& frame, const Area& viewport);
 /// The whole history as a strip to scrub through, with buttons.
 void timeline_panel(Frame& frame);
 
-/// What runs came to, a row each: a click leads back to one, another one puts it beside the present mesh.
+/// What runs came to, a row each: a click leads back to one, another one puts it beside the present
+/// mesh.
 void runs_panel(Frame& frame);
 
 /// One line about what happened last and what there is.

@@ -18,16 +18,16 @@ void label(const Frame& frame, const Area& area, const std::string& words) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled(from, to, ImGui::GetColorU32(plate), 0.3f * em());
   list.AddRect(from, to, ImGui::GetColorU32(frame.colors.border), 0.3f * em());
-  list.AddText({from.x + 0.45f * em(), from.y + 0.25f * em()}, ImGui::GetColorU32(frame.colors.text),
-               shown.c_str());
+  list.AddText({from.x + 0.45f * em(), from.y + 0.25f * em()},
+               ImGui::GetColorU32(frame.colors.text), shown.c_str());
 }
 
 }  // namespace
 
 void picture_labels(const Frame& frame, const Area& viewport) {
   if (!frame.session.shows_original()) return;
-  const std::string before =
-      frame.session.reference_name() + ": " + scene::counted(frame.session.reference_faces(), "face");
+  const std::string before = frame.session.reference_name() + ": " +
+                             scene::counted(frame.session.reference_faces(), "face");
   const std::string now = "now: " + scene::counted(frame.session.facts().faces, "face");
   if (!frame.session.side_by_side()) {
     label(frame, viewport, now + "; glass: " + before);

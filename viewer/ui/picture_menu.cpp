@@ -54,7 +54,8 @@ void items(Frame& frame) {
   command_item(frame, "Zoom to it", "fit selection", false, some);
   class_items(frame, e);
   ImGui::Separator();
-  command_item(frame, selection.size() > 1 ? "Copy the ids" : "Copy the id", "copy selection", false, some);
+  command_item(frame, selection.size() > 1 ? "Copy the ids" : "Copy the id", "copy selection",
+               false, some);
   command_item(frame, "Clear the selection", "select none", false, some);
 }
 

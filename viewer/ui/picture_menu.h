@@ -15,8 +15,8 @@ struct PictureMenuState {
   std::optional<glm::dvec2> shown;
 };
 
-/// Shows the menu that the view asks for, over the picture of the present mesh. A click elsewhere, Escape and
-/// what is chosen close it.
+/// Shows the menu that the view asks for, over the picture of the present mesh. A click elsewhere,
+/// Escape and what is chosen close it.
 void picture_menu(Frame& frame, const Area& picture, PictureMenuState& state);
 
 }  // namespace aomd::ui

@@ -119,8 +119,9 @@ class Writer {
     ImGui::PopID();
     ImVec4 line = frame_.colors.accent;
     line.w = hovered ? 1.0f : 0.5f;
-    ImGui::GetWindowDrawList()->AddLine({at_.x, at_.y + 1.02f * em()}, {at_.x + w, at_.y + 1.02f * em()},
-                                        ImGui::GetColorU32(line), 0.07f * em());
+    ImGui::GetWindowDrawList()->AddLine({at_.x, at_.y + 1.02f * em()},
+                                        {at_.x + w, at_.y + 1.02f * em()}, ImGui::GetColorU32(line),
+                                        0.07f * em());
     return frame_.colors.accent;
   }
 

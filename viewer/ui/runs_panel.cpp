@@ -28,7 +28,8 @@ constexpr std::array<Column, 9> columns = {
      {"Angles", 5.6f,
       "The smallest angle of all faces, and the mean of the smallest angles of each, degrees."},
      {"Distance %", 6.4f,
-      "To the mesh as loaded: root mean square, and the largest; percent of the diagonal of its box."},
+      "To the mesh as loaded: root mean square, and the largest; percent of the diagonal of its "
+      "box."},
      {"Time", 3.4f, "That the run took."}}};
 
 std::string degrees_text(double deg) { return short_number(deg, 1) + "\u00b0"; }
@@ -41,7 +42,8 @@ void header(const Frame& frame) {
   ImGui::TableSetupScrollFreeze(0, 1);
   for (const Column& column : columns)
     ImGui::TableSetupColumn(
-        column.title, column.ems > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+        column.title,
+        column.ems > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
         column.ems * em());
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -101,10 +103,11 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   tooltip(run.aim);
   cell(run.angle_deg ? degrees_text(*run.angle_deg) : "");
   cell(scene::grouped(run.faces));
-  cell(degrees_text(run.angles.min_angle_worst_deg) + ", " + degrees_text(run.angles.min_angle_mean_deg));
-  cell(run.distance
-           ? scene::significant(run.distance->rms_pct) + ", " + scene::significant(run.distance->max_pct)
-           : "");
+  cell(degrees_text(run.angles.min_angle_worst_deg) + ", " +
+       degrees_text(run.angles.min_angle_mean_deg));
+  cell(run.distance ? scene::significant(run.distance->rms_pct) + ", " +
+                          scene::significant(run.distance->max_pct)
+                    : "");
   cell(run.seconds && frame.interactive ? time_words(*run.seconds) : "");
   ImGui::PopID();
 }
@@ -119,7 +122,8 @@ void buttons(Frame& frame) {
   if (frame.session.measuring())
     command_button(frame, "Stop measuring", "cancel", 0);
   else
-    command_button(frame, "Measure distances", "runs measure", 0, ready && frame.session.runs.size() > 0);
+    command_button(frame, "Measure distances", "runs measure", 0,
+                   ready && frame.session.runs.size() > 0);
   ImGui::PopStyleVar();
   copy_button(frame, "runs");
 }
@@ -130,8 +134,10 @@ void runs_panel(Frame& frame) {
   buttons(frame);
   ImGui::PushFont(frame.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.3f * em(), 0.1f * em()));
-  const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH;
-  if (ImGui::BeginTable("runs", static_cast<int>(columns.size()), flags, ImGui::GetContentRegionAvail())) {
+  const auto flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH;
+  if (ImGui::BeginTable("runs", static_cast<int>(columns.size()), flags,
+                        ImGui::GetContentRegionAvail())) {
     header(frame);
     const KeptRun* shown = frame.has_mesh() ? frame.session.runs.shown(frame.document()) : nullptr;
     for (const KeptRun& run : frame.session.runs.rows()) run_row(frame, run, &run == shown);

@@ -34,9 +34,11 @@ void Plates::add(const ImVec2& middle, const std::string& words) {
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   const ImVec2 pad{0.3f * em(), 0.08f * em()};
   const ImVec2 from{std::round(middle.x - 0.5f * size.x), std::round(middle.y - 0.5f * size.y)};
-  const Plate plate{{from.x - pad.x, from.y - pad.y}, {from.x + size.x + pad.x, from.y + size.y + pad.y}};
+  const Plate plate{{from.x - pad.x, from.y - pad.y},
+                    {from.x + size.x + pad.x, from.y + size.y + pad.y}};
   const auto overlaps = [&](const Plate& p) {
-    return p.from.x < plate.to.x && plate.from.x < p.to.x && p.from.y < plate.to.y && plate.from.y < p.to.y;
+    return p.from.x < plate.to.x && plate.from.x < p.to.x && p.from.y < plate.to.y &&
+           plate.from.y < p.to.y;
   };
   if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
   taken_.push_back(plate);
@@ -48,7 +50,8 @@ void Plates::add(const ImVec2& middle, const std::string& words) {
 }
 
 /// Where an entity's middle is on the picture.
-ImVec2 place_of(const scene::Projector& project, const Mesh& mesh, EntityRef e, const Area& viewport) {
+ImVec2 place_of(const scene::Projector& project, const Mesh& mesh, EntityRef e,
+                const Area& viewport) {
   const glm::dvec2 p = project(scene::middle_of(mesh, e));
   return {viewport.position.x + static_cast<float>(p.x),
           viewport.position.y + viewport.size.y - static_cast<float>(p.y)};
@@ -123,7 +126,8 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
 ImVec2 previewed_rows(const Frame& frame, const scene::Projector& project, const Area& viewport) {
   const scene::Drawable& drawable = frame.session.drawing().drawable();
   const auto corners = drawable.preview.faces.values();
-  if (corners.empty() || frame.session.hovered_words().empty() || frame.session.neighbours()) return {0, 0};
+  if (corners.empty() || frame.session.hovered_words().empty() || frame.session.neighbours())
+    return {0, 0};
   ImVec2 rows{std::numeric_limits<float>::max(), 0};
   for (const scene::Corner& corner : corners) {
     const glm::dvec2 p = project(glm::dvec3(corner.position) + drawable.origin);
@@ -142,11 +146,11 @@ float beside_preview(float y, float height, const ImVec2& rows, const Area& view
 }
 
 /// Beside the mouse, on the side where there is room.
-void hover_label(const Frame& frame, const scene::Projector& project, const scene::Session::Hovered& hovered,
-                 const Area& viewport) {
+void hover_label(const Frame& frame, const scene::Projector& project,
+                 const scene::Session::Hovered& hovered, const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
-  const std::string title =
-      scene::entity_title(hovered.entity) + ", " + scene::model_words(mesh.classification(hovered.entity));
+  const std::string title = scene::entity_title(hovered.entity) + ", " +
+                            scene::model_words(mesh.classification(hovered.entity));
   const float width = viewport.size.x;
   const float wrap = std::min(22 * em(), std::max(0.6f * width, std::min(12 * em(), 0.9f * width)));
   const std::string words = broken_at_blanks(frame.session.hovered_words(), wrap);
@@ -154,8 +158,10 @@ void hover_label(const Frame& frame, const scene::Projector& project, const scen
   const ImVec2 second = words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str());
   const ImVec2 pad{0.5f * em(), 0.3f * em()};
   const ImVec2 size{std::max(first.x, second.x) + 2 * pad.x, first.y + second.y + 2 * pad.y};
-  const float x = viewport.position.x + 0.5f * viewport.size.x * static_cast<float>(1 + hovered.place.x);
-  const float y = viewport.position.y + 0.5f * viewport.size.y * static_cast<float>(1 - hovered.place.y);
+  const float x =
+      viewport.position.x + 0.5f * viewport.size.x * static_cast<float>(1 + hovered.place.x);
+  const float y =
+      viewport.position.y + 0.5f * viewport.size.y * static_cast<float>(1 - hovered.place.y);
   ImVec2 from{x + 1.1f * em(), y + 0.9f * em()};
   from.x = std::min(from.x, viewport.position.x + viewport.size.x - size.x - 0.3f * em());
   if (from.y + size.y > viewport.position.y + viewport.size.y) from.y = y - 0.6f * em() - size.y;
@@ -164,12 +170,14 @@ void hover_label(const Frame& frame, const scene::Projector& project, const scen
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   ImVec4 back = frame.colors.panel;
   back.w = 0.94f;
-  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(back), 0.3f * em());
+  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(back),
+                     0.3f * em());
   list.AddRect(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(frame.colors.border),
                0.3f * em());
-  list.AddText({from.x + pad.x, from.y + pad.y}, ImGui::GetColorU32(frame.colors.text), title.c_str());
-  list.AddText({from.x + pad.x, from.y + pad.y + first.y}, ImGui::GetColorU32(frame.colors.text_muted),
-               words.c_str());
+  list.AddText({from.x + pad.x, from.y + pad.y}, ImGui::GetColorU32(frame.colors.text),
+               title.c_str());
+  list.AddText({from.x + pad.x, from.y + pad.y + first.y},
+               ImGui::GetColorU32(frame.colors.text_muted), words.c_str());
 }
 
 }  // namespace
@@ -178,7 +186,8 @@ void scene_labels(Frame& frame, const Area& viewport) {
   if (!frame.has_mesh() || viewport.size.x < 2) return;
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
   if (frame.session.view.labels || frame.session.neighbours()) id_labels(frame, project, viewport);
-  if (const auto* hovered = frame.session.hovered()) hover_label(frame, project, *hovered, viewport);
+  if (const auto* hovered = frame.session.hovered())
+    hover_label(frame, project, *hovered, viewport);
 }
 
 void selection_box(const Frame& frame, ImVec2 from, ImVec2 to) {

@@ -19,7 +19,8 @@ namespace {
 constexpr int farthest = 100'000;  // no screen is that far away
 
 /// By scene::Page.
-constexpr std::array<const char*, 4> page_names = {"decimation", "adjacency", "histograms", "selection"};
+constexpr std::array<const char*, 4> page_names = {"decimation", "adjacency", "histograms",
+                                                   "selection"};
 
 void take_page(const std::string& value, scene::Page& page) {
   const auto found = std::find(page_names.begin(), page_names.end(), value);
@@ -47,8 +48,8 @@ void take_window(const std::string& value, Settings& settings) {
   in >> place.position.x >> place.position.y >> place.size.x >> place.size.y >> state;
   place.maximized = state == "maximized";
   const bool sensible = in && std::abs(place.position.x) < farthest &&
-                        std::abs(place.position.y) < farthest && place.size.x >= 100 && place.size.y >= 100 &&
-                        place.size.x < farthest && place.size.y < farthest;
+                        std::abs(place.position.y) < farthest && place.size.x >= 100 &&
+                        place.size.y >= 100 && place.size.x < farthest && place.size.y < farthest;
   if (sensible) settings.window = place;
 }
 
@@ -68,11 +69,13 @@ void take(const std::string& name, const std::string& value, Settings& settings)
   scene::PlaySpeed& speed = settings.play_speed;
   using scene::PlaySpeed;
   if (name == "play-speed") take_speed(value, PlaySpeed::slowest, PlaySpeed::fastest, speed.per_s);
-  if (name == "play-whole") take_speed(value, PlaySpeed::shortest_s, PlaySpeed::longest_s, speed.whole_s);
+  if (name == "play-whole")
+    take_speed(value, PlaySpeed::shortest_s, PlaySpeed::longest_s, speed.whole_s);
   if (name == "window") take_window(value, settings);
   if (name == "command" && settings.recent_commands.size() < CommandPalette::most_recent)
     settings.recent_commands.push_back(value);
-  if (name == "lesson" && scene::find_lesson(value) != nullptr) settings.lessons_done.push_back(value);
+  if (name == "lesson" && scene::find_lesson(value) != nullptr)
+    settings.lessons_done.push_back(value);
 }
 
 }  // namespace
@@ -89,7 +92,9 @@ Settings parse_settings(const std::string& text) {
 std::string settings_text(const Settings& settings) {
   const scene::Panels& panels = settings.panels;
   std::string text;
-  const auto add = [&](const char* name, const std::string& value) { text += name + ("=" + value) + "\n"; };
+  const auto add = [&](const char* name, const std::string& value) {
+    text += name + ("=" + value) + "\n";
+  };
   add("theme", settings.theme == scene::Theme::Dark ? "dark" : "light");
   add("mesh-panel", on_off(panels.mesh));
   add("side-panel", on_off(panels.side));

@@ -30,8 +30,8 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// From lines "name=value"; those that nobody knows, or that make no sense, are passed over, so that an old,
-/// a newer or a damaged file only forgets.
+/// From lines "name=value"; those that nobody knows, or that make no sense, are passed over, so
+/// that an old, a newer or a damaged file only forgets.
 [[nodiscard]] Settings parse_settings(const std::string& text);
 [[nodiscard]] std::string settings_text(const Settings& settings);
 

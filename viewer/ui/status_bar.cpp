@@ -20,7 +20,8 @@ void lessons_link(Frame& frame) {
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (ImGui::IsItemClicked()) frame.emit("dialog lessons");
   tooltip(
-      "Ten short lessons on small meshes: what is stored, why a collapse is refused, what a sweep does, how "
+      "Ten short lessons on small meshes: what is stored, why a collapse is refused, what a sweep "
+      "does, how "
       "to judge a result. Help > Lessons lists them at any time.",
       "dialog lessons");
   ImGui::SameLine(0, 1.5f * em());
@@ -32,10 +33,12 @@ void status_bar(Frame& frame) {
   std::string right;
   if (frame.has_mesh()) {
     const scene::MeshFacts& facts = frame.session.facts();
-    right = facts.regions > 0 ? scene::counted(facts.regions, "region") : scene::counted(facts.faces, "face");
+    right = facts.regions > 0 ? scene::counted(facts.regions, "region")
+                              : scene::counted(facts.faces, "face");
     const auto loaded = static_cast<double>(frame.session.loaded_facts().faces);
     if (facts.regions == 0 && facts.faces != frame.session.loaded_facts().faces && loaded > 0)
-      right += " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
+      right +=
+          " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
   }
   lessons_link(frame);
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;

@@ -29,17 +29,20 @@ std::string phase_words(const Frame& frame, const StrategyRun& run) {
     return std::string(name) + " " + scene::bytes_text(p.peak) +
            (frame.interactive ? " and " + ms_text(p.ms) : "");
   };
-  return part("Collapses", run.collapses) + "; " + part("swaps and smoothing", run.improvement) + ".";
+  return part("Collapses", run.collapses) + "; " + part("swaps and smoothing", run.improvement) +
+         ".";
 }
 
 void result(const Frame& frame, const scene::StrategyResult& r) {
-  const double most = static_cast<double>(std::max({r.ways[0].peak(), r.ways[1].peak(), std::size_t{1}}));
+  const double most =
+      static_cast<double>(std::max({r.ways[0].peak(), r.ways[1].peak(), std::size_t{1}}));
   const double longest = std::max({r.ways[0].ms(), r.ways[1].ms(), 1e-9});
   for (std::size_t way = 0; way < 2; ++way) {
     const StrategyRun& run = r.ways[way];
     gap(0.1f);
     text(scene::way_names[way]);
-    bar_row(frame, "Bytes at most", scene::bytes_text(run.peak()), static_cast<double>(run.peak()) / most);
+    bar_row(frame, "Bytes at most", scene::bytes_text(run.peak()),
+            static_cast<double>(run.peak()) / most);
     if (frame.interactive) bar_row(frame, "Time", ms_text(run.ms()), run.ms() / longest);
     wrapped(frame, phase_words(frame, run));
   }
@@ -53,11 +56,12 @@ void result(const Frame& frame, const scene::StrategyResult& r) {
 }  // namespace
 
 void strategy_section(Frame& frame) {
-  wrapped(
-      frame,
-      "Either T(0,1) and T(0,2) stay stored; or, to save memory, T(0,2) makes way for T(0,1) and T(1,2) "
-      "whenever edges are swapped and vertices smoothed, and collapses find edges by hash set. Decimates two "
-      "copies of this mesh by the paper's strategy with the present options.");
+  wrapped(frame,
+          "Either T(0,1) and T(0,2) stay stored; or, to save memory, T(0,2) makes way for T(0,1) "
+          "and T(1,2) "
+          "whenever edges are swapped and vertices smoothed, and collapses find edges by hash set. "
+          "Decimates two "
+          "copies of this mesh by the paper's strategy with the present options.");
   if (const auto* going = frame.session.comparison()) {
     bar(frame.interactive ? going->progress() : 0, ImGui::GetColorU32(frame.colors.accent), 0.5f);
     command_button(frame, "Cancel", "cancel", -1);

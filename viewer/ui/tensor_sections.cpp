@@ -15,7 +15,8 @@ namespace {
 /// "Edges"
 std::string title_of(int level) { return capitalized(entity_plural(level)); }
 
-/// A title with a sign that says whether what is below it shows. A click emits `line`. True while it is open.
+/// A title with a sign that says whether what is below it shows. A click emits `line`. True while
+/// it is open.
 bool section(Frame& frame, const char* title, bool open, const char* line, const char* help) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushFont(frame.fonts.heading);
@@ -26,9 +27,11 @@ bool section(Frame& frame, const char* title, bool open, const char* line, const
   const float r = 0.26f * em();
   const ImVec2 c{at.x + 0.35f * em(), at.y + 0.5f * em()};
   if (open)
-    list.AddTriangleFilled({c.x - r, c.y - 0.6f * r}, {c.x + r, c.y - 0.6f * r}, {c.x, c.y + r}, color);
+    list.AddTriangleFilled({c.x - r, c.y - 0.6f * r}, {c.x + r, c.y - 0.6f * r}, {c.x, c.y + r},
+                           color);
   else
-    list.AddTriangleFilled({c.x - 0.6f * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.6f * r, c.y + r}, color);
+    list.AddTriangleFilled({c.x - 0.6f * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.6f * r, c.y + r},
+                           color);
   list.AddText({at.x + 1.1f * em(), at.y}, color, title);
   ImGui::PopFont();
   tooltip(help);
@@ -62,8 +65,8 @@ std::string answered_by(const Mesh& mesh, int level) {
 
 std::string bar_help(const scene::HashFacts& facts, std::size_t length) {
   const bool last = length + 1 == scene::HashFacts::bars;
-  return count(facts.buckets[length]) + " of " + count(facts.statistics.buckets) + " buckets hold " +
-         std::to_string(length) +
+  return count(facts.buckets[length]) + " of " + count(facts.statistics.buckets) +
+         " buckets hold " + std::to_string(length) +
          (last          ? " entities or more: crowded"
           : length == 1 ? " entity"
                         : " entities");
@@ -73,14 +76,17 @@ std::string bar_help(const scene::HashFacts& facts, std::size_t length) {
 void bucket_bars(const Frame& frame, const scene::HashFacts& facts) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, 3.2f * em()};
-  const auto most = static_cast<float>(*std::max_element(facts.buckets.begin(), facts.buckets.end()));
+  const auto most =
+      static_cast<float>(*std::max_element(facts.buckets.begin(), facts.buckets.end()));
   const float step = size.x / static_cast<float>(scene::HashFacts::bars);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.5f));
+  list.AddRectFilled(from, {from.x + size.x, from.y + size.y},
+                     ImGui::GetColorU32(ImGuiCol_FrameBg, 0.5f));
   for (std::size_t length = 0; length < scene::HashFacts::bars; ++length) {
     const float x = from.x + static_cast<float>(length) * step;
     if (facts.buckets[length] > 0) {
-      const float height = std::max(1.5f, size.y * static_cast<float>(facts.buckets[length]) / most);
+      const float height =
+          std::max(1.5f, size.y * static_cast<float>(facts.buckets[length]) / most);
       const bool crowded = length + 1 == scene::HashFacts::bars;
       list.AddRectFilled({x + 1, from.y + size.y - height}, {x + step - 1, from.y + size.y},
                          ImGui::GetColorU32(crowded ? frame.colors.warning : frame.colors.accent));
@@ -91,7 +97,8 @@ void bucket_bars(const Frame& frame, const scene::HashFacts& facts) {
   }
   ImGui::PushFont(frame.fonts.small);
   for (std::size_t length = 0; length < scene::HashFacts::bars; ++length) {
-    const std::string number = std::to_string(length) + (length + 1 == scene::HashFacts::bars ? "+" : "");
+    const std::string number =
+        std::to_string(length) + (length + 1 == scene::HashFacts::bars ? "+" : "");
     const float x = from.x + (static_cast<float>(length) + 0.5f) * step;
     list.AddText({x - 0.5f * ImGui::CalcTextSize(number.c_str()).x, from.y + size.y + 0.1f * em()},
                  ImGui::GetColorU32(frame.colors.text_muted), number.c_str());
@@ -110,7 +117,8 @@ void crowded_bar(const Frame& frame, const scene::HashFacts& facts) {
                                             {at.x + 0.5f * width + 1, at.y + 0.55f * em()},
                                             ImGui::GetColorU32(frame.colors.text));
   tooltip(
-      "Of the buckets in use, those with 10 entities or more. Past 10 %, the mark in the middle, the set "
+      "Of the buckets in use, those with 10 entities or more. Past 10 %, the mark in the middle, "
+      "the set "
       "grows tenfold.");
 }
 
@@ -141,8 +149,9 @@ void hash_set(Frame& frame, int level) {
   wrapped(frame, count(facts.entities) + " in " + count(s.buckets) + " buckets, " +
                      scene::bytes_text(facts.bytes) + "; how many buckets hold how many:");
   bucket_bars(frame, facts);
-  wrapped(frame, "Worst chain " + count(s.worst) + ". Crowded (10 or more): " + count(s.crowded) + " of " +
-                     count(s.used) + " in use, " + scene::short_number(100 * facts.crowded_share(), 1) +
+  wrapped(frame, "Worst chain " + count(s.worst) + ". Crowded (10 or more): " + count(s.crowded) +
+                     " of " + count(s.used) + " in use, " +
+                     scene::short_number(100 * facts.crowded_share(), 1) +
                      " %; past 10 % it grows.");
   crowded_bar(frame, facts);
   growths(frame, facts);
@@ -201,12 +210,13 @@ void tensor_sections(Frame& frame) {
                               "Which there are, how full, and when they grew.");
   copy_button(frame, "hashes");
   if (hashes) hash_sets(frame);
-  const bool ids =
-      section(frame, "Id stacks", open.ids, "ids toggle", "Which ids are free, and which comes next.");
+  const bool ids = section(frame, "Id stacks", open.ids, "ids toggle",
+                           "Which ids are free, and which comes next.");
   copy_button(frame, "ids");
   if (ids) id_stacks(frame);
-  const bool strategies = section(frame, "Strategies", open.strategies, "strategies toggle",
-                                  "The paper's two ways to store adjacencies, measured on this mesh.");
+  const bool strategies =
+      section(frame, "Strategies", open.strategies, "strategies toggle",
+              "The paper's two ways to store adjacencies, measured on this mesh.");
   copy_button(frame, "strategies");
   if (strategies) strategy_section(frame);
 }

@@ -28,10 +28,11 @@ constexpr std::array heading_files = {"/usr/share/fonts/opentype/inter/Inter-Sem
                                       "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
                                       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans-Bold.ttf",
                                       "/usr/share/fonts/TTF/DejaVuSans-Bold.ttf"};
-constexpr std::array mono_files = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
-                                   "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
-                                   "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
-                                   "/usr/share/fonts/TTF/DejaVuSansMono.ttf"};
+constexpr std::array mono_files = {
+    "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
+    "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+    "/usr/share/fonts/dejavu-sans-mono-fonts/DejaVuSansMono.ttf",
+    "/usr/share/fonts/TTF/DejaVuSansMono.ttf"};
 
 // Latin, punctuation, arrows, and the signs that panels use. ImGui keeps the pointer.
 constexpr std::array<ImWchar, 17> glyph_ranges = {0x0020, 0x00ff, 0x0394, 0x0394, 0x03b1, 0x03b8,
@@ -47,21 +48,24 @@ ImFont* add_font(ImFontAtlas& atlas, const std::array<const char*, N>& files, fl
   std::error_code ignored;
   for (const char* file : files)
     if (std::filesystem::is_regular_file(file, ignored))
-      if (ImFont* font = atlas.AddFontFromFileTTF(file, size_px, &config, glyph_ranges.data())) return font;
+      if (ImFont* font = atlas.AddFontFromFileTTF(file, size_px, &config, glyph_ranges.data()))
+        return font;
   config = ImFontConfig();
   config.SizePixels = std::round(size_px * 13.0f / text_px);
   return atlas.AddFontDefault(&config);
 }
 
 ImVec4 color(unsigned hex, float alpha = 1.0f) {
-  return {static_cast<float>(hex >> 16 & 0xffu) / 255.0f, static_cast<float>(hex >> 8 & 0xffu) / 255.0f,
-          static_cast<float>(hex & 0xffu) / 255.0f, alpha};
+  return {static_cast<float>(hex >> 16 & 0xffu) / 255.0f,
+          static_cast<float>(hex >> 8 & 0xffu) / 255.0f, static_cast<float>(hex & 0xffu) / 255.0f,
+          alpha};
 }
 
 ImVec4 fade(ImVec4 c, float alpha) { return {c.x, c.y, c.z, alpha}; }
 
 ImVec4 mix(ImVec4 a, ImVec4 b, float t) {
-  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t, a.w + (b.w - a.w) * t};
+  return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+          a.w + (b.w - a.w) * t};
 }
 
 void set_sizes(ImGuiStyle& style) {

@@ -57,7 +57,8 @@ void bookmarks(Frame& frame) {
     row(frame, b.name + ": operation " + grouped(b.step) + where, "seek bookmark " + b.name);
   }
   ImGui::Separator();
-  for (const Bookmark& b : tree.bookmarks()) row(frame, "Remove " + b.name, "bookmark remove " + b.name);
+  for (const Bookmark& b : tree.bookmarks())
+    row(frame, "Remove " + b.name, "bookmark remove " + b.name);
 }
 
 std::string branch_words(const HistoryTree& tree, const HistoryBranch& b) {
@@ -76,7 +77,8 @@ void branches(Frame& frame) {
     row(frame, branch_words(tree, b), "branch switch " + std::to_string(b.id));
   ImGui::Separator();
   for (const HistoryBranch& b : tree.branches())
-    row(frame, "Remove branch " + std::to_string(b.id) + " (" + scene::bytes_text(b.part.bytes()) + ")",
+    row(frame,
+        "Remove branch " + std::to_string(b.id) + " (" + scene::bytes_text(b.part.bytes()) + ")",
         "branch remove " + std::to_string(b.id));
 }
 
@@ -101,16 +103,17 @@ void timeline_controls(Frame& frame) {
   ImGui::SameLine(0, space);
   if (branched) {
     drop_down("##branches", grouped(tree.branches().size() + 1) + " branches", narrow,
-              "What was ahead where something new was done is kept. Choosing a branch goes back to where it "
+              "What was ahead where something new was done is kept. Choosing a branch goes back to "
+              "where it "
               "leaves and forward to its end.",
               [&] { branches(frame); });
     ImGui::SameLine(0, space);
   }
-  drop_down(
-      "##speed", frame.session.view.play_speed.words(), wide,
-      "How fast the history is played, in operations a second or as a whole. Full stop is faster, comma "
-      "slower.",
-      [&] { speeds(frame); });
+  drop_down("##speed", frame.session.view.play_speed.words(), wide,
+            "How fast the history is played, in operations a second or as a whole. Full stop is "
+            "faster, comma "
+            "slower.",
+            [&] { speeds(frame); });
   ImGui::PopStyleVar();
 }
 
@@ -129,7 +132,8 @@ void draw_places(const Frame& frame, ImVec2 from, ImVec2 to) {
     const float x = x_of(frame, b.step, from, to), top = from.y - 0.5f * em();
     list.AddLine({x, top}, {x, to.y}, flag, 1.5f);
     const float length = (x + 0.6f * em() > to.x ? -0.6f : 0.6f) * em();
-    list.AddTriangleFilled({x, top}, {x + length, top + 0.24f * em()}, {x, top + 0.48f * em()}, flag);
+    list.AddTriangleFilled({x, top}, {x + length, top + 0.24f * em()}, {x, top + 0.48f * em()},
+                           flag);
   }
 }
 

@@ -27,7 +27,8 @@ ImU32 kind_color(const Frame& frame, StepKind kind) {
   return ImGui::GetColorU32(frame.colors.text_muted);
 }
 
-void transport_button(Frame& frame, const char* id, Icon icon, const std::string& line, bool enabled) {
+void transport_button(Frame& frame, const char* id, Icon icon, const std::string& line,
+                      bool enabled) {
   if (icon_button(id, icon, enabled)) frame.emit(line);
   command_tooltip(line);
   ImGui::SameLine(0, 0.25f * em());
@@ -43,7 +44,8 @@ void transport(Frame& frame) {
   transport_button(frame, "back", Icon::Back, "step -1", back && still);
   transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle",
                    (back || forward) && still);
-  transport_button(frame, "forward", Icon::Forward, "forward", still && (forward || frame.can_decimate()));
+  transport_button(frame, "forward", Icon::Forward, "forward",
+                   still && (forward || frame.can_decimate()));
   transport_button(frame, "last", Icon::Last, "seek end", forward && still);
   ImGui::Dummy({0.4f * em(), 0});
   ImGui::SameLine();
@@ -59,8 +61,8 @@ std::string where(const scene::Document& document) {
   const JournalStep& step = journal.step(journal.cursor() - 1);
   result += std::string(": ") + step_name(step.kind);
   if (step.entity.valid())
-    result +=
-        std::string(" of ") + entity_name(step.entity.dimension) + " " + std::to_string(step.entity.index);
+    result += std::string(" of ") + entity_name(step.entity.dimension) + " " +
+              std::to_string(step.entity.index);
   return result + ", in " + document.mark_of(journal.cursor() - 1).label;
 }
 
@@ -71,7 +73,8 @@ void where_line(const Frame& frame) {
   text(fitted(line, ImGui::GetContentRegionAvail().x));
 }
 
-/// One stroke a pixel column: the kind of the operation that stands there, paler where it is not applied.
+/// One stroke a pixel column: the kind of the operation that stands there, paler where it is not
+/// applied.
 void draw_operations(const Frame& frame, ImVec2 from, ImVec2 to) {
   const Journal& journal = frame.document().journal();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -89,8 +92,8 @@ void draw_operations(const Frame& frame, ImVec2 from, ImVec2 to) {
       ++end;
     const ImU32 color = kind_color(frame, kind);
     const ImU32 alpha = applied ? 0xd0000000u : 0x48000000u;
-    list.AddRectFilled({from.x + static_cast<float>(x), from.y}, {from.x + static_cast<float>(end), to.y},
-                       (color & 0x00ffffffu) | alpha);
+    list.AddRectFilled({from.x + static_cast<float>(x), from.y},
+                       {from.x + static_cast<float>(end), to.y}, (color & 0x00ffffffu) | alpha);
     x = end;
   }
 }
@@ -115,14 +118,16 @@ void draw_handle(const Frame& frame, ImVec2 from, ImVec2 to) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float w = 0.22f * em();
   const float over = 0.22f * em();
-  list.AddRectFilled({x - w, from.y - over}, {x + w, to.y + over}, ImGui::GetColorU32(ImGuiCol_Text), w);
-  list.AddRect({x - w, from.y - over}, {x + w, to.y + over}, ImGui::GetColorU32(frame.colors.panel), w);
+  list.AddRectFilled({x - w, from.y - over}, {x + w, to.y + over},
+                     ImGui::GetColorU32(ImGuiCol_Text), w);
+  list.AddRect({x - w, from.y - over}, {x + w, to.y + over}, ImGui::GetColorU32(frame.colors.panel),
+               w);
 }
 
 std::string strip_tooltip(const scene::Document& document, std::size_t step) {
   if (step >= document.journal().size()) return {};
-  return "Operation " + grouped(step + 1) + ": " + step_name(document.journal().step(step).kind) + ", in " +
-         document.mark_of(step).label + ". Drag to scrub.";
+  return "Operation " + grouped(step + 1) + ": " + step_name(document.journal().step(step).kind) +
+         ", in " + document.mark_of(step).label + ". Drag to scrub.";
 }
 
 void strip(Frame& frame) {
@@ -132,15 +137,18 @@ void strip(Frame& frame) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 from{corner.x + 0.3f * em(), corner.y + 0.3f * em()};
   const ImVec2 to{corner.x + width - 0.3f * em(), corner.y + height - 0.3f * em()};
-  ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 0.2f * em());
+  ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                                            0.2f * em());
   ImGui::InvisibleButton("strip", {std::max(width, 1.0f), height});
   if (journal.size() == 0) return;
   draw_operations(frame, from, to);
   draw_marks(frame, from, to);
   draw_places(frame, from, to);
   draw_handle(frame, from, to);
-  const float share = std::clamp((ImGui::GetIO().MousePos.x - from.x) / (to.x - from.x), 0.0f, 1.0f);
-  const auto step = static_cast<std::size_t>(std::lround(share * static_cast<float>(journal.size())));
+  const float share =
+      std::clamp((ImGui::GetIO().MousePos.x - from.x) / (to.x - from.x), 0.0f, 1.0f);
+  const auto step =
+      static_cast<std::size_t>(std::lround(share * static_cast<float>(journal.size())));
   if (ImGui::IsItemActive() && !frame.document().running() && step != journal.cursor())
     frame.emit("seek " + std::to_string(step));
   if (ImGui::IsItemActive()) return;
@@ -152,8 +160,8 @@ void key_entry(const Frame& frame, StepKind kind, const char* name) {
   const float side = 0.6f * em();
   const ImVec2 c = ImGui::GetCursorScreenPos();
   const float y = c.y + 0.5f * (em() - side);
-  ImGui::GetWindowDrawList()->AddRectFilled({c.x, y}, {c.x + side, y + side}, kind_color(frame, kind),
-                                            0.15f * em());
+  ImGui::GetWindowDrawList()->AddRectFilled({c.x, y}, {c.x + side, y + side},
+                                            kind_color(frame, kind), 0.15f * em());
   ImGui::Dummy({side, em()});
   ImGui::SameLine(0, 0.35f * em());
   muted(frame, name);
@@ -162,9 +170,10 @@ void key_entry(const Frame& frame, StepKind kind, const char* name) {
 
 void key_line(Frame& frame) {
   if (frame.document().journal().size() == 0) {
-    muted(frame, frame.can_decimate()
-                     ? "Every operation appears here: step, sweep or run, then drag along the strip."
-                     : frame.document().hindrance());
+    muted(frame,
+          frame.can_decimate()
+              ? "Every operation appears here: step, sweep or run, then drag along the strip."
+              : frame.document().hindrance());
     return;
   }
   key_entry(frame, StepKind::Collapse, "Collapse");

@@ -14,11 +14,13 @@ namespace {
 constexpr float tooltip_ems = 22;
 
 void draw_bar_sign(ImDrawList& list, ImVec2 c, float r, float x, ImU32 color) {
-  list.AddRectFilled({c.x + x - 0.13f * r, c.y - 0.8f * r}, {c.x + x + 0.13f * r, c.y + 0.8f * r}, color);
+  list.AddRectFilled({c.x + x - 0.13f * r, c.y - 0.8f * r}, {c.x + x + 0.13f * r, c.y + 0.8f * r},
+                     color);
 }
 
 void draw_arrow_sign(ImDrawList& list, ImVec2 c, float r, float direction, ImU32 color) {
-  list.AddTriangleFilled({c.x - 0.55f * direction * r, c.y - 0.8f * r}, {c.x + 0.75f * direction * r, c.y},
+  list.AddTriangleFilled({c.x - 0.55f * direction * r, c.y - 0.8f * r},
+                         {c.x + 0.75f * direction * r, c.y},
                          {c.x - 0.55f * direction * r, c.y + 0.8f * r}, color);
 }
 
@@ -27,8 +29,8 @@ void draw_turn_sign(ImDrawList& list, ImVec2 c, float r, float direction, ImU32 
   constexpr int pieces = 14;
   for (int i = 0; i <= pieces; ++i) {
     const float angle = -2.6f + 3.9f * static_cast<float>(i) / pieces;
-    list.PathLineTo(
-        {c.x + direction * 0.75f * r * std::cos(angle), c.y + 0.1f * r + 0.75f * r * std::sin(angle)});
+    list.PathLineTo({c.x + direction * 0.75f * r * std::cos(angle),
+                     c.y + 0.1f * r + 0.75f * r * std::sin(angle)});
   }
   list.PathStroke(color, false, 0.28f * r);
   const ImVec2 tip{c.x - direction * 0.68f * r, c.y - 0.25f * r};
@@ -68,14 +70,15 @@ void draw_icon(Icon icon, ImVec2 c, float r, ImU32 color) {
 }
 
 /// Without a tooltip.
-void emitting_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+void emitting_button(Frame& frame, const char* label, std::string_view line, float width,
+                     bool enabled) {
   ImGui::BeginDisabled(!enabled);
   if (ImGui::Button(label, {width, 0})) frame.emit(std::string(line));
   ImGui::EndDisabled();
 }
 
-/// The mouse is on the last item, and has moved since the last click: whoever clicked knows, and wants to see
-/// what comes of it.
+/// The mouse is on the last item, and has moved since the last click: whoever clicked knows, and
+/// wants to see what comes of it.
 bool tooltip_due() {
   const ImGuiIO& io = ImGui::GetIO();
   const ImVec2 from = io.MouseClickedPos[ImGuiMouseButton_Left];
@@ -86,10 +89,11 @@ bool tooltip_due() {
 /// Beside the menu, whose next entries are to be read as well.
 void menu_tooltip(std::string_view help) {
   if (help.empty() || !tooltip_due()) return;
-  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = 0.3f * em();
+  const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(),
+              gap = 0.3f * em();
   const bool fits = right + gap + tooltip_ems * em() < ImGui::GetIO().DisplaySize.x;
-  ImGui::SetNextWindowPos({fits ? right + gap : left - gap, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
-                          {fits ? 0.0f : 1.0f, 0});
+  ImGui::SetNextWindowPos({fits ? right + gap : left - gap, ImGui::GetItemRectMin().y},
+                          ImGuiCond_Always, {fits ? 0.0f : 1.0f, 0});
   tooltip(help);
 }
 
@@ -127,7 +131,8 @@ void wrapped(const Frame& frame, std::string_view s) { wrapped(s, frame.colors.t
 
 void text_right(std::string_view s) {
   const float width = ImGui::CalcTextSize(s.data(), s.data() + s.size()).x;
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                       std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
   text(s);
 }
 
@@ -139,7 +144,8 @@ bool begin_values(const char* id, int columns) {
   }
   ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("now", ImGuiTableColumnFlags_WidthFixed, 3.9f * em());
-  if (columns == 3) ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed, 4.0f * em());
+  if (columns == 3)
+    ImGui::TableSetupColumn("change", ImGuiTableColumnFlags_WidthFixed, 4.0f * em());
   return true;
 }
 
@@ -148,7 +154,8 @@ void end_values() {
   ImGui::PopStyleVar();
 }
 
-void value_row(const Frame& frame, const char* label, std::string_view value, std::string_view help) {
+void value_row(const Frame& frame, const char* label, std::string_view value,
+               std::string_view help) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   muted(frame, label);
@@ -160,7 +167,8 @@ void value_row(const Frame& frame, const char* label, std::string_view value, st
 
 void same_line_right(float width) {
   ImGui::SameLine();
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
+                       std::max(0.0f, ImGui::GetContentRegionAvail().x - width));
 }
 
 void heading(const Frame& frame, const char* title) {
@@ -187,11 +195,13 @@ void tooltip(std::string_view help, std::string_view line) {
 
 void command_tooltip(std::string_view line) {
   std::string help(scene::line_help(line));
-  if (const auto chord = scene::chord_of_line(line); !chord.empty()) help += " (" + std::string(chord) + ")";
+  if (const auto chord = scene::chord_of_line(line); !chord.empty())
+    help += " (" + std::string(chord) + ")";
   tooltip(help, line);
 }
 
-void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+void command_button(Frame& frame, const char* label, std::string_view line, float width,
+                    bool enabled) {
   emitting_button(frame, label, line, width, enabled);
   command_tooltip(line);
 }
@@ -202,7 +212,8 @@ ImVec4 on_accent(const Frame& frame) {
   return dark_text ? ImVec4(0.05f, 0.08f, 0.12f, 1) : ImVec4(1, 1, 1, 1);
 }
 
-void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled) {
+void primary_button(Frame& frame, const char* label, std::string_view line, float width,
+                    bool enabled) {
   const ImVec4 a = frame.colors.accent;
   const auto lighter = [&](float by) {
     return ImVec4(a.x + (1 - a.x) * by, a.y + (1 - a.y) * by, a.z + (1 - a.z) * by, 1);
@@ -228,15 +239,18 @@ bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(at, ImGui::GetColorU32(color), title);
   if (up)
-    list.AddRectFilled({at.x, at.y + size.y + 0.16f * em()}, {at.x + size.x, at.y + size.y + 0.3f * em()},
+    list.AddRectFilled({at.x, at.y + size.y + 0.16f * em()},
+                       {at.x + size.x, at.y + size.y + 0.3f * em()},
                        ImGui::GetColorU32(frame.colors.accent));
   ImGui::PopFont();
   return pressed;
 }
 
-void command_item(Frame& frame, const char* label, const std::string& line, bool selected, bool enabled) {
+void command_item(Frame& frame, const char* label, const std::string& line, bool selected,
+                  bool enabled) {
   const std::string chord(scene::chord_of_line(line));
-  if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled)) frame.emit(line);
+  if (ImGui::MenuItem(label, chord.empty() ? nullptr : chord.c_str(), selected, enabled))
+    frame.emit(line);
   menu_tooltip(scene::own_help(line));
 }
 
@@ -259,7 +273,8 @@ void bar(double share, ImU32 color, float height_ems) {
   const float height = height_ems * em();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float radius = 0.5f * height;
-  list.AddRectFilled(from, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), radius);
+  list.AddRectFilled(from, {from.x + width, from.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg),
+                     radius);
   const float filled = static_cast<float>(std::clamp(share, 0.0, 1.0)) * width;
   if (filled > 0)
     list.AddRectFilled(from, {from.x + std::max(filled, height), from.y + height}, color, radius);
@@ -278,7 +293,8 @@ void copy_button(Frame& frame, const char* table) {
   const ImVec2 front{back.x + shift, back.y + shift};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRect(back, {back.x + w, back.y + h}, ImGui::GetColorU32(color), 0.1f * em());
-  list.AddRectFilled(front, {front.x + w, front.y + h}, ImGui::GetColorU32(frame.colors.panel), 0.1f * em());
+  list.AddRectFilled(front, {front.x + w, front.y + h}, ImGui::GetColorU32(frame.colors.panel),
+                     0.1f * em());
   list.AddRect(front, {front.x + w, front.y + h}, ImGui::GetColorU32(color), 0.1f * em());
   command_tooltip(std::string("copy ") + table);
   ImGui::PopID();
@@ -295,18 +311,20 @@ bool key_pressed(ImGuiKey key) {
 bool number_control(const char* id, double& value, const NumberStyle& style) {
   const float field = 4.6f * em();
   ImGui::PushID(id);
-  ImGui::SetNextItemWidth(
-      std::max(3 * em(), ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemInnerSpacing.x));
+  ImGui::SetNextItemWidth(std::max(
+      3 * em(), ImGui::GetContentRegionAvail().x - field - ImGui::GetStyle().ItemInnerSpacing.x));
   const ImGuiSliderFlags flags =
-      ImGuiSliderFlags_NoInput | (style.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  bool changed =
-      ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low, &style.high, "", flags);
+      ImGuiSliderFlags_NoInput |
+      (style.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  bool changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &style.low,
+                                     &style.high, "", flags);
   tooltip(style.help);
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   ImGui::SetNextItemWidth(field);
   double typed = value;
-  if (ImGui::InputDouble("##field", &typed, 0, 0, style.format,
-                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue)) {
+  if (ImGui::InputDouble(
+          "##field", &typed, 0, 0, style.format,
+          ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue)) {
     value = std::clamp(typed, style.low, style.high);
     changed = true;
   }
@@ -318,8 +336,8 @@ bool number_control(const char* id, double& value, const NumberStyle& style) {
 bool text_input(const char* id, std::string& value, const char* hint) {
   std::array<char, 4096> buffer{};
   std::strncpy(buffer.data(), value.c_str(), buffer.size() - 1);
-  const bool entered =
-      ImGui::InputTextWithHint(id, hint, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(id, hint, buffer.data(), buffer.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   value = buffer.data();
   return entered;
 }
@@ -331,7 +349,8 @@ std::optional<std::size_t> choice_control(const char* id, std::span<const Choice
   if (!open) tooltip(choices[present].help);
   if (!open) return chosen;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    const auto flags = choices[i].enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    const auto flags =
+        choices[i].enabled ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     if (ImGui::Selectable(choices[i].name, i == present, flags) && i != present) chosen = i;
     tooltip(choices[i].help);
   }
@@ -353,7 +372,9 @@ std::string fitted(const std::string& a, float width) {
   if (ImGui::CalcTextSize(a.c_str()).x <= width) return a;
   for (std::size_t keep = a.size(); keep > 4; --keep) {
     // Names with bytes beyond ASCII are cut between characters.
-    const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(a[i]) & 0xc0u) == 0x80u; };
+    const auto inside = [&](std::size_t i) {
+      return (static_cast<unsigned char>(a[i]) & 0xc0u) == 0x80u;
+    };
     std::size_t head = keep / 2;
     std::size_t tail = a.size() - (keep - head);
     while (head > 0 && inside(head)) --head;

@@ -26,12 +26,13 @@ void wrapped(std::string_view s, const ImVec4& color);
 void wrapped(const Frame& frame, std::string_view s);
 /// Right-aligned in the present column.
 void text_right(std::string_view s);
-/// A table of names and values, `columns` wide (3: with changes). False where nothing of it shows: then
-/// without end_values().
+/// A table of names and values, `columns` wide (3: with changes). False where nothing of it shows:
+/// then without end_values().
 [[nodiscard]] bool begin_values(const char* id, int columns);
 void end_values();
 /// One row of it.
-void value_row(const Frame& frame, const char* label, std::string_view value, std::string_view help);
+void value_row(const Frame& frame, const char* label, std::string_view value,
+               std::string_view help);
 /// The next item stands on the same line, at its right end, `width` wide.
 void same_line_right(float width);
 /// A panel's or section's title.
@@ -45,13 +46,15 @@ void tooltip(std::string_view help, std::string_view line);
 void command_tooltip(std::string_view line);
 
 /// A button that emits `line`; it fills `width` (0: its text, negative: what is left).
-void command_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+void command_button(Frame& frame, const char* label, std::string_view line, float width,
+                    bool enabled = true);
 /// For text on the accent colour.
 [[nodiscard]] ImVec4 on_accent(const Frame& frame);
 /// A small sign that emits `copy TABLE`, at the right end of the present line.
 void copy_button(Frame& frame, const char* table);
 /// In the accent colour: the one thing to do.
-void primary_button(Frame& frame, const char* label, std::string_view line, float width, bool enabled = true);
+void primary_button(Frame& frame, const char* label, std::string_view line, float width,
+                    bool enabled = true);
 /// A title that turns to its page; the one that is up is underlined. True when it is pressed.
 [[nodiscard]] bool tab_title(const Frame& frame, const char* title, ImFont* font, bool up);
 /// A menu entry that emits `line` and shows its key.
@@ -74,7 +77,8 @@ struct NumberStyle {
 };
 [[nodiscard]] bool number_control(const char* id, double& value, const NumberStyle& style);
 
-/// For a string of any length up to a path's; `hint` stands in it while it is empty. True when it is entered.
+/// For a string of any length up to a path's; `hint` stands in it while it is empty. True when it
+/// is entered.
 [[nodiscard]] bool text_input(const char* id, std::string& value, const char* hint = "");
 
 /// One of the rows of a list that drops down, with what its tooltip says.
@@ -84,7 +88,8 @@ struct Choice {
   bool enabled = true;
 };
 /// Shows the present one; what is chosen instead, if anything.
-[[nodiscard]] std::optional<std::size_t> choice_control(const char* id, std::span<const Choice> choices,
+[[nodiscard]] std::optional<std::size_t> choice_control(const char* id,
+                                                        std::span<const Choice> choices,
                                                         std::size_t present);
 
 /// Whether a key that ImGui knows went down in this frame, or repeats.

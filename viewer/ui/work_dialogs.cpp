@@ -69,9 +69,10 @@ void unsaved_dialog(Frame& frame) {
 void recovery_dialog(Frame& frame) {
   const auto& found = frame.session.found_work;
   ImGui::PushTextWrapPos(0);
-  muted(frame, found.empty() ? "There is nothing to recover."
-                             : "The program ended before this work was saved. What is not restored or "
-                               "discarded now is offered again at the next start.");
+  muted(frame, found.empty()
+                   ? "There is nothing to recover."
+                   : "The program ended before this work was saved. What is not restored or "
+                     "discarded now is offered again at the next start.");
   ImGui::PopTextWrapPos();
   const float below = ImGui::GetFrameHeightWithSpacing() + 0.9f * em();
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg;
@@ -93,11 +94,13 @@ void draw_series_progress(Frame& frame) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(26 * em(), display.x - 2 * em()), 0});
-  const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoScrollbar;
+  const auto flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoScrollbar;
   if (!ImGui::BeginPopupModal(title, nullptr, flags)) return;
   text(std::to_string(series->made()) + " of " + std::to_string(series->count()));
-  bar(static_cast<double>(series->made()) / series->count(), ImGui::GetColorU32(frame.colors.accent), 0.5f);
+  bar(static_cast<double>(series->made()) / series->count(),
+      ImGui::GetColorU32(frame.colors.accent), 0.5f);
   muted(frame, fitted("To " + series->folder().string(), ImGui::GetContentRegionAvail().x));
   gap(0.1f);
   const float width = 6 * em();

@@ -1,6 +1,6 @@
-// CGAL's Surface_mesh_simplification: half-edges and one queue of edges. That package is GPL, so this program
-// is too, once passed on; it exists to be measured, is built on request only, never installed, and nothing
-// else of the project includes or links it.
+// CGAL's Surface_mesh_simplification: half-edges and one queue of edges. That package is GPL, so
+// this program is too, once passed on; it exists to be measured, is built on request only, never
+// installed, and nothing else of the project includes or links it.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -40,8 +40,8 @@ std::size_t build(const IndexedMesh& from, Mesh& mesh) {
   return from.triangles.size() - mesh.number_of_faces();
 }
 
-/// Faces around a non-manifold vertex may be left on a vertex that was removed: collecting garbage would
-/// misplace them, so vertices are numbered as faces name them.
+/// Faces around a non-manifold vertex may be left on a vertex that was removed: collecting garbage
+/// would misplace them, so vertices are numbered as faces name them.
 IndexedMesh read_back(const Mesh& mesh) {
   IndexedMesh result;
   std::map<Mesh::Vertex_index, std::uint32_t> number;
@@ -73,7 +73,8 @@ Simplified garland_heckbert(const IndexedMesh& from, std::size_t faces) {
   return simplify(from, faces, [](Mesh& mesh, const FaceCount& stop) {
     const Policies policies(mesh);
     sms::edge_collapse(
-        mesh, stop, CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
+        mesh, stop,
+        CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
   });
 }
 

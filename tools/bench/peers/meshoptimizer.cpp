@@ -1,4 +1,5 @@
-// meshoptimizer (MIT): passes of independent collapses on index buffers, vertices stay where they are.
+// meshoptimizer (MIT): passes of independent collapses on index buffers, vertices stay where they
+// are.
 
 #include <meshoptimizer.h>
 

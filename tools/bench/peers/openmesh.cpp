@@ -68,13 +68,16 @@ Simplified simplify(const IndexedMesh& from, std::size_t faces, bool keep_normal
 }
 
 constexpr Method all[] = {
-    {"quadric", [](const IndexedMesh& mesh, std::size_t faces) { return simplify(mesh, faces, false); }},
+    {"quadric",
+     [](const IndexedMesh& mesh, std::size_t faces) { return simplify(mesh, faces, false); }},
     {"quadric, normal flipping",
      [](const IndexedMesh& mesh, std::size_t faces) { return simplify(mesh, faces, true); }}};
 
 }  // namespace
 
-std::string library() { return "OpenMesh " + std::to_string(OM_GET_VER) + "." + std::to_string(OM_GET_MAJ); }
+std::string library() {
+  return "OpenMesh " + std::to_string(OM_GET_VER) + "." + std::to_string(OM_GET_MAJ);
+}
 std::span<const Method> methods() { return all; }
 
 }  // namespace aomd::peers

@@ -1,6 +1,7 @@
 // aomd-peer-LIBRARY: lists the library's methods, or runs one of them on a file.
 //   aomd-peer-LIBRARY                             one line a method: its number, library and name
-//   aomd-peer-LIBRARY NUMBER MESH FACES OUT.ply   prints what tools/bench/peers.sh needs as one line of JSON
+//   aomd-peer-LIBRARY NUMBER MESH FACES OUT.ply   prints what tools/bench/peers.sh needs as one
+//   line of JSON
 
 #include "tools/bench/peers/peer.h"
 
@@ -15,8 +16,8 @@
 namespace aomd::peers {
 namespace {
 
-/// The triangles of a file; quads are cut. Vertices keep the order of the file, those that no face uses are
-/// left out.
+/// The triangles of a file; quads are cut. Vertices keep the order of the file, those that no face
+/// uses are left out.
 IndexedMesh load(const char* file) {
   const MeshData data = io::read(file).mesh;
   std::vector<std::uint32_t> number(data.positions.size(), 0);
@@ -61,17 +62,18 @@ int run(const Method& method, const char* file, std::size_t faces, const char* o
   const Simplified simplified = method.run(mesh, faces);
   const std::size_t peak = peak_bytes();
   save(out, simplified.mesh);
-  std::cout << "{\"seconds\": " << simplified.seconds << ", \"faces\": " << simplified.mesh.triangles.size()
-            << ", \"peak\": " << peak << ", \"note\": \"" << simplified.note << "\"}\n";
+  std::cout << "{\"seconds\": " << simplified.seconds
+            << ", \"faces\": " << simplified.mesh.triangles.size() << ", \"peak\": " << peak
+            << ", \"note\": \"" << simplified.note << "\"}\n";
   return 0;
 }
 
 }  // namespace
 
 std::string rejection(std::size_t rejected, std::size_t faces) {
-  return rejected == 0
-             ? ""
-             : std::to_string(rejected) + " of " + std::to_string(faces) + " faces rejected (non-manifold)";
+  return rejected == 0 ? ""
+                       : std::to_string(rejected) + " of " + std::to_string(faces) +
+                             " faces rejected (non-manifold)";
 }
 
 }  // namespace aomd::peers

@@ -1,6 +1,6 @@
 #pragma once
-// What the programs that run other libraries' simplification share: each is peer.cpp and one file for its
-// library.
+// What the programs that run other libraries' simplification share: each is peer.cpp and one file
+// for its library.
 
 #include <array>
 #include <chrono>
@@ -22,11 +22,13 @@ struct IndexedMesh {
 
 struct Simplified {
   IndexedMesh mesh;
-  double seconds = 0;  ///< the simplification alone: without building the library's mesh and reading it back
+  double seconds =
+      0;  ///< the simplification alone: without building the library's mesh and reading it back
   std::string note = {};  ///< what the library could not hold, for the table
 };
 
-/// One way in which a library simplifies. `run` aims at `faces` triangles and may stop above or below.
+/// One way in which a library simplifies. `run` aims at `faces` triangles and may stop above or
+/// below.
 struct Method {
   const char* name;  ///< of the method, as tables show it
   Simplified (*run)(const IndexedMesh& mesh, std::size_t faces);
@@ -45,8 +47,8 @@ template <typename Work>
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// "4078 of 202520 faces rejected", or nothing when all were taken: libraries of half-edges refuse faces that
-/// would make an edge non-manifold.
+/// "4078 of 202520 faces rejected", or nothing when all were taken: libraries of half-edges refuse
+/// faces that would make an edge non-manifold.
 [[nodiscard]] std::string rejection(std::size_t rejected, std::size_t faces);
 
 }  // namespace aomd::peers

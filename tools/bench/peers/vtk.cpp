@@ -44,7 +44,8 @@ Simplified quadric(const IndexedMesh& from, std::size_t faces) {
   build(from, mesh);
   vtkNew<vtkQuadricDecimation> decimation;
   decimation->SetInputData(mesh);
-  decimation->SetTargetReduction(1 - static_cast<double>(faces) / static_cast<double>(from.triangles.size()));
+  decimation->SetTargetReduction(1 - static_cast<double>(faces) /
+                                         static_cast<double>(from.triangles.size()));
   Simplified simplified;
   simplified.seconds = seconds_of([&] { decimation->Update(); });
   simplified.mesh = read_back(decimation->GetOutput());

@@ -1,0 +1,54 @@
+#pragma once
+// The guarantees that a decimation was asked for, as one thing that a loop asks before each
+// operation.
+
+#include <memory>
+
+#include "core/decimate/guard/distance_guard.h"
+#include "core/decimate/guard/intersection_guard.h"
+#include "core/decimate/guard/surface_change.h"
+#include "core/decimate/options.h"
+
+namespace aomd {
+
+/// Holds the guards that the options name; with none, asking costs a comparison.
+class Guards {
+ public:
+  /// Takes `mesh` for the original. O(n log n) for each guard.
+  Guards(const Mesh& mesh, const DecimationOptions& options) { restart(mesh, options); }
+
+  /// The mesh was changed from outside, or the options were. The distance stays that to the first
+  /// original, unless another one is asked for: then it is measured from the mesh as it is now.
+  void restart(const Mesh& mesh, const DecimationOptions& options) {
+    if (options.max_distance <= 0)
+      distance_.reset();
+    else if (!distance_ || distance_->distance() != options.max_distance)
+      distance_ = std::make_unique<DistanceGuard>(mesh, options.max_distance);
+    intersections_ = options.no_intersections ? std::make_unique<IntersectionGuard>(mesh) : nullptr;
+  }
+
+  [[nodiscard]] bool any() const { return distance_ || intersections_; }
+
+  /// Judges what an operator has accepted: a contraction with the faces around both ends, a pair of
+  /// faces, or a vertex with the faces around it and where it goes.
+  template <typename... Operation>
+  [[nodiscard]] Verdict judge(const Mesh& mesh, const Operation&... operation) {
+    if (!any()) return {};
+    describe(mesh, operation..., change_);
+    Verdict verdict = distance_ ? distance_->judge(change_) : Verdict();
+    if (verdict.accepted() && intersections_) verdict = intersections_->judge(change_);
+    return verdict;
+  }
+
+  /// What was judged last has been made.
+  void applied() {
+    if (intersections_) intersections_->applied(change_);
+  }
+
+ private:
+  std::unique_ptr<DistanceGuard> distance_;
+  std::unique_ptr<IntersectionGuard> intersections_;
+  Change change_;
+};
+
+}  // namespace aomd

@@ -1,0 +1,293 @@
+#include "core/decimate/paper/paper_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/decimate/spacing/spacing.h"
+
+namespace aomd {
+namespace {
+
+bool has_wires(Mesh& mesh) {
+  const Request faces = mesh.request(1, 2, PaperLoop::name);
+  for (const Edge e : mesh.edges())
+    if (mesh.row<2>(e).empty()) return true;
+  return false;
+}
+
+}  // namespace
+
+PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
+    : Loop(mesh, options),
+      collapser_(mesh),
+      changed_(mesh.capacity(0), 1),
+      judged_(mesh.capacity(1), 0),
+      refusal_(mesh.capacity(1), Reason::None) {
+  set_rules();
+  if (options_.exchange) wires_ = has_wires(mesh_);
+  fill_spacing();
+  begin_sweep();
+}
+
+PaperLoop::~PaperLoop() {
+  needs_.clear();
+  if (built_hash_) mesh_.drop_hash(1);
+}
+
+/// What collapses read, or swaps and smoothing; what the others need goes first.
+void PaperLoop::hold(bool collapses) {
+  if (!options_.exchange || collapsing_ == collapses) return;
+  collapsing_ = collapses;
+  needs_.clear();
+  if (std::exchange(built_hash_, false)) mesh_.drop_hash(1);
+  if (collapses) {
+    needs_.push_back(mesh_.request(0, 2, name));
+    if (wires_) needs_.push_back(mesh_.request(0, 1, name));
+    built_hash_ = !mesh_.stored(0, 1) && !mesh_.hash(1).built();
+    if (built_hash_) mesh_.build_hash(1);
+  } else {
+    needs_.push_back(mesh_.request(0, 1, name));
+    needs_.push_back(mesh_.request(1, 2, name));
+  }
+}
+
+void PaperLoop::fill_spacing() {
+  reach_ = first_reach();
+  average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+}
+
+// Towards a target twice the factor that would lead there if the angle refused nothing: started
+// lower it grows in many sweeps, each of which leaves what no longer fits together.
+double PaperLoop::first_reach() const {
+  if (!aims()) return options_.factor;
+  return std::max(1.5, 2 * std::sqrt(double(mesh_.count(2)) / options_.target_faces));
+}
+
+double PaperLoop::spacing(Vertex v) const {
+  if (options_.spacing) return v.index < options_.spacing->size() ? (*options_.spacing)[v] : 0;
+  if (options_.coarsest) return std::numeric_limits<double>::infinity();
+  return v.index < average_length_.size() ? average_length_[v] * reach_ : 0;
+}
+
+void PaperLoop::set_rules() {
+  rules_.max_turn = smooth_.max_turn = TurnLimit(options_.angle_deg);
+  rules_.topology = options_.topology;
+  rules_.least_angle = smooth_.least_angle = LeastAngle(options_.min_angle_deg);
+  smooth_.model = options_.model;
+}
+
+void PaperLoop::restart(const DecimationOptions& options) {
+  options_ = options;
+  guards_.restart(mesh_, options);
+  set_rules();
+  reach_ = first_reach();
+  forget();
+  improved_ = 0;
+  begin_sweep();
+}
+
+void PaperLoop::forget() {
+  judged_.assign(mesh_.capacity(1), 0);
+  refusal_.assign(mesh_.capacity(1), Reason::None);
+  changed_.assign(mesh_.capacity(0), ++now_);
+}
+
+void PaperLoop::begin_sweep() {
+  phase_ = Phase::Collapse;
+  cursor_ = 0;
+  open_sweep();
+}
+
+// A collapse removes what is shorter than half the spacing: edges then end up at about that length.
+Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
+
+Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {
+  hold(true);
+  const auto ends = mesh_.edge_vertices(edge);
+  const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
+  for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
+  if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
+  const std::size_t first = may_go[0] ? 0 : 1;
+  for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
+  if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
+  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules_, deleted);
+  if (!verdict.accepted()) return verdict;
+  const std::size_t end = deleted == ends[0] ? 0 : 1;
+  const Contraction contraction{deleted, ends[1 - end], mesh_.position(ends[1 - end])};
+  return guards_.judge(mesh_, contraction, collapser_.star(end), collapser_.star(1 - end));
+}
+
+bool PaperLoop::unchanged_since(Edge e) const {
+  const auto [a, b] = mesh_.edge_vertices(e);
+  return std::max(changed_[a], changed_[b]) <= judged_[e];
+}
+
+bool PaperLoop::try_collapse(Edge edge) {
+  if (unchanged_since(edge)) {
+    ++sweeps_.back().refused[static_cast<std::size_t>(refusal_[edge])];
+    return false;
+  }
+  Vertex deleted;
+  const Verdict verdict = judge(edge, deleted);
+  if (!verdict.accepted()) {
+    judged_[edge] = now_;
+    refusal_[edge] = verdict.reason;
+    ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
+    return false;
+  }
+  ++now_;
+  collapser_.apply_accepted(mesh_, edge, deleted);
+  for (const StarFace& f : collapser_.star()) touch(f.next), touch(f.previous);
+  made(StepKind::Collapse, edge);
+  return true;
+}
+
+Limits PaperLoop::limits(ModelRef edge) const {
+  Limits limits;
+  limits.turn_deg = options_.angle_deg;
+  if (edge.dimension() == 1 && options_.topology == TopologyRule::Safe)
+    limits.curve_deg = rules_.max_curve_turn.angle_deg();
+  limits.min_angle_deg = options_.min_angle_deg;
+  limits.distance = options_.max_distance;
+  return limits;
+}
+
+std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
+  const auto ends = mesh_.edge_vertices(edge);
+  std::vector<CollapseOutlook> outlooks(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CollapseOutlook& o = outlooks[i];
+    Vertex deleted;
+    o.contraction = {ends[i], ends[1 - i], mesh_.position(ends[1 - i])};
+    o.verdict = judge(edge, {i == 0, i == 1}, deleted);
+    o.limits = limits(mesh_.classification(edge));
+    o.length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
+    o.longest = 0.5 * spacing(ends[i]);
+  }
+  return outlooks;
+}
+
+Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
+  hold(false);
+  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, pair);
+  return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
+}
+
+std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
+  SwapOutlook o;
+  o.verdict = judge_swapping(edge, o.pair);
+  o.limits = limits({});
+  return o;
+}
+
+Verdict PaperLoop::judge_smoothing(Vertex v, glm::dvec3& target) {
+  if (options_.kept(v)) return {Reason::Kept, v};
+  hold(false);
+  const Verdict verdict = judge_smooth(mesh_, v, smooth_, target);
+  if (!verdict.accepted() || !guards_.any()) return verdict;
+  std::vector<std::uint32_t> derived;
+  gather(mesh_, v, faces_around(mesh_, v, derived), star_);
+  return guards_.judge(mesh_, v, star_, target);
+}
+
+std::optional<MoveOutlook> PaperLoop::move_outlook(Vertex v) {
+  MoveOutlook o;
+  o.vertex = v;
+  o.target = mesh_.position(v);
+  o.verdict = judge_smoothing(v, o.target);
+  o.limits = limits({});
+  return o;
+}
+
+bool PaperLoop::try_swap(Edge edge) {
+  EdgePair pair;
+  if (!judge_swapping(edge, pair).accepted()) return false;
+  ++now_;
+  apply_swap(mesh_, edge, pair);
+  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
+  made(StepKind::Swap, edge);
+  return true;
+}
+
+bool PaperLoop::try_smooth(Vertex v) {
+  glm::dvec3 target;
+  if (!judge_smoothing(v, target).accepted()) return false;
+  ++now_;
+  apply_smooth(mesh_, v, target);
+  for (const Edge e : mesh_.row<1>(v))
+    for (const Vertex u : mesh_.edge_vertices(e)) touch(u);
+  made(StepKind::Smooth, v);
+  return true;
+}
+
+std::uint32_t PaperLoop::end_of_phase() const {
+  return mesh_.capacity(phase_ == Phase::Smooth ? 0 : 1);
+}
+
+bool PaperLoop::at_target() const {
+  return options_.target_faces > 0 && mesh_.count(2) <= options_.target_faces;
+}
+
+bool PaperLoop::advance() {
+  if (phase_ == Phase::Done) return false;
+  if (cursor_ >= end_of_phase() || (phase_ == Phase::Collapse && at_target())) {
+    next_phase();
+    return false;
+  }
+  const std::uint32_t id = mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).next_alive(cursor_);
+  cursor_ = id + 1;
+  if (id >= end_of_phase()) return false;
+  if (phase_ == Phase::Collapse) return try_collapse(Edge(id));
+  return phase_ == Phase::Swap ? try_swap(Edge(id)) : try_smooth(Vertex(id));
+}
+
+void PaperLoop::next_phase() {
+  cursor_ = 0;
+  const bool improving = improved_ < options_.improve_passes;
+  if (phase_ == Phase::Collapse && improving && options_.swap)
+    phase_ = Phase::Swap;
+  else if (phase_ != Phase::Smooth && improving && options_.smooth)
+    phase_ = Phase::Smooth;
+  else
+    end_sweep();
+}
+
+// Towards a target the spacing grows whenever nothing shorter is left to collapse, as long as it is
+// what refuses.
+void PaperLoop::end_sweep() {
+  constexpr double growth = 1.2;
+  SweepStatistics& sweep = sweeps_.back();
+  sweep.faces = mesh_.count(2);
+  ++improved_;
+  if (sweep.collapses > 0 && !at_target()) return begin_sweep();
+  if (!aims() || at_target() || sweep.refused[static_cast<std::size_t>(Reason::Spacing)] == 0) {
+    phase_ = Phase::Done;
+    return;
+  }
+  reach_ *= growth;
+  forget();
+  begin_sweep();
+}
+
+std::uint32_t PaperLoop::swap_pass() {
+  std::uint32_t made = 0;
+  for (const Edge e : mesh_.edges()) made += try_swap(e);
+  return made;
+}
+
+std::uint32_t PaperLoop::smooth_pass() {
+  std::uint32_t made = 0;
+  for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
+  return made;
+}
+
+double PaperLoop::progress() const {
+  if (done()) return 1;
+  const double share = end_of_phase() ? double(cursor_) / end_of_phase() : 1;
+  const double part = (static_cast<double>(phase_) + share) / 3;
+  return 1 - std::pow(0.5, static_cast<double>(sweeps_.size()) - 1 + part);
+}
+
+}  // namespace aomd

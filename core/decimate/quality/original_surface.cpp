@@ -1,0 +1,205 @@
+#include "core/decimate/quality/original_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
+#include <vector>
+
+#include "core/base/box.h"
+#include "core/base/parallel.h"
+#include "core/mesh/geometry.h"
+#include "core/model/triangle_tree.h"
+
+namespace aomd {
+namespace {
+
+constexpr std::size_t items_a_piece = 1024;
+
+}  // namespace
+
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
+    : taken_by_(mesh.capacity(0)) {
+  vertex_of_.reserve(mesh.count(0));
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f)) {
+      if (taken_by_[v].valid()) continue;
+      taken_by_[v] = v;
+      vertex_of_.push_back(v);
+    }
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+  Box box;
+  for (const Vertex v : vertex_of_) box.add(mesh.position(v));
+  diagonal_ = box.diagonal();
+  points_.resize(vertex_of_.size());
+  Column<Face, double> areas(mesh.capacity(2), 0);
+  parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, areas);
+  });
+  for (const Face f : mesh.faces()) area_ += areas[f];
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, areas);
+}
+
+void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& areas) {
+  for (OriginalPoint& p : points_) p.weight /= 4;
+  points_.reserve(points_.size() + mesh.count(2));
+  vertex_of_.reserve(points_.capacity());
+  for (const Face f : mesh.faces()) {
+    if (!(areas[f] > 0)) continue;
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(area_normal(a, b, c) / (2 * areas[f])),
+                       .weight = static_cast<float>(0.75 * areas[f])});
+    vertex_of_.push_back(t[0]);
+  }
+}
+
+// Also fills in the area of each face of which the point is the first corner.
+void OriginalSurface::set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas) {
+  const double scale =
+      diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
+  OriginalPoint& p = points_[i];
+  p.position = mesh.position(vertex_of_[i]);
+  for (const Face f : mesh.row<2>(vertex_of_[i])) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 normal =
+        area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    const double area = glm::length(normal) / 2;
+    p.normal += glm::vec3(scale * normal);
+    p.weight += static_cast<float>(area / 3);
+    if (t[0] == vertex_of_[i]) areas[f] = area;
+  }
+  if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
+    p.normal = glm::vec3(glm::dvec3(p.normal) / length);
+}
+
+// Several threads may shorten the same path at once: whatever they write leads to the same end.
+Vertex OriginalSurface::taken_by(Vertex v) {
+  const auto next = [this](Vertex of) {
+    return Vertex(std::atomic_ref(taken_by_[of].index).load(std::memory_order_relaxed));
+  };
+  Vertex last = v;
+  for (Vertex after = next(last); after != last; after = next(last)) last = after;
+  for (Vertex after = next(v); after != last; after = next(v)) {
+    std::atomic_ref(taken_by_[v].index).store(last.index, std::memory_order_relaxed);
+    v = after;
+  }
+  return last;
+}
+
+void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const {
+  double best = std::numeric_limits<double>::infinity();
+  p.face = no_index;
+  for (const Face f : mesh.row<2>(v)) {
+    const auto t = mesh.triangle(f);
+    glm::dvec3 at;
+    const double d = nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]),
+                                         mesh.position(t[2]), at);
+    if (d >= best) continue;
+    best = d;
+    p.face = f.index;
+    p.barycentric = at;
+  }
+  p.distance2 = static_cast<float>(best);
+}
+
+// To the better one of the faces that the nearest place also lies on: across its edge, or around
+// its corner; only faces that look the way the original did count, so that no point goes through a
+// thin wall.
+bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
+  const Face from(p.face);
+  const auto corners = mesh.triangle(from);
+  const glm::vec3 at = p.barycentric;
+  const std::size_t k = at.x > 0 ? 0 : at.y > 0 ? 1 : 2;
+  const bool on_edge = (at.x > 0) + (at.y > 0) + (at.z > 0) > 1;
+  const Vertex other = corners[k == 0 && at.y > 0 ? 1 : 2];
+  bool moved = false;
+  for (const Face f : mesh.row<2>(corners[k])) {
+    const auto t = mesh.triangle(f);
+    if (f == from || (on_edge && t[0] != other && t[1] != other && t[2] != other)) continue;
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    glm::dvec3 place;
+    const double d = nearest_barycentric(p.position, a, b, c, place);
+    if (d >= p.distance2 * 0.999999 || glm::dot(area_normal(a, b, c), glm::dvec3(p.normal)) <= 0)
+      continue;
+    p.distance2 = static_cast<float>(d);
+    p.face = f.index;
+    p.barycentric = place;
+    moved = true;
+  }
+  return moved;
+}
+
+void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) const {
+  constexpr int most_steps = 10;
+  for (int step = 0; step < most_steps; ++step) {
+    const glm::vec3& at = p.barycentric;
+    if (at.x > 0 && at.y > 0 && at.z > 0) return;  // the nearest place is inside the face
+    if (!walk_once(mesh, p)) return;
+  }
+}
+
+void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
+  OriginalPoint& p = points_[i];
+  if (p.face != no_index && mesh.alive(Face(p.face))) {
+    const auto t = mesh.triangle(Face(p.face));
+    glm::dvec3 at;
+    p.distance2 = static_cast<float>(nearest_barycentric(
+        p.position, mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]), at));
+    p.barycentric = at;
+  } else {
+    start_at_vertex(mesh, p, taken_by(vertex_of_[i]));
+  }
+  if (p.face != no_index) find_face(mesh, p);
+}
+
+void OriginalSurface::locate(const Mesh& mesh, int threads) {
+  parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) locate_point(mesh, i);
+  });
+  link_points(mesh);
+}
+
+// Of equally near faces the hint decides: it is forgotten at the same points for any number of
+// threads.
+void OriginalSurface::locate_anywhere(const Mesh& mesh, int threads) {
+  taken_by_.resize(mesh.capacity(0));
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+  const Triangles triangles = triangles_of(mesh);
+  const TriangleTree tree(triangles.corners);
+  parallel_for(points_.size() / items_a_piece + 1, threads, 1,
+               [&](std::size_t begin, std::size_t end) {
+                 std::uint32_t hint = no_index;
+                 for (std::size_t i = begin * items_a_piece;
+                      i < std::min(end * items_a_piece, points_.size()); ++i) {
+                   OriginalPoint& p = points_[i];
+                   if (i % items_a_piece == 0) hint = no_index;
+                   hint = tree.nearest(p.position, hint).triangle;
+                   p.face = hint == no_index ? no_index : triangles.faces[tree.source(hint)].index;
+                   if (p.face != no_index) vertex_of_[i] = mesh.triangle(Face(p.face))[0];
+                 }
+               });
+  locate(mesh, threads);
+}
+
+void OriginalSurface::link_points(const Mesh& mesh) {
+  first_.assign(mesh.capacity(2), no_index);
+  normal_.assign(mesh.capacity(2), glm::vec3(0.0f));
+  for (std::uint32_t i = static_cast<std::uint32_t>(points_.size()); i-- > 0;) {
+    OriginalPoint& p = points_[i];
+    if (p.face == no_index) continue;
+    p.next = first_[Face(p.face)];
+    first_[Face(p.face)] = i;
+    normal_[Face(p.face)] += p.weight * p.normal;
+  }
+}
+
+double OriginalSurface::error() const {
+  double sum = 0;
+  for (const OriginalPoint& p : points_)
+    if (p.face != no_index) sum += double(p.weight) * double(p.distance2);
+  return sum;
+}
+
+}  // namespace aomd

@@ -1,0 +1,205 @@
+// The stages of the quality strategy: down to a little above the target, improve, measure anew,
+// down to the target, improve.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/parallel.h"
+#include "core/decimate/quality/quality_loop.h"
+#include "core/decimate/spacing/spacing.h"
+#include "core/mesh/id_pool.h"
+
+namespace aomd {
+namespace {
+
+// A weight that is given at regularity 0, 1/2 and 1, and follows powers between.
+double between(double regularity, double at_0, double at_half, double at_1) {
+  const double w = std::clamp(regularity, 0.0, 1.0);
+  const double low = w < 0.5 ? at_0 : at_half, high = w < 0.5 ? at_half : at_1;
+  return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
+}
+
+// A vertex that is fitted to a handful of points follows their noise, and what lies between them
+// not at all. More points take time: for those who want accuracy first.
+Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
+  constexpr double enough = 8;  // vertices of the original for each face of the result
+  const bool by_factor = options.target_faces == 0 && !options.coarsest && !options.spacing;
+  const double faces =
+      by_factor ? mesh.count(2) / (options.factor * options.factor) : options.target_faces;
+  const bool wanted = options.regularity < 0.5 && options.has(Idea::DensePoints);
+  return wanted && mesh.count(0) < enough * faces ? Sampling::VerticesAndFaces : Sampling::Vertices;
+}
+
+}  // namespace
+
+QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
+    : Loop(mesh, options),
+      original_(mesh, sampling(mesh, options), options.threads),
+      collapser_(mesh),
+      fitter_(mesh, original_) {
+  start(options);
+}
+
+void QualityLoop::set_rules() {
+  const double w = options_.regularity;
+  const double usual_least_deg = between(w, 8, 12, 12);
+  rules_.max_turn = TurnLimit(options_.angle_deg);
+  rules_.topology = options_.topology;
+  rules_.original_normals = options_.has(Idea::Facing) ? &normal_ : nullptr;
+  fit_.max_away = TurnLimit(options_.has(Idea::Facing) ? 60 : 179);
+  fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
+  cubes_ = options_.has(Idea::ThirdPowers);
+  places_ = options_.has(Idea::Placement);
+  rules_.least_angle = LeastAngle(options_.min_angle_deg);
+  rules_.least_around = LeastAngle(usual_least_deg);
+  fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
+  fit_.shape = between(w, 0.3, 1.5, 4);
+  fit_.pull = between(w, 0.001, 0.022, 0.07);
+  fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
+  fit_.model = options_.model;
+  edge_weight_ = static_cast<float>(between(w, 3e-6, 3e-4, 5e-3));
+  const double diagonal = original_.diagonal(),
+               points = static_cast<double>(original_.points().size());
+  unit_area_ = original_.area() > 0 ? original_.area() / points : 1;
+  scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;
+}
+
+// A collapse removes what is shorter than half the spacing: edges then end up at about that length.
+void QualityLoop::fill_spacing() {
+  const bool by_factor = !options_.spacing && !options_.coarsest && options_.target_faces == 0;
+  if (by_factor && average_length_.size() == 0)
+    average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+  const double factor = by_factor ? options_.factor : 1;
+  const Column<Vertex, double>* given = by_factor ? &average_length_ : options_.spacing.get();
+  for (const Vertex v : mesh_.vertices()) {
+    const bool known = given && v.index < given->size();
+    state_[v].reach =
+        given ? (known ? static_cast<float>(0.5 * factor * (*given)[v]) : 0.0f) : unlimited;
+  }
+}
+
+// Without a target the first stage goes as far as spacing and limits let it, and the second takes
+// what improvement has made possible.
+void QualityLoop::set_goals() {
+  constexpr double above = 1.3;
+  const std::uint32_t target = options_.target_faces;
+  goals_ = {target};
+  if (options_.has(Idea::SecondStage))
+    goals_.insert(goals_.begin(),
+                  static_cast<std::uint32_t>(std::min<double>(above * target, mesh_.count(2))));
+  start_faces_ = mesh_.count(2);
+}
+
+void QualityLoop::restart(const DecimationOptions& options) {
+  original_.locate_anywhere(mesh_, options.threads);
+  guards_.restart(mesh_, options);
+  start(options);
+}
+
+void QualityLoop::start(const DecimationOptions& options) {
+  options_ = options;
+  set_rules();
+  set_goals();
+  state_.assign(mesh_.capacity(0), {});
+  fill_spacing();
+  stage_ = 0;
+  begin_stage();
+}
+
+void QualityLoop::begin_stage() {
+  measure_vertices(stage_ > 0);
+  refusal_.assign(mesh_.capacity(1), Reason::None);
+  round_ = 0;
+  phase_ = Phase::Collapse;
+  open_sweep();
+}
+
+// What each vertex stands for: by the faces around it, or by the points of the original that lie on
+// them now.
+void QualityLoop::measure_vertices(bool by_points) {
+  normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
+  const auto measure = [&](std::uint32_t id) {
+    const Vertex v(id);
+    State fresh;
+    fresh.reach = state_[v].reach;
+    fresh.model = mesh_.classification(v);
+    state_[v] = fresh;
+    if (!by_points) quadric_of_faces(v);
+  };
+  parallel_for(
+      mesh_.capacity(0), options_.threads, vertices_a_piece,
+      [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
+  if (by_points) quadrics_of_points();
+  quadrics_of_model_edges();
+  fill_queue();
+}
+
+void QualityLoop::begin_improvement() {
+  original_.locate(mesh_, options_.threads);
+  measure_energy();
+  enter(options_.swap ? Phase::Swap : Phase::Smooth);
+}
+
+void QualityLoop::measure_energy() {
+  const double faces = std::max<double>(1, mesh_.count(2));
+  const double least =
+      1e-4 * std::sqrt(original_.area() / faces);  // flat meshes have shape to care for only
+  fit_.face_energy = std::max(original_.error() / faces, least * least * original_.area() / faces);
+  fit_.mean_square = fit_.face_energy * faces / original_.area();
+}
+
+void QualityLoop::enter(Phase phase) {
+  cursor_ = 0;
+  swaps_ = {};
+  phase_ = phase;
+}
+
+void QualityLoop::end_phase() {
+  if (phase_ == Phase::Swap && options_.smooth)
+    enter(Phase::Smooth);
+  else
+    end_round();
+}
+
+void QualityLoop::end_round() {
+  if (++round_ == rounds() && last_stage()) {  // nobody asks for the points any more
+    sweeps_.back().faces = mesh_.count(2);
+    phase_ = Phase::Done;
+    return;
+  }
+  original_.locate(mesh_, options_.threads);
+  if (round_ < rounds()) {
+    open_sweep();
+    enter(options_.swap ? Phase::Swap : Phase::Smooth);
+  } else {
+    ++stage_;
+    begin_stage();
+  }
+}
+
+bool QualityLoop::advance() {
+  switch (phase_) {
+    case Phase::Collapse:
+      return advance_collapse();
+    case Phase::Swap:
+      return advance_swap();
+    case Phase::Smooth:
+      return advance_smooth();
+    case Phase::Done:
+      break;
+  }
+  return false;
+}
+
+double QualityLoop::progress() const {
+  if (done()) return 1;
+  const double share = static_cast<double>(stage_) / static_cast<double>(goals_.size());
+  if (phase_ != Phase::Collapse) return share + 0.5 * (0.8 + 0.2 * round_ / rounds());
+  const double goal = goals_[stage_];
+  const double part =
+      start_faces_ > goal ? (start_faces_ - mesh_.count(2)) / (start_faces_ - goal) : 1;
+  return share + 0.4 * std::clamp(part, 0.0, 1.0);
+}
+
+}  // namespace aomd

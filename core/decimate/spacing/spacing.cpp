@@ -1,0 +1,108 @@
+#include "core/decimate/spacing/spacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/base/text.h"
+#include "core/decimate/spacing/curvature.h"
+#include "core/decimate/spacing/spacing_expression.h"
+#include "core/decimate/spacing/vertex_neighbours.h"
+#include "core/io/source.h"
+#include "core/io/text_cursor.h"
+
+namespace aomd {
+namespace {
+
+void check_positive(double value, const char* what) {
+  if (!(value > 0) || !std::isfinite(value))
+    throw std::invalid_argument(std::string(what) + " must be positive and finite, not " +
+                                number_text(value));
+}
+
+/// Evaluates one kind of source after the other.
+struct Evaluator {
+  const Mesh& mesh;
+  const VertexNeighbours& neighbours;
+
+  Column<Vertex, double> operator()(const SpacingByFactor& source) const;
+  Column<Vertex, double> operator()(const SpacingFile& source) const;
+  Column<Vertex, double> operator()(const SpacingFormula& source) const {
+    return SpacingExpression(source.text).evaluate(mesh, neighbours);
+  }
+  Column<Vertex, double> operator()(const SpacingByCurvature& source) const;
+};
+
+Column<Vertex, double> Evaluator::operator()(const SpacingByFactor& source) const {
+  check_positive(source.factor, "the factor of a spacing");
+  Column<Vertex, double> spacing = average_edge_lengths(mesh, neighbours);
+  for (const Vertex v : mesh.vertices()) spacing[v] *= source.factor;
+  return spacing;
+}
+
+double read_value(io::detail::TextCursor& cursor) {
+  const double value = cursor.real("a spacing");
+  if (!(value > 0)) cursor.fail("a spacing must be positive, not " + number_text(value));
+  return value;
+}
+
+Column<Vertex, double> Evaluator::operator()(const SpacingFile& source) const {
+  const io::detail::FileBytes bytes(source.path);
+  const io::detail::Source file{source.path.string(), bytes.view()};
+  io::detail::TextCursor cursor(file, file.bytes, 0, '#');
+  Column<Vertex, double> spacing(mesh.capacity(0), 0.0);
+  std::uint32_t read = 0;
+  for (const Vertex v : mesh.vertices()) {
+    if (cursor.skip_to_content())
+      cursor.fail("the file ends after " + counted(read, "spacing") + "; the mesh has " +
+                  counted(mesh.count(0), "vertex"));
+    spacing[v] = read_value(cursor);
+    ++read;
+  }
+  if (!cursor.skip_to_content())
+    cursor.fail("more spacings than the mesh has vertices (" + std::to_string(read) + ")");
+  return spacing;
+}
+
+Column<Vertex, double> Evaluator::operator()(const SpacingByCurvature& source) const {
+  check_positive(source.chord_error, "the chord error of a spacing");
+  check_positive(source.largest, "the largest spacing");
+  const double diagonal = box_of_used(mesh, neighbours).diagonal();
+  const Column<Vertex, double> curvatures = vertex_curvatures(mesh);
+  Column<Vertex, double> spacing = average_edge_lengths(mesh, neighbours);
+  for (const Vertex v : mesh.vertices()) {
+    if (neighbours.of(v).empty()) continue;
+    const double by_error = std::sqrt(8 * source.chord_error * diagonal / curvatures[v]);
+    spacing[v] = std::max(spacing[v], std::min(by_error, source.largest * diagonal));
+  }
+  return spacing;
+}
+
+bool is_file(const std::string& text) {
+  std::error_code none;
+  const auto status = std::filesystem::status(text, none);
+  return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
+}
+
+}  // namespace
+
+SpacingSource parse_spacing(const std::string& text) {
+  if (is_file(text)) return {SpacingFile{text}, {}};
+  if (text == "curvature") return {SpacingByCurvature{}, default_spacing_growth};
+  try {
+    (void)SpacingExpression(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string(error.what()) + " (and there is no such file)");
+  }
+  return {SpacingFormula{text}, {}};
+}
+
+Column<Vertex, double> evaluate_spacing(const Mesh& mesh, const SpacingSource& source) {
+  const VertexNeighbours neighbours(mesh);
+  Column<Vertex, double> spacing = std::visit(Evaluator{mesh, neighbours}, source.from);
+  if (source.growth) limit_growth(mesh, neighbours, *source.growth, spacing);
+  return spacing;
+}
+
+}  // namespace aomd

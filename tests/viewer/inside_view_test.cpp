@@ -1,0 +1,143 @@
+// Clipping, shrinking and the edges inside: of surfaces and of volumes.
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/support/view_helpers.h"
+#include "tests/support/zoo.h"
+
+namespace aomd::scene {
+namespace {
+
+using test::corners;
+using test::cubes;
+using test::drive;
+using test::load;
+
+double area(std::span<const Corner> corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    sum += 0.5 * glm::length(glm::cross(corners[i + 1].position - corners[i].position,
+                                        corners[i + 2].position - corners[i].position));
+  return sum;
+}
+
+std::size_t drawn(std::span<const Corner> corners) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    count += corners[i].position != corners[i + 1].position;
+  return count;
+}
+
+TEST(Clip, OfASurfaceByWholeFaces) {
+  Session s;
+  load(s, zoo::grid(4));  // 4 x 4 squares of two faces
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 16u);
+  drive(s, {"clip x 0.25 cells"});
+  EXPECT_EQ(drawn(corners(s)), 8u);
+  drive(s, {"clip x 0.25 cells flip"});
+  EXPECT_EQ(drawn(corners(s)), 24u);
+  drive(s, {"clip x 0.25"});
+  EXPECT_EQ(drawn(corners(s)), 32u) << "cutting is the renderer's";
+  drive(s, {"clip off"});
+  EXPECT_FALSE(s.view.clip);
+}
+
+TEST(Clip, OfAVolumeByWholeRegionsShowsTheirNeighbours) {
+  Session s;
+  load(s, cubes(2));
+  drive(s, {"clip z 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 2u * (2 * 4 + 4 * 2));  // a plate of 2 x 2 x 1
+  EXPECT_NEAR(area(corners(s)), 16, 1e-5);
+  drive(s, {"clip z 0 cells"});
+  EXPECT_EQ(drawn(corners(s)), 0u);
+}
+
+TEST(Clip, FacesOfTheFileGoWithTheirRegions) {
+  MeshData data = cubes(2);
+  const std::uint32_t m = 3, top = 2;
+  data.faces.add(Shape::Quad, {top, m * m + top, m * m + m + top, m + top}, ModelRef(2, 7));
+  Session s;
+  load(s, data);
+  drive(s, {"clip z 0.5 cells"});
+  EXPECT_EQ(drawn(corners(s)), 32u);
+  drive(s, {"clip z 0.5 cells flip"});
+  EXPECT_EQ(drawn(corners(s)), 32u);
+}
+
+TEST(Clip, CutsASectionThroughEveryRegion) {
+  Session s;
+  load(s, cubes(2));
+  drive(s, {"clip x 0.25"});
+  const auto cells = s.drawing().drawable().cells.values();
+  EXPECT_EQ(cells.size(), 3u * 2 * 4);
+  EXPECT_NEAR(area(cells), 4, 1e-5);
+  for (const Corner& corner : cells) {
+    EXPECT_NEAR(corner.position.x, -0.5, 1e-4);
+    EXPECT_LT(corner.position.x, -0.5) << "a hair inside, where the plane does not clip it";
+    EXPECT_GT(unpack_normal(corner.normal).x, 0.99);
+  }
+  for (std::size_t i = 0; i < cells.size(); i += 3)
+    EXPECT_GT(glm::cross(cells[i + 1].position - cells[i].position,
+                         cells[i + 2].position - cells[i].position)
+                  .x,
+              0)
+        << "seen from what is cut off";
+  drive(s, {"clip x 0.25 flip"});
+  EXPECT_LT(unpack_normal(s.drawing().drawable().cells[0].normal).x, -0.99);
+  drive(s, {"hide region:1"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+}
+
+TEST(Clip, SectionsOfTetrahedraFillTheSquare) {
+  Session s;
+  drive(s, {"sample mixed", "clip z 0.37"});
+  const Box& box = s.document.content().bounds;
+  const double square = (box.high.x - box.low.x) * (box.high.y - box.low.y);
+  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), square, 1e-4 * square);
+  drive(s, {"clip off"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+}
+
+TEST(Shrink, PullsFacesAndRegionsToTheirMiddles) {
+  Session s;
+  load(s, zoo::triangle());
+  const double whole = area(corners(s));
+  drive(s, {"shrink 0.5"});
+  EXPECT_NEAR(area(corners(s)), 0.25 * whole, 1e-6);
+  load(s, cubes(2));
+  drive(s, {"shrink 0.5"});
+  EXPECT_EQ(drawn(corners(s)), 0u);
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 8);
+  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), 8 * 6 * 0.25, 1e-5);
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 4);
+  drive(s, {"shrink 0", "clip off"});
+  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+  EXPECT_THROW(execute(s, "shrink 1"), CommandError);
+}
+
+TEST(InteriorEdges, AreThoseOnNoOuterSide) {
+  Session s;
+  load(s, cubes(2));
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 0u);
+  drive(s, {"show interior-edges on"});
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 6u);
+  drive(s, {"clip x 0.5 cells"});
+  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 1u) << "what was inside now lies outside";
+}
+
+TEST(Clip, CommandsSayWhatIsWrong) {
+  Session s;
+  load(s, zoo::square());
+  for (const char* line :
+       {"clip", "clip w 0.5", "clip x", "clip x 1.5", "clip x 0.5 sideways", "clip off 3"})
+    EXPECT_THROW(execute(s, line), CommandError) << line;
+  drive(s, {"clip Y 0.75 cells flip"});
+  EXPECT_EQ(s.view.clip, (Clip{1, 0.75, true, true}));
+}
+
+}  // namespace
+}  // namespace aomd::scene

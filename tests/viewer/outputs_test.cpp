@@ -1,0 +1,193 @@
+// Pictures and series of them, by the program itself; and that it leaves no traces without a
+// window.
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "core/io/png.h"
+#include "core/measure/image_diff.h"
+#include "tests/support/io_helpers.h"
+#include "tests/support/session_helpers.h"
+
+namespace aomd {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs scripts in a folder of its own, which is the user's home too.
+class Outputs : public testing::Test {
+ protected:
+  int run(const std::string& script, const std::string& options = "") const {
+    std::ofstream(folder_ / "script.aomd") << script;
+    const std::string home = (folder_ / "").string();
+    const std::string command = "cd '" + home + "' && env -u XDG_STATE_HOME HOME='" + home +
+                                "' XDG_CONFIG_HOME='" + home +
+                                "config' '" AOMD_VIEW "' --headless --size 320x240 " + options +
+                                " --script script.aomd >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] io::Image picture(const std::string& name) const { return io::read_png(at(name)); }
+  [[nodiscard]] fs::path at(const std::string& name) const { return folder_ / name.c_str(); }
+  [[nodiscard]] std::string text(const std::string& name) const { return test::bytes_of(at(name)); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Outputs, AScreenshotIsAsLargeAsTheWindowOrAsAsked) {
+  ASSERT_EQ(run("sample sphere 8\nscreenshot a.png\nscreenshot b.png 500x300\nscreenshot c.png "
+                "no-ui 500x300\n"),
+            0);
+  EXPECT_EQ(picture("a.png").width, 320);
+  EXPECT_EQ(picture("b.png").width, 500);
+  EXPECT_EQ(picture("b.png").height, 300);
+  EXPECT_EQ(picture("c.png").width, 500);
+  EXPECT_FALSE(picture("b.png") == picture("c.png"));
+}
+
+TEST_F(Outputs, ATransparentPictureHasNothingBehindTheMesh) {
+  ASSERT_EQ(run("sample sphere 24\nshow edges off\nscreenshot a.png 400x300 transparent no-ui\n"
+                "screenshot b.png 400x300 no-ui\n"),
+            0);
+  const io::Image clear = picture("a.png"), full = picture("b.png");
+  EXPECT_EQ(clear.pixel(0, 0)[3], 0);
+  EXPECT_EQ(clear.pixel(399, 299)[3], 0);
+  int partly = 0;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const std::uint8_t* p = clear.pixel(x, y);
+      partly += p[3] > 0 && p[3] < 255;
+      for (int c = 0; c < 3 && p[3] == 255; ++c)
+        ASSERT_EQ(p[c], full.pixel(x, y)[c]) << x << ' ' << y;
+    }
+  EXPECT_EQ(clear.pixel(200, 150)[3], 255);
+  EXPECT_GT(partly, 50);  // the rim of the sphere
+  EXPECT_EQ(full.pixel(0, 0)[3], 255);
+}
+
+TEST_F(Outputs, ALargePictureIsTheSameInPieces) {
+  const std::string scene =
+      "sample bracket 8\nshow edges off\nshow model-edges off\nshow model-vertices off\n";
+  ASSERT_EQ(
+      run(scene + "screenshot small.png 1250x1100 no-ui\nscreenshot large.png 2500x2200 no-ui\n"),
+      0);
+  const io::Image small = picture("small.png"), large = picture("large.png");
+  ASSERT_EQ(large.width, 2500);
+  io::Image half(1250, 1100);
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int c = 0; c < 4; ++c) {
+        int sum = 0;
+        for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+          sum += large.pixel(2 * x + dx, 2 * y + dy)[c];
+        half.pixel(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
+      }
+  EXPECT_GT(measure::compare_images(small, half).ssim, 0.99);
+}
+
+TEST_F(Outputs, SizesThatNobodyCouldReadAreRefused) {
+  EXPECT_EQ(run("sample sphere 8\nscreenshot a.png 16384x16384\n"), 2);
+  EXPECT_NE(text("err.txt").find("8192x8192"), std::string::npos) << text("err.txt");
+  EXPECT_EQ(run("sample sphere 8\nscreenshot a.png 0x4\n"), 2);
+}
+
+TEST_F(Outputs, ATurntableComesBackToWhereItBegan) {
+  ASSERT_EQ(run("sample bracket 6\ncamera copy\nexport turntable turn 4 160x120\ncamera copy\n"
+                "screenshot after.png 160x120 no-ui\n"),
+            0)
+      << text("err.txt");
+  EXPECT_TRUE(picture("turn/turn-0001.png") == picture("after.png"));
+  EXPECT_FALSE(picture("turn/turn-0002.png") == picture("turn/turn-0001.png"));
+  EXPECT_TRUE(fs::exists(at("turn/turn-0004.png")));
+  EXPECT_FALSE(fs::exists(at("turn/turn-0005.png")));
+}
+
+TEST_F(Outputs, AHistoryGoesFromTheMeshAsLoadedToTheLastOperation) {
+  ASSERT_EQ(run("sample sphere 12\nscreenshot first.png 160x120 no-ui\nsweep\nscreenshot last.png "
+                "160x120 no-ui\n"
+                "undo\nexport history h 5 160x120\nexpect cursor = 0\nexpect steps > 5\n"),
+            0)
+      << text("err.txt");
+  EXPECT_TRUE(picture("h/history-0001.png") == picture("first.png"));
+  EXPECT_TRUE(picture("h/history-0005.png") == picture("last.png"));
+}
+
+TEST_F(Outputs, AHistoryOfFewOperationsHasFewPictures) {
+  ASSERT_EQ(run("sample sphere 8\nstep 2\nexport history h 50 64x48\n"), 0);
+  EXPECT_EQ(std::distance(fs::directory_iterator(at("h")), {}), 3);
+}
+
+TEST_F(Outputs, ASeriesThatCannotBeWrittenEndsTheScript) {
+  EXPECT_EQ(run("sample sphere 8\nexport turntable /proc/nowhere 3\n"), 4);
+  const std::string said = text("err.txt");
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+TEST_F(Outputs, WithoutAWindowNothingIsRememberedOrKept) {
+  fs::create_directories(at("config/aomd-studio"));
+  ASSERT_EQ(run("sample sphere 8\nscreenshot usual.png\n"), 0);
+  std::ofstream(at("config/aomd-studio/settings")) << "theme=dark\nmesh-panel=off\nside-width=30\n";
+  ASSERT_EQ(run("sample sphere 8\nscreenshot other.png\nstep 3\ntheme dark\n"), 0);
+  EXPECT_TRUE(picture("usual.png") == picture("other.png"));
+  EXPECT_EQ(text("config/aomd-studio/settings"), "theme=dark\nmesh-panel=off\nside-width=30\n");
+  EXPECT_FALSE(fs::exists(at(".local")));
+}
+
+TEST_F(Outputs, WorkIsKeptWithoutAWindowWhereThatIsAskedForAndGoneAtACleanEnd) {
+  ASSERT_EQ(run("sample sphere 12\nrun\nrecover\n", "--recovery kept"), 2);
+  EXPECT_NE(text("err.txt").find("nothing to recover"), std::string::npos) << text("err.txt");
+  ASSERT_EQ(run("sample sphere 12\nrun\n", "--recovery kept2"), 0);
+  EXPECT_TRUE(!fs::exists(at("kept2")) || fs::is_empty(at("kept2")));
+}
+
+namespace in_steps {
+
+using namespace scene;
+
+/// What a renderer would do.
+int take_all(Session& s) {
+  int taken = 0;
+  for (s.advance_series(); s.series() != nullptr; s.advance_series()) {
+    taken += static_cast<int>(s.screenshots.size());
+    s.screenshots.clear();
+  }
+  return taken;
+}
+
+TEST(Series, TakesOnePictureAfterTheOtherAndPutsEverythingBack) {
+  const aomd::test::TemporaryFolder folder;
+  Session s;
+  scene::test::drive(s, {"sample sphere 12", "step 9", "step -4"});
+  const Camera before = s.view.camera;
+  execute(s, "export history " + (folder / "h").string() + " 4");
+  EXPECT_FALSE(s.idle());
+  EXPECT_EQ(take_all(s), 4);
+  EXPECT_EQ(s.document.journal().cursor(), 5u);
+  EXPECT_TRUE(s.view.operation);
+  execute(s, "export turntable " + (folder / "t").string() + " 7 64x64");
+  EXPECT_EQ(take_all(s), 7);
+  EXPECT_TRUE(s.view.camera == before);
+  EXPECT_TRUE(s.idle());
+}
+
+TEST(Series, CancelPutsEverythingBackToo) {
+  const aomd::test::TemporaryFolder folder;
+  Session s;
+  scene::test::drive(s, {"sample sphere 12", "step 9"});
+  execute(s, "export history " + (folder / "h").string() + " 4");
+  s.advance_series();
+  EXPECT_EQ(s.document.journal().cursor(), 0u);
+  EXPECT_THROW(execute(s, "step"), CommandError);  // it would be in the pictures
+  execute(s, "cancel");
+  EXPECT_EQ(s.document.journal().cursor(), 9u);
+  EXPECT_TRUE(s.screenshots.empty());
+  EXPECT_NO_THROW(execute(s, "step"));
+}
+
+}  // namespace in_steps
+}  // namespace
+}  // namespace aomd
