@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# tests/paper_tables_test.sh AOMD: tools/bench/paper_tables.sh on a generated mesh in place of the bunny.
+# tests/cli/paper_tables_test.sh AOMD: tools/bench/paper_tables.sh on a generated mesh in place of the bunny.
 set -euo pipefail
 export AOMD=$1
-bench=$(cd "$(dirname "${BASH_SOURCE[0]}")/../tools/bench" && pwd)
+bench=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../tools/bench" && pwd)
 command -v python3 >/dev/null || { echo "python3 is missing"; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
