@@ -4,10 +4,24 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/box.h"
 #include "core/decimate/paper/paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
+#include "core/model/class_rules.h"
 
 namespace aomd {
+namespace {
+
+// Costs are sums of squared distances times areas, many of them stored in single precision.
+constexpr double smallest_extent = 1e-20, largest_extent = 1e18;
+
+double extent(const Mesh& mesh) {
+  Box box;
+  for (const Vertex v : mesh.vertices()) box.add(mesh.position(v));
+  return box.diagonal();
+}
+
+}  // namespace
 
 const char* phase_name(Phase phase) {
   constexpr const char* names[] = {"collapse", "swap", "smooth", "done"};
@@ -29,6 +43,11 @@ const char* decimation_obstacle(const Mesh& mesh) {
   for (const Face f : mesh.faces())
     if (mesh.shape(f) != Shape::Triangle)
       return "Only triangles can be decimated, and there are quads: .ply is read as triangles.";
+  const double size = extent(mesh);
+  if (size > 0 && size < smallest_extent)
+    return "The mesh is less than 1e-20 across, too small to decimate: write it in a smaller unit.";
+  if (size > largest_extent)
+    return "The mesh is more than 1e+18 across, too large to decimate: write it in a larger unit.";
   return nullptr;
 }
 
@@ -94,6 +113,8 @@ void Decimation::begin(const DecimationOptions& options) {
     if (paper || !lists_model_edges_only(mesh_)) need(0, 1);
   }
   needs_ = std::move(needs);
+  if (const ClassVerdict classes = judge_closure(mesh_); !classes.accepted())
+    throw std::invalid_argument(class_words(classes) + ": classify() mends that");
   if (paper)
     loop_ = std::make_unique<PaperLoop>(mesh_, options);
   else

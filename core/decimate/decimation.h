@@ -16,8 +16,8 @@
 
 namespace aomd {
 
-/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, and its
-/// faces are triangles. O(faces).
+/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, its faces
+/// are triangles, and its box is between 1e-20 and 1e+18 across. O(size).
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
 /// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too
@@ -26,7 +26,8 @@ namespace aomd {
 /// must not change otherwise while it lives, except through invalidate().
 class Decimation {
  public:
-  /// Throws std::invalid_argument where there is an obstacle (above).
+  /// Throws std::invalid_argument where there is an obstacle (above), and where a vertex lies on a
+  /// model entity of higher dimension than what it bounds: classify() comes before a decimation.
   explicit Decimation(Mesh& mesh, const DecimationOptions& options = {});
 
   enum class Stop { Done, Budget, Cancelled };

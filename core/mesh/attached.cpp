@@ -46,9 +46,8 @@ void AttachedData::cover_again(int dim, std::uint32_t id, std::size_t creation) 
   for (const auto& column : columns(dim)) column->cover_again(id, creation);
 }
 
-void AttachedData::forget() {
-  for (const List& list : lists_)
-    for (const auto& column : list) column->forget(0);
+void AttachedData::start_after(int dim, std::size_t creations) {
+  for (const auto& column : columns(dim)) column->start_after(creations);
 }
 
 void AttachedData::compact(int dim, std::span<const std::uint32_t> new_index,

@@ -39,7 +39,8 @@ class AttachedBase {
   /// That creation is undone, or done again: the value and the kept one change places.
   virtual void uncover(std::uint32_t id, std::size_t creation) = 0;
   virtual void cover_again(std::uint32_t id, std::size_t creation) = 0;
-  virtual void forget(std::size_t creations) = 0;
+  /// Nothing is kept of the first so many creations: a journal was attached that has applied them.
+  virtual void start_after(std::size_t creations) = 0;
   virtual void compact(std::span<const std::uint32_t> new_index, std::uint32_t entities) = 0;
 
   std::string name_;
@@ -78,11 +79,13 @@ class Attached final : public AttachedBase {
     if (creation - first_creation_ == kept_.size()) return cover(id, creation);
     std::swap(values_[id], kept_[creation - first_creation_]);
   }
-  void forget(std::size_t creations) override {
-    if (creations < first_creation_) {
-      first_creation_ = creations;
-      kept_.clear();
-    }
+  void start_after(std::size_t creations) override {
+    first_creation_ = creations;
+    kept_.clear();
+  }
+  /// Values kept from creation number `creations` on: others take their numbers.
+  void forget(std::size_t creations) {
+    if (creations < first_creation_) start_after(creations);
     if (creations - first_creation_ < kept_.size())
       kept_.resize(creations - first_creation_, initial_);
   }
@@ -119,7 +122,7 @@ class AttachedData {
   void cover(int dim, std::uint32_t id, std::size_t creation);
   void uncover(int dim, std::uint32_t id, std::size_t creation);
   void cover_again(int dim, std::uint32_t id, std::size_t creation);
-  void forget();
+  void start_after(int dim, std::size_t creations);
   void compact(int dim, std::span<const std::uint32_t> new_index, std::uint32_t entities);
 
  private:

@@ -144,6 +144,17 @@ void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
   close_record();
 }
 
+std::array<std::size_t, 4> Journal::applied_creations() const {
+  std::array<std::size_t, 4> creations{};
+  const std::uint64_t end = cursor_ > 0 ? step_end(cursor_ - 1) : 0;
+  for (std::uint64_t at = 0; at < end;) {
+    const RecordHead head = RecordHead::unpack(words_[at]);
+    creations[static_cast<std::size_t>(head.dim)] += head.kind == RecordKind::Create;
+    at += head.length();
+  }
+  return creations;
+}
+
 bool Journal::undo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == 0) return false;

@@ -2,6 +2,7 @@
 // Every edit, recorded: undo, stepping, replay and partial redraws are the same record read in
 // different directions.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -61,6 +62,8 @@ class Journal {
   [[nodiscard]] std::size_t bytes() const {
     return words_.capacity() * 4 + steps_.capacity() * sizeof(JournalStep);
   }
+  /// How many entities of each level the steps that are applied created. O(records).
+  [[nodiscard]] std::array<std::size_t, 4> applied_creations() const;
   /// Changes whenever a history is cut or cleared, so that readers of cursors know to start afresh.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
 

@@ -109,8 +109,9 @@ void Mesh::keep_class_lists(bool keep) {
 
 void Mesh::attach(Journal* journal) {
   journal_ = journal;
-  recorded_creations_ = {};
-  attached_.forget();
+  recorded_creations_ = journal ? journal->applied_creations() : std::array<std::size_t, 4>{};
+  for (int dim = 0; dim < 4; ++dim)
+    attached_.start_after(dim, recorded_creations_[static_cast<std::size_t>(dim)]);
 }
 
 std::size_t Mesh::entity_bytes() const {

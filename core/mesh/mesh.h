@@ -215,6 +215,8 @@ class Mesh {
 
   [[nodiscard]] Journal* journal() const { return journal_; }
   /// Attaches a journal (or none): from now on every edit is recorded. Changes of T are not edits.
+  /// What the journal holds already must lead to this mesh; attached values that its creations
+  /// covered are forgotten. O(records of the journal).
   void attach(Journal* journal);
   /// The opposite of completing level 1: lets go of every edge that lies on a model face or region,
   /// or is unclassified and a side of something, and of T(0,1), T(1,2), T(2,1), T(1,3), T(3,1).

@@ -14,14 +14,25 @@
 namespace aomd {
 namespace {
 
-// Tags of one model dimension that are not taken yet.
+// Tags of one model dimension that are not taken yet: above the largest one, then the gaps.
 class FreshTags {
  public:
-  void taken(ModelRef model) { next_ = std::max(next_, model.tag() + 1); }
-  std::int32_t take() { return next_++; }
+  void taken(ModelRef model) {
+    if (model.tag() >= next_) next_ = model.tag() + 1;
+    if (model.tag() > 0 && (taken_.empty() || taken_.back() != model.tag()))
+      taken_.push_back(model.tag());
+  }
+  std::int32_t take() {
+    if (next_ <= ModelRef::max_tag) return next_++;
+    if (gap_ == 0) std::sort(taken_.begin(), taken_.end());
+    do ++gap_;
+    while (std::binary_search(taken_.begin(), taken_.end(), gap_));
+    return gap_;
+  }
 
  private:
-  std::int32_t next_ = 1;
+  std::int32_t next_ = 1, gap_ = 0;
+  std::vector<std::int32_t> taken_;
 };
 
 class Classifier {
@@ -37,6 +48,7 @@ class Classifier {
     if (!options_.keep_present) forget();
     note_present();
     find_features();
+    if (curves_given_by_vertices_) find_curves_of_vertices();
     flood_faces();
     find_model_vertices();
     chain_edges();
@@ -62,6 +74,7 @@ class Classifier {
     for (const Vertex v : mesh_.vertices()) {
       const ModelRef m = mesh_.classification(v);
       if (m.dimension() <= 1) tags_[static_cast<std::size_t>(m.dimension())].taken(m);
+      curves_given_by_vertices_ |= m.dimension() == 1;
     }
   }
 
@@ -92,20 +105,82 @@ class Classifier {
     }
   }
 
-  void find_model_vertices() {
-    const auto is_feature = [&](Edge e) { return feature_[e] != 0; };
-    std::vector<std::pair<Vertex, ModelRef>> found;
-    for (const Vertex v : mesh_.vertices()) {
-      if (mesh_.classification(v).valid()) continue;
-      const CurveEnds ends = curve_at(mesh_, v, is_feature);
-      if (ends.count == 0) continue;
-      const ModelRef first = mesh_.classification(ends.edges[0]),
-                     second = ends.count > 1 ? mesh_.classification(ends.edges[1]) : first;
-      const bool split = (first.dimension() == 1 || second.dimension() == 1) && first != second;
-      if (ends.count == 2 && !split && !curve_turns(mesh_, v, ends, corner_, is_feature)) continue;
-      found.emplace_back(v, ModelRef(0, tags_[0].take()));
+  // The model edge on which both ends of an edge lie, where the file says so of at least one.
+  [[nodiscard]] ModelRef curve_of_ends(Edge e) const {
+    const auto ends = mesh_.edge_vertices(e);
+    const ModelRef a = mesh_.classification(ends[0]), b = mesh_.classification(ends[1]);
+    if (a.dimension() == 1 && (b == a || b.dimension() == 0)) return a;
+    return b.dimension() == 1 && a.dimension() == 0 ? b : ModelRef();
+  }
+
+  // Files may put vertices on model edges and list no edges. Borders take their model edge from
+  // them. Inside a model face, a curve is where each of its vertices has two neighbours on it;
+  // elsewhere the vertices alone cannot tell (paper, figure 4).
+  void find_curves_of_vertices() {
+    for (const Edge e : mesh_.edges())
+      if (feature_[e] && mesh_.classification(e).dimension() != 1)
+        if (const ModelRef model = curve_of_ends(e); model.valid())
+          mesh_.set_classification(e, model);
+    std::vector<Edge> found;
+    for (const Edge e : mesh_.edges())
+      if (!feature_[e] && curve_of_ends(e).valid() && is_between_two(e)) found.push_back(e);
+    for (const Edge e : found) {
+      feature_[e] = 1;
+      mesh_.set_classification(e, curve_of_ends(e));
     }
+    features_.borders += static_cast<std::uint32_t>(found.size());
+  }
+
+  [[nodiscard]] bool is_between_two(Edge e) const {
+    for (const Vertex v : mesh_.edge_vertices(e)) {
+      if (mesh_.classification(v).dimension() == 0) continue;
+      int neighbours = 0;
+      for (const Edge other : mesh_.row<1>(v)) {
+        if (feature_[other]) return false;
+        neighbours += curve_of_ends(other).valid();
+      }
+      if (neighbours != 2) return false;
+    }
+    return true;
+  }
+
+  void find_model_vertices() {
+    std::vector<std::pair<Vertex, ModelRef>> found;
+    for (const Vertex v : mesh_.vertices())
+      if (mesh_.classification(v).dimension() != 0 && is_model_vertex(v))
+        found.emplace_back(v, ModelRef(0, tags_[0].take()));
     for (const auto& [v, model] : found) mesh_.set_classification(v, model);
+  }
+
+  // What the file says of a vertex is believed as far as model edges pass through it: on a model
+  // edge it is no corner, and on a model edge that is nowhere to be found it stays where it is.
+  [[nodiscard]] bool is_model_vertex(Vertex v) const {
+    const auto is_feature = [&](Edge e) { return feature_[e] != 0; };
+    const bool on_curve = mesh_.classification(v).dimension() == 1;
+    const CurveEnds ends = curve_at(mesh_, v, is_feature);
+    if (ends.count == 0) return on_curve && !mesh_.row<1>(v).empty();
+    if (ends.count != 2) return true;
+    const ModelRef first = mesh_.classification(ends.edges[0]),
+                   second = mesh_.classification(ends.edges[1]);
+    if ((first.dimension() == 1 || second.dimension() == 1) && first != second) return true;
+    if (touches_other_faces(v, ends)) return true;
+    return !on_curve && curve_turns(mesh_, v, ends, corner_, is_feature);
+  }
+
+  // Whether a face at a vertex inside a curve lies on a model face that the curve does not bound:
+  // surfaces that touch in a single point.
+  [[nodiscard]] bool touches_other_faces(Vertex v, const CurveEnds& ends) const {
+    const auto bounded = [&](ModelRef model) {
+      for (const Edge e : ends.edges)
+        for (const Face f : mesh_.row<2>(e))
+          if (mesh_.classification(f) == model) return true;
+      return false;
+    };
+    for (const Edge e : mesh_.row<1>(v))
+      if (!feature_[e])
+        for (const Face f : mesh_.row<2>(e))
+          if (!bounded(mesh_.classification(f))) return true;
+    return false;
   }
 
   bool ends_curve(Vertex v) const { return mesh_.classification(v).dimension() == 0; }
@@ -133,12 +208,19 @@ class Classifier {
   void classify_rest() {
     for (const Edge e : mesh_.edges())
       if (!feature_[e]) mesh_.set_classification(e, mesh_.classification(mesh_.row<2>(e)[0]));
-    for (const Vertex v : mesh_.vertices()) {
-      if (mesh_.classification(v).valid()) continue;
-      ModelRef lowest;
-      for (const Edge e : mesh_.row<1>(v)) lowest = std::min(lowest, mesh_.classification(e));
-      mesh_.set_classification(v, lowest);
+    for (const Vertex v : mesh_.vertices())
+      if (!ends_curve(v) && !mesh_.row<1>(v).empty()) mesh_.set_classification(v, around(v));
+  }
+
+  // The class of a vertex that is no model vertex so far: what all its edges but those of a curve
+  // lie on, or the curve. Model faces that touch in a single point do so in a model vertex.
+  [[nodiscard]] ModelRef around(Vertex v) {
+    ModelRef lowest, highest(0, 0);
+    for (const Edge e : mesh_.row<1>(v)) {
+      lowest = std::min(lowest, mesh_.classification(e));
+      highest = std::max(highest, mesh_.classification(e));
     }
+    return lowest.dimension() == 1 || lowest == highest ? lowest : ModelRef(0, tags_[0].take());
   }
 
   template <typename Range>
@@ -164,7 +246,7 @@ class Classifier {
   Column<Edge, std::uint8_t> feature_;
   std::array<FreshTags, 3> tags_;
   FeatureCount features_;
-  bool faces_given_ = false, edges_given_ = false;
+  bool faces_given_ = false, edges_given_ = false, curves_given_by_vertices_ = false;
 };
 
 }  // namespace

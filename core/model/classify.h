@@ -31,10 +31,15 @@ struct ClassifyResult {
 /// Classifies all vertices, edges and faces. An edge lies on a model edge where it has one face or
 /// more than two, where its faces lie on different model faces, or past the feature angle (see
 /// find_features); elsewhere on its face's model face. Model edges are chained between model
-/// vertices, which stand where other than two of them meet or where the curve turns sharply; model
-/// faces are flooded between model edges. Vertices that nothing uses stay unclassified. The rule
-/// cannot always be right (paper, figure 4): what the file says therefore wins. Creates the edges
-/// when there are none. Journalled as one step. O(entities).
+/// vertices, which stand where other than two of them meet, where the curve turns sharply, and
+/// where model faces touch in a point; model faces are flooded between model edges. The rule cannot
+/// always be right (paper, figure 4): what the file says therefore wins, as far as it can be meant.
+/// Faces, model edges and model vertices that it names stay; a vertex or edge that it puts on a
+/// model face although model edges pass through goes down onto them, since many files classify
+/// nothing but faces. Afterwards what bounds an entity lies on the same model entity or on one of
+/// lower dimension (paper, section 2.1), whatever the mesh said before; Decimation demands that.
+/// Vertices that nothing uses keep their class. Creates the edges when there are none. Journalled
+/// as one step. O(entities).
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options = {});
 
 }  // namespace aomd

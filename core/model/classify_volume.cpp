@@ -110,6 +110,7 @@ class VolumeClassifier {
     }
   }
 
+  // A model vertex inside a region is one that the file put there.
   void classify_inside() {
     const auto take = [&](EntityRef e, ModelRef model) {
       std::uint8_t& done = on_skin_[e.dimension][e.index];
@@ -121,7 +122,8 @@ class VolumeClassifier {
       VertexBuffer buffer;
       for (const Face f : mesh_.row<2>(r)) take(f, model);
       for (const Edge e : mesh_.row<1>(r)) take(e, model);
-      for (const std::uint32_t v : mesh_.vertices_of(r, buffer)) take(Vertex(v), model);
+      for (const std::uint32_t v : mesh_.vertices_of(r, buffer))
+        if (mesh_.classification(Vertex(v)).dimension() != 0) take(Vertex(v), model);
     }
   }
 

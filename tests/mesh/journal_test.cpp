@@ -141,5 +141,28 @@ TEST(JournalTest, DecimationUndoesToTheStartAndRedoesToTheEnd) {
     }
 }
 
+// Attached again, a journal counts the creations that it holds: undoing them touches no value that
+// was never kept.
+TEST(JournalTest, AJournalMayBeDetachedAndAttachedAgain) {
+  Mesh mesh;
+  Journal journal;
+  auto& heat = mesh.column<Vertex, double>("heat", 1.0);
+  mesh.attach(&journal);
+  const Vertex first = mesh.create_vertex({0, 0, 0});
+  heat[first] = 5;
+  mesh.attach(nullptr);
+  mesh.attach(&journal);
+  const Vertex second = mesh.create_vertex({1, 0, 0});
+  heat[second] = 7;
+  while (journal.undo(mesh)) {
+  }
+  EXPECT_EQ(mesh.count(0), 0u);
+  while (journal.redo(mesh)) {
+  }
+  EXPECT_EQ(heat[first], 1.0);  // kept by the journal's first attachment, and gone with it
+  EXPECT_EQ(heat[second], 7.0);
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
 }  // namespace
 }  // namespace aomd

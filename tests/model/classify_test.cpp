@@ -92,6 +92,126 @@ TEST(ClassifyTest, Figure4IsAmbiguousUntilTheFileListsItsModelEdges) {
   EXPECT_EQ(class_of_diagonal(other), ModelRef(1, 5));
 }
 
+// What many files say: every face and each vertex of it lies on one model face, nothing else.
+MeshData on_one_face(MeshData data) {
+  data.vertex_classes.assign(data.positions.size(), ModelRef(2, 9));
+  data.faces.classes.assign(data.faces.size(), ModelRef(2, 9));
+  return data;
+}
+
+//  6---7---8   Classified as it stands: all on face 9. The border is where faces end, whatever the
+//  | \ | \ |   file says of its vertices, and its corners are where it turns.
+//  3---4---5
+//  | \ | \ |
+//  0---1---2
+TEST(ClassifyTest, ABorderIsFoundWhereTheFileClassifiesFacesAlone) {
+  Mesh mesh(on_one_face(zoo::grid(2)));
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 4);
+  EXPECT_EQ(r.model_edges, 4);
+  for (const std::uint32_t corner : {0u, 2u, 6u, 8u})
+    EXPECT_EQ(mesh.classification(Vertex(corner)).dimension(), 0);
+  for (const std::uint32_t side : {1u, 3u, 5u, 7u})
+    EXPECT_EQ(mesh.classification(Vertex(side)).dimension(), 1);
+  EXPECT_EQ(mesh.classification(Vertex(4)), ModelRef(2, 9));
+}
+
+// The left half on face 1, the right half on face 2, no line listed: they meet in a model edge.
+TEST(ClassifyTest, AnInterfaceIsFoundWhereTheFileClassifiesFacesAlone) {
+  MeshData data = zoo::grid(2);
+  data.vertex_classes.assign(9, ModelRef(2, 1));
+  for (std::size_t f = 0; f < data.faces.size(); ++f) {
+    double x = 0;
+    for (std::size_t k = 0; k < 3; ++k) x += data.positions[data.faces.vertices[3 * f + k]].x / 3;
+    data.faces.classes.emplace_back(2, x < 1 ? 1 : 2);
+  }
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_faces, 2);
+  EXPECT_EQ(r.model_vertices, 6);
+  EXPECT_EQ(r.model_edges, 7);
+  EXPECT_EQ(mesh.classification(Vertex(1)).dimension(), 0);
+  EXPECT_EQ(mesh.classification(Vertex(4)).dimension(), 1);
+}
+
+// Vertices on model edges of which the file lists no line: the border takes its edges from them,
+// and no vertex is held that lies inside a side.
+TEST(ClassifyTest, ABorderLiesOnTheModelEdgesThatItsVerticesName) {
+  MeshData data = on_one_face(zoo::grid(3));
+  for (const std::uint32_t corner : {0u, 3u, 12u, 15u})
+    data.vertex_classes[corner] = ModelRef(0, static_cast<std::int32_t>(corner) + 1);
+  for (const std::uint32_t low : {1u, 2u}) data.vertex_classes[low] = ModelRef(1, 40);
+  for (const std::uint32_t left : {4u, 8u}) data.vertex_classes[left] = ModelRef(1, 41);
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 4);
+  EXPECT_EQ(r.model_edges, 4);
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))), ModelRef(1, 40));
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(2), Vertex(3))), ModelRef(1, 40));
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(4))), ModelRef(1, 41));
+  EXPECT_EQ(mesh.classification(Vertex(3)), ModelRef(0, 4));
+}
+
+// A seam: vertices 7, 12 and 17 of the middle column lie on model edge 5, which ends in model
+// vertices 2 and 22 of the border; both sides lie on the same face, and no line is listed.
+TEST(ClassifyTest, ACurveInsideAFaceIsFoundWhereItsVerticesHaveTwoNeighboursOnIt) {
+  MeshData data = on_one_face(zoo::grid(4));
+  data.vertex_classes[2] = ModelRef(0, 1);
+  data.vertex_classes[22] = ModelRef(0, 2);
+  for (const std::uint32_t v : {7u, 12u, 17u}) data.vertex_classes[v] = ModelRef(1, 5);
+  Mesh mesh(data);
+  classified(mesh);
+  for (const std::uint32_t v : {2u, 7u, 12u, 17u})
+    EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(v), Vertex(v + 5))), ModelRef(1, 5));
+  EXPECT_EQ(mesh.classification(Vertex(12)), ModelRef(1, 5));
+}
+
+// A vertex inside a face that is put on a model edge of which nothing else is left stays where it
+// is.
+TEST(ClassifyTest, AVertexOnAModelEdgeThatIsNowhereBecomesAModelVertex) {
+  MeshData data = on_one_face(zoo::grid(4));
+  data.vertex_classes[12] = ModelRef(1, 5);
+  Mesh mesh(data);
+  classified(mesh);
+  EXPECT_EQ(mesh.classification(Vertex(12)).dimension(), 0);
+}
+
+// Two tetrahedra on model faces of their own that share vertex 0.
+TEST(ClassifyTest, ModelFacesThatTouchInAPointDoSoInAModelVertex) {
+  MeshData data = zoo::tetrahedron();
+  const glm::dvec3 tip = data.positions[0];
+  for (std::uint32_t v = 1; v < 4; ++v) data.positions.push_back(2.0 * tip - data.positions[v]);
+  const std::vector<std::uint32_t> first = data.faces.vertices;
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto other = [&](std::size_t k) {
+      const std::uint32_t v = first[3 * f + k];
+      return v == 0 ? 0 : v + 3;
+    };
+    data.faces.add(Shape::Triangle, {other(2), other(1), other(0)});
+  }
+  for (int f = 0; f < 8; ++f) data.faces.classes.emplace_back(2, f < 4 ? 1 : 2);
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 1);
+  EXPECT_EQ(mesh.classification(Vertex(0)).dimension(), 0);
+  EXPECT_EQ(mesh.classification(Vertex(1)), ModelRef(2, 1));
+  EXPECT_EQ(mesh.classification(Vertex(4)), ModelRef(2, 2));
+}
+
+// Tags end at 2^28 - 1: new ones then fill the gaps.
+TEST(ClassifyTest, NewTagsFillTheGapsWhereTheLargestIsTaken) {
+  MeshData data = zoo::grid(2);
+  data.vertex_classes.resize(9);
+  data.vertex_classes[0] = ModelRef(0, ModelRef::max_tag);
+  data.vertex_classes[2] = ModelRef(0, 1);
+  Mesh mesh(data);
+  const ClassifyResult r = classified(mesh);
+  EXPECT_EQ(r.model_vertices, 4);
+  EXPECT_EQ(mesh.classification(Vertex(0)), ModelRef(0, ModelRef::max_tag));
+  EXPECT_EQ(mesh.classification(Vertex(6)), ModelRef(0, 2));
+  EXPECT_EQ(mesh.classification(Vertex(8)), ModelRef(0, 3));
+}
+
 TEST(ClassifyTest, FacesGivenByTheFileKeepTheirTagsAndMeetInModelEdges) {
   MeshData data = zoo::square();
   data.faces.classes = {ModelRef(2, 10), ModelRef(2, 20)};
