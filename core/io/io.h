@@ -60,19 +60,16 @@ struct WriteOptions {
 ///   VTK    all              all                              all (4)              -
 ///   VTU    all              all                              all (4)              -
 ///   SU2    regions, faces;  of faces on model faces (5)      -                    groups of
-///   markers
-///          in the plane faces, edges on model edges
+///          in the plane faces, edges on model edges                              markers
 ///
 /// 1. Faces, and regions, are listed shape by shape.
 /// 2. A tag is read as one of the element's own dimension, no class as tag 0; tags that are all 0,
-/// without corners
-///    and ridges, as no class. Model vertices are numbered anew; other vertices get the class of
-///    the lowest element that uses them.
+///    without corners and ridges, as no class. Model vertices are numbered anew; other vertices get
+///    the class of the lowest element that uses them.
 /// 3. medit:reference, medit:required, medit:ridge, medit:normal and medit:tangent.
 /// 4. Those of vertices first, then those of edges, faces and regions.
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
-/// read back they are
-///    model entities 1, 2, ...
+///    read back they are model entities 1, 2, ...
 ///
 /// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and
 /// shapes that the program added.

@@ -4,11 +4,12 @@
 // Layout, little-endian, offsets in bytes:
 //    0  "AOMDJRNL"                      40  u64 fingerprint of the start mesh
 //    8  u32 version                     48  f64 feature angle, degrees     56  f64 corner angle
-//   12  u32 flags (see JournalFlag)     64  u64 number of steps S          72  u64 number of words
-//   W 16  u32 vertices, edges, faces,     80  u64 checksum of everything but itself
-//       regions of the start mesh, 0    88  S times: u32 kind | dimension << 8, u32 entity, u64
-//       first word
-//   36  u32 0                               W times: u32, as in core/mesh/journal
+//   12  u32 flags (see JournalFlag)     64  u64 number of steps S
+//   16  u32 vertices, edges, faces,     72  u64 number of words W
+//       regions of the start mesh, 0    80  u64 checksum of everything but itself
+//   36  u32 0                           88  S times: u32 kind | dimension << 8, u32 entity,
+//                                           u64 first word
+//                                           W times: u32, as in core/mesh/journal
 
 #include <array>
 #include <cstdint>

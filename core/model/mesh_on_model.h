@@ -18,15 +18,13 @@ void check_against(const Mesh& mesh, const Model& model);
 /// Classifies the vertices, edges and faces of a surface mesh on a model that it lies on, in this
 /// order:
 ///  - a vertex on the nearest model vertex within the tolerance, else on the nearest model edge
-///  within it;
+///    within it;
 ///  - an edge on a model edge that both ends lie on or bound, where no other vertex of that model
-///  edge is
-///    nearer to the middle of the piece between them;
+///    edge is nearer to the middle of the piece between them;
 ///  - vertices on a model edge along which no edge lies are taken off it (a seam that the mesh
-///  ignores);
+///    ignores);
 ///  - faces, flooded between those edges, on the model face that is bounded by all of these and
-///  nearest to
-///    the vertices inside, or to the middles of the faces where there are none inside;
+///    nearest to the vertices inside, or to the middles of the faces where there are none inside;
 ///  - what is left takes the class of its face.
 /// Replaces what was classified before; vertices that nothing uses stay unclassified. `tolerance`
 /// is a length; 0 takes 1e-6 of the model's diagonal. One step in the journal. About O(vertices)

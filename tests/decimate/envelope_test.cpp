@@ -70,8 +70,8 @@ TEST(Envelope, WhatItContainsIsNearAtEveryPoint) {
 }
 
 //   -------------.
-//   -------------'      a sheet that is folded back under itself at x = 6: there is nothing further
-//   right
+//   -------------'      a sheet that is folded back under itself at x = 6: there is nothing
+//                       further right
 TEST(Envelope, AFoldEndsThePatch) {
   MeshData folded = zoo::grid(12);
   for (glm::dvec3& p : folded.positions)

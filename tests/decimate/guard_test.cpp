@@ -152,8 +152,7 @@ TEST(DistanceGuard, NothingButWhatLiesOnTheOriginalAtDistanceZero) {
 
 //      ____
 //     / /\ \       two tents, one below the other: without its own tip, the upper one would be cut
-//     by the
-//    / /  \ \      lower one's
+//    / /  \ \      by the lower one's
 TEST(IntersectionGuard, ACollapseThatLetsTheLowerSheetPokeThroughIsRefused) {
   Mesh mesh = prepared(both(tent(1), tent(0.6, -0.5)));
   IntersectionGuard guard(mesh);

@@ -217,8 +217,7 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
 
 //      2
 //    / | \      a low roof with its ridge 0-1, known by points all along it; the present mesh has
-//    the
-//   0-----1     edge 2-3 across the ridge instead
+//   0-----1     the edge 2-3 across the ridge instead
 //    \ | /
 //      3
 struct Roof {

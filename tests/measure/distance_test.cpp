@@ -65,7 +65,8 @@ TEST(SurfaceDistance, SamplesFollowTheArea) {
 
 //  +-----+
 //  | \ / |     the middle is lifted by 1/2; seen from the flat square the largest distance is
-//  inside a face |  4  | | / \ |
+//  |  4  |     inside a face
+//  | / \ |
 //  +-----+
 TEST(SurfaceDistance, TheLargestMayLieInsideAFace) {
   const MeshData tent = zoo::make({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.5}},
@@ -143,8 +144,7 @@ TEST(NormalDeviation, CountsByAngle) {
 
 //    1
 //   /|\       a roof, seen along its ridge; a face beyond the ridge is nearest to the ridge, on
-//   which
-//  0 | 2      both sides lie
+//  0 | 2      which both sides lie
 TEST(NormalDeviation, OnARidgeTheBetterSideCounts) {
   const Mesh roof(zoo::make({{-1, 0, 0}, {-1, 4, 0}, {0, 0, 1}, {0, 4, 1}, {1, 0, 0}, {1, 4, 0}},
                             {{0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}}));

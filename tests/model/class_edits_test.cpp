@@ -17,8 +17,10 @@ namespace aomd {
 namespace {
 
 //  6---7---8    Eight triangles, every square cut from its lower left to its upper right corner.
-//  All of it | / | / |    is model face 1; the border is four model edges between the corners 0, 2,
-//  6, 8, which are 3---4---5    model vertices. | / | / | 0---1---2
+//  | / | / |    All of it is model face 1; the border is four model edges between the corners 0,
+//  3---4---5    2, 6, 8, which are model vertices.
+//  | / | / |
+//  0---1---2
 class SquareTest : public testing::Test {
  protected:
   SquareTest() : mesh(zoo::grid(2)) {

@@ -73,8 +73,8 @@ TEST(ClassifyTest, WhatTheFileSaysWins) {
 }
 
 //   3---2      Paper, figure 4: both faces lie on model face 0, all vertices on model edges.
-//   Whether the edge | / |      between 4 and 9 (0 and 2 here) lies on model edge 5 or across the
-//   face cannot be told from 0---1      them: the same vertices and faces fit both models.
+//   | / |      Whether the edge between 4 and 9 (0 and 2 here) lies on model edge 5 or across the
+//   0---1      face cannot be told from them: the same vertices and faces fit both models.
 TEST(ClassifyTest, Figure4IsAmbiguousUntilTheFileListsItsModelEdges) {
   MeshData data = zoo::square();
   data.vertex_classes = {ModelRef(1, 5), ModelRef(1, 1), ModelRef(1, 5), ModelRef(1, 2)};

@@ -47,7 +47,10 @@ void expect_silent(const Mesh& mesh, const std::string& what) {
 }
 
 //  6--7--8      24 sides become entities; the 8 of the border lie on model edges, 0 2 8 6 being
-//  model | /| /|      vertices, and the 8 inside on the model face 3--4--5 | /| /| 0--1--2
+//  | /| /|      model vertices, and the 8 inside on the model face
+//  3--4--5
+//  | /| /|
+//  0--1--2
 TEST(ModelEdgesTest, OfASheetTheBorderIsLeft) {
   Mesh mesh(zoo::grid(2));
   classify(mesh);

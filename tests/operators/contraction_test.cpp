@@ -40,8 +40,7 @@ const CollapseRules any_turn{.max_turn = TurnLimit(179)};
 const CollapseRules any_turn_paper{.max_turn = TurnLimit(179), .topology = TopologyRule::Paper};
 
 // 12-13-14-15      corners 0 3 12 15 are model vertices, the border is four model edges, 5 6 9 10
-// are inside.
-//  8--9-10-11      Diagonals run from lower left to upper right: 0-5, 2-7, ...
+//  8--9-10-11      are inside. Diagonals run from lower left to upper right: 0-5, 2-7, ...
 //  4--5--6--7
 //  0--1--2--3
 TEST(ContractionTest, ClassificationOfTheDeletedEnd) {
@@ -144,9 +143,8 @@ TEST(ContractionTest, TheLinkConditionKeepsAStripWide) {
 }
 
 //     4
-//    /|\        4 onto 1 would lay the face (2, 3, 4) into the line 1-2-3, unless 1 moves up on its
-//    way
-//   / | \ \     .
+//    /|\        4 onto 1 would lay the face (2, 3, 4) into the line 1-2-3, unless 1 moves up on
+//   / | \ \     its way
 //  0--1--2--3
 //   \ | / /
 //     5

@@ -33,10 +33,12 @@ struct Bench {
   Mesh mesh;
 };
 
-// The grid of paper figure 5:      12-13-14-15      corners 0 3 12 15 are model vertices, the
-// border is four
-//                                   8--9-10-11      model edges, 5 6 9 10 are inside the model
-//                                   face. 4--5--6--7 0--1--2--3
+// The grid of paper figure 5:
+//
+//  12-13-14-15      corners 0 3 12 15 are model vertices, the border is four model edges, 5 6 9 10
+//   8--9-10-11      are inside the model face
+//   4--5--6--7
+//   0--1--2--3
 TEST(CollapseTest, ClassificationDecidesAsInFigure5) {
   Bench b(zoo::grid(3));
   EXPECT_EQ(b.judge_collapse(0, 1).reason, Reason::Classification);  // a model vertex stays
@@ -175,7 +177,7 @@ TEST(CollapseTest, TheLinkConditionKeepsATube) {
 }
 
 // 3--4--5   the inner edge 1-4 joins two places of the boundary; without a classification only the
-// link condition | /| /|   can know
+// | /| /|   link condition can know
 // |/ |/ |
 // 0--1--2
 TEST(CollapseTest, TheLinkConditionKeepsAStripWide) {

@@ -243,8 +243,7 @@ TEST(RepairTest, SheetsThatTouchStaySheets) {
 
 //       3
 //       | I      seen along the edge 0-1: the inside is at I and at J, and all bends are right
-//       angles
-//   4--0-1--2
+//   4--0-1--2    angles
 //    J  |
 //       5
 TEST(RepairTest, OfEqualBendsThoseThatEncloseTheInside) {

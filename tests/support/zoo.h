@@ -186,9 +186,8 @@ inline MeshData hybrid() {
 
 //     4
 //    /|\        .
-//   / 0 \      three tetrahedra around the edge 0-1, seen along it; the triangle 2 3 5 hangs on one
-//   of them,
-//  / / \ \     the edge 5-6 on that
+//   / 0 \      three tetrahedra around the edge 0-1, seen along it; the triangle 2 3 5 hangs on
+//  / / \ \     one of them, the edge 5-6 on that
 //  2-----3
 //   \   /
 //     5---6

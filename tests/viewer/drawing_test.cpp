@@ -203,8 +203,8 @@ TEST(Drawing, HiddenFacesAreDeadSlotsAndHighlightedOnesBrightWithoutAFreshStart)
   EXPECT_EQ(flagged(), 3 * 18);
 }
 
-//  3--2    sides are 1 long, the diagonal from 0 to 2 is sqrt(2): their means are 1 at 1 and
-//  3, 1.138 at 0 and 2 | /|
+//  3--2    sides are 1 long, the diagonal from 0 to 2 is sqrt(2): their means are 1 at 1 and 3,
+//  | /|    1.138 at 0 and 2
 //  |/ |
 //  0--1
 TEST(SpacingColors, AreTheWantedLengthsOfTheVertices) {

@@ -1,7 +1,7 @@
 // aomd-peer-LIBRARY: lists the library's methods, or runs one of them on a file.
 //   aomd-peer-LIBRARY                             one line a method: its number, library and name
 //   aomd-peer-LIBRARY NUMBER MESH FACES OUT.ply   prints what tools/bench/peers.sh needs as one
-//   line of JSON
+//                                                 line of JSON
 
 #include "tools/bench/peers/peer.h"
 
