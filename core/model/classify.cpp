@@ -63,8 +63,10 @@ class Classifier {
     for (const Face f : mesh_.faces()) mesh_.set_classification(f, {});
   }
 
+  // Faces of a surface lie in no model region, whatever the file says.
   void note_present() {
     for (const Face f : mesh_.faces()) {
+      if (mesh_.classification(f).dimension() == 3) mesh_.set_classification(f, {});
       const ModelRef m = mesh_.classification(f);
       if (m.dimension() == 2) tags_[2].taken(m), faces_given_ = true;
     }
