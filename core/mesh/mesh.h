@@ -169,16 +169,16 @@ class Mesh {
 
   // Attached data
   // -------------------------------------------------------------------------------------------
-  /// The column of this name, made when there is none: one T for every entity of the kind,
+  /// The data of this name, made when there is none: one T for every entity of the kind,
   /// `initial` for those created later. Follows creation, deletion, undo, redo and compact().
   /// Throws std::invalid_argument when the name is taken by another type.
   template <typename H, typename T>
-  Attached<H, T>& column(std::string_view name, T initial = {});
-  /// The column, or null.
+  Attached<H, T>& attached(std::string_view name, T initial = {});
+  /// The data of this name, or null.
   template <typename H, typename T>
-  [[nodiscard]] Attached<H, T>* find_column(std::string_view name) const;
-  bool drop_column(int dim, std::string_view name) { return attached_.drop(dim, name); }
-  [[nodiscard]] const AttachedData::List& columns(int dim) const { return attached_.columns(dim); }
+  [[nodiscard]] Attached<H, T>* find_attached(std::string_view name) const;
+  bool drop_attached(int dim, std::string_view name) { return attached_.drop(dim, name); }
+  [[nodiscard]] const AttachedData::List& attached(int dim) const { return attached_.columns(dim); }
 
   // Edits: all relations follow, and the journal records when one is attached (mesh_edit.cpp)
   // ---------------
@@ -334,14 +334,14 @@ class Mesh {
 [[nodiscard]] MeshData to_data(const Mesh& mesh);
 
 template <typename H, typename T>
-Attached<H, T>* Mesh::find_column(std::string_view name) const {
+Attached<H, T>* Mesh::find_attached(std::string_view name) const {
   AttachedBase* found = attached_.find(H::dimension, name);
   return found && found->type() == typeid(T) ? static_cast<Attached<H, T>*>(found) : nullptr;
 }
 
 template <typename H, typename T>
-Attached<H, T>& Mesh::column(std::string_view name, T initial) {
-  if (Attached<H, T>* known = find_column<H, T>(name)) return *known;
+Attached<H, T>& Mesh::attached(std::string_view name, T initial) {
+  if (Attached<H, T>* known = find_attached<H, T>(name)) return *known;
   constexpr int dim = H::dimension;
   if (attached_.find(dim, name))
     throw std::invalid_argument("column \"" + std::string(name) + "\" holds another type");

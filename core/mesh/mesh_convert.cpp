@@ -127,7 +127,7 @@ using Ids = std::vector<std::uint32_t>;
 
 template <typename H, typename T>
 void add_attribute(const Mesh& mesh, const AttachedBase& column, const Ids& ids, MeshData& data) {
-  const auto* values = mesh.find_column<H, T>(column.name());
+  const auto* values = mesh.find_attached<H, T>(column.name());
   if (!values) return;
   Attribute a{column.name(),
               H::dimension,
@@ -145,7 +145,7 @@ void add_attribute(const Mesh& mesh, const AttachedBase& column, const Ids& ids,
 
 template <typename H>
 void add_attributes(const Mesh& mesh, const Ids& ids, MeshData& data) {
-  for (const auto& column : mesh.columns(H::dimension)) {
+  for (const auto& column : mesh.attached(H::dimension)) {
     add_attribute<H, double>(mesh, *column, ids, data);
     add_attribute<H, std::int64_t>(mesh, *column, ids, data);
     add_attribute<H, glm::dvec3>(mesh, *column, ids, data);
@@ -157,11 +157,11 @@ void take_attribute(Mesh& mesh, const Attribute& a) {
   for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i) {
     const double* v = a.values.data() + std::size_t{i} * static_cast<std::size_t>(a.components);
     if (a.components == 3)
-      mesh.column<H, glm::dvec3>(a.name)[H(i)] = {v[0], v[1], v[2]};
+      mesh.attached<H, glm::dvec3>(a.name)[H(i)] = {v[0], v[1], v[2]};
     else if (a.integer)
-      mesh.column<H, std::int64_t>(a.name)[H(i)] = static_cast<std::int64_t>(*v);
+      mesh.attached<H, std::int64_t>(a.name)[H(i)] = static_cast<std::int64_t>(*v);
     else
-      mesh.column<H, double>(a.name)[H(i)] = *v;
+      mesh.attached<H, double>(a.name)[H(i)] = *v;
   }
 }
 

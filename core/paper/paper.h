@@ -1,7 +1,7 @@
 #pragma once
 // The calls of the paper by their own names, so that its programs run as printed
-// (tests/paper/paper_test.cpp). Each is a few lines over core/mesh, core/model and core/operators, which
-// new programs use directly.
+// (tests/paper/paper_test.cpp). Each is a few lines over core/mesh, core/model and core/operators,
+// which new programs use directly.
 //
 // All throw std::invalid_argument for a null or deleted entity, one of another mesh, or one that
 // does not belong to the other argument, and std::logic_error naming the T(I,J) to set where a
@@ -71,11 +71,11 @@ int V_swapOpEdges_(pMesh_ mesh, pVertex_ vertex);
 /// Session::model. 1 when done.
 int V_smooth_(pMesh_ mesh, pVertex_ vertex);
 
-/// Figure 7: the number of that name attached to an entity: Mesh::column<Vertex, double> and so on.
-/// Throws std::invalid_argument where there is none.
+/// Figure 7: the number of that name attached to an entity: Mesh::attached<Vertex, double> and so
+/// on. Throws std::invalid_argument where there is none.
 template <int Dim>
 [[nodiscard]] double L_dataD_(const DataList_<Dim>& list, std::string_view name) {
-  const auto* column = list.mesh().template find_column<Handle<Dim>, double>(name);
+  const auto* column = list.mesh().template find_attached<Handle<Dim>, double>(name);
   if (!column)
     throw std::invalid_argument("no number named \"" + std::string(name) + "\" is attached");
   return (*column)[list.entity];
@@ -89,7 +89,7 @@ pVertex_ V_create_(pMesh_ mesh, double x, double y, double z, int classification
 /// Sets what L_dataD_ reads; makes the column, 0 for all others, when there is none.
 template <int Dim>
 void L_putDataD_(const DataList_<Dim>& list, std::string_view name, double value) {
-  list.mesh().template column<Handle<Dim>, double>(name)[list.entity] = value;
+  list.mesh().template attached<Handle<Dim>, double>(name)[list.entity] = value;
 }
 
 }  // namespace aomd::paper

@@ -146,7 +146,7 @@ TEST(JournalTest, DecimationUndoesToTheStartAndRedoesToTheEnd) {
 TEST(JournalTest, AJournalMayBeDetachedAndAttachedAgain) {
   Mesh mesh;
   Journal journal;
-  auto& heat = mesh.column<Vertex, double>("heat", 1.0);
+  auto& heat = mesh.attached<Vertex, double>("heat", 1.0);
   mesh.attach(&journal);
   const Vertex first = mesh.create_vertex({0, 0, 0});
   heat[first] = 5;

@@ -175,7 +175,7 @@ TEST(ModelEdgesTest, ClassListsAndAttachedColumnsFollow) {
   Mesh mesh(zoo::grid(2));
   classify(mesh);
   mesh.keep_class_lists(true);
-  auto& number = mesh.column<Edge, int>("number", -1);
+  auto& number = mesh.attached<Edge, int>("number", -1);
   std::map<Ends, int> before;
   for (const Edge e : mesh.edges()) {
     const auto [a, b] = mesh.edge_vertices(e);

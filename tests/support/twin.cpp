@@ -22,7 +22,7 @@ std::vector<H> handles(const Ids& ids) {
 
 template <typename H>
 Attached<H, double>& values_of(Mesh& mesh) {
-  return mesh.column<H, double>("value", initial_value);
+  return mesh.attached<H, double>("value", initial_value);
 }
 
 int dimension_of(Shape shape) { return shape_template(shape).dimension; }
@@ -307,10 +307,10 @@ void Twin::set_value(EntityRef e, double value) {
 
 double Twin::value_in_mesh(EntityRef e) const {
   const std::string column = "value";
-  if (e.dimension == 0) return (*mesh_.find_column<Vertex, double>(column))[Vertex(e.index)];
-  if (e.dimension == 1) return (*mesh_.find_column<Edge, double>(column))[Edge(e.index)];
-  if (e.dimension == 2) return (*mesh_.find_column<Face, double>(column))[Face(e.index)];
-  return (*mesh_.find_column<Region, double>(column))[Region(e.index)];
+  if (e.dimension == 0) return (*mesh_.find_attached<Vertex, double>(column))[Vertex(e.index)];
+  if (e.dimension == 1) return (*mesh_.find_attached<Edge, double>(column))[Edge(e.index)];
+  if (e.dimension == 2) return (*mesh_.find_attached<Face, double>(column))[Face(e.index)];
+  return (*mesh_.find_attached<Region, double>(column))[Region(e.index)];
 }
 
 void Twin::check_values() const {

@@ -97,13 +97,13 @@ void add_vertex_facts(const Document& document, Vertex v, Inspection& result) {
 
 template <typename H>
 void add_attached(const Mesh& mesh, H h, Inspection& result) {
-  for (const auto& column : mesh.columns(H::dimension)) {
+  for (const auto& column : mesh.attached(H::dimension)) {
     const std::string& name = column->name();
-    if (const auto* number = mesh.find_column<H, double>(name))
+    if (const auto* number = mesh.find_attached<H, double>(name))
       result.facts.emplace_back(name, significant((*number)[h]));
-    else if (const auto* whole = mesh.find_column<H, std::int64_t>(name))
+    else if (const auto* whole = mesh.find_attached<H, std::int64_t>(name))
       result.facts.emplace_back(name, std::to_string((*whole)[h]));
-    else if (const auto* vector = mesh.find_column<H, glm::dvec3>(name))
+    else if (const auto* vector = mesh.find_attached<H, glm::dvec3>(name))
       result.facts.emplace_back(name, point_text((*vector)[h]));
   }
 }
