@@ -58,13 +58,14 @@ Mesh& decimable(Mesh& mesh) {
   return mesh;
 }
 
-// Then nothing needs the edges inside model faces: they need not be entities. A model edge without
-// a face could not be found without T(0,1).
+// Then nothing needs the edges inside model faces: they need not be entities. Without T(0,1) a
+// model edge is found only by the faces around its ends, and where these may end one.
 bool lists_model_edges_only(const Mesh& mesh) {
   if (mesh.complete(1)) return false;
   for (const Edge e : mesh.edges()) {
     if (mesh.classification(e).dimension() > 1) return false;
     const auto [a, b] = mesh.edge_vertices(e);
+    if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return false;
     const Row<2> faces = mesh.row<2>(a);
     const auto has_b = [&, other = b](Face f) {
       const auto t = mesh.triangle(f);

@@ -15,7 +15,43 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using glm::dvec3;
 
-Kernel::Point_3 exact(const dvec3& p) { return {p.x, p.y, p.z}; }
+double largest_of(const dvec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// Points for the exact predicates, in multiples of a power of two near the largest coordinate of
+/// those that are looked at together: then neither doubles nor intervals of them overflow. What is
+/// smaller by more than 60 decades counts as 0, since exact numbers that far apart take
+/// milliseconds to compare.
+class Exact {
+ public:
+  template <typename... Corners>
+  explicit Exact(const Corners&... corners) {
+    double largest = 0;
+    for (const auto* points : {&corners...})
+      for (const dvec3& p : *points) largest = std::max(largest, largest_of(p));
+    std::frexp(largest, &exponent_);
+  }
+  [[nodiscard]] Kernel::Point_3 operator()(const dvec3& p) const {
+    return {scaled(p.x), scaled(p.y), scaled(p.z)};
+  }
+  [[nodiscard]] Kernel::Triangle_3 operator()(const Triangle& t) const {
+    return {(*this)(t[0]), (*this)(t[1]), (*this)(t[2])};
+  }
+
+ private:
+  [[nodiscard]] double scaled(double x) const {
+    const double y = std::ldexp(x, -exponent_);
+    return std::abs(y) < 0x1p-200 ? 0.0 : y;
+  }
+  int exponent_ = 0;
+};
+
+// What has no extent left beside something far larger meets nothing.
+template <typename Other>
+bool meet(const Kernel::Triangle_3& t, const Other& other) {
+  return !t.is_degenerate() && !other.is_degenerate() && CGAL::do_intersect(t, other);
+}
 
 // The sign of direction . (p - origin) as far as rounding allows: -1, +1, or 0 for "cannot tell".
 // The direction is taken as it is, so that any direction found in doubles is as good as an exact
@@ -79,8 +115,8 @@ bool apart(const Triangle& s, const Triangle& t) {
 
 bool cross_nowhere_shared(const Triangle& s, const Triangle& t) {
   if (apart(s, t)) return false;
-  return CGAL::do_intersect(Kernel::Triangle_3(exact(s[0]), exact(s[1]), exact(s[2])),
-                            Kernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2])));
+  const Exact exact(s, t);
+  return meet(exact(s), exact(t));
 }
 
 // Two triangles around a common corner v, seen from it as two sectors: do they meet only in v? A
@@ -106,10 +142,9 @@ bool cross_at_vertex(const Triangle& s, std::size_t i, const Triangle& t, std::s
   if (a != 0 && a == b) return false;
   const int c = orientation(t[0], t[1], t[2], s1), d = orientation(t[0], t[1], t[2], s2);
   if (c != 0 && c == d) return false;
-  const Kernel::Triangle_3 x(exact(s[0]), exact(s[1]), exact(s[2])),
-      y(exact(t[0]), exact(t[1]), exact(t[2]));
-  return CGAL::do_intersect(x, Kernel::Segment_3(exact(t1), exact(t2))) ||
-         CGAL::do_intersect(y, Kernel::Segment_3(exact(s1), exact(s2)));
+  const Exact exact(s, t);
+  return meet(exact(s), Kernel::Segment_3(exact(t1), exact(t2))) ||
+         meet(exact(t), Kernel::Segment_3(exact(s1), exact(s2)));
 }
 
 // p and q on different sides of the line through e0 and e1, as seen along an axis: then the
@@ -129,6 +164,7 @@ bool unfolded(const dvec3& e0, const dvec3& e1, const dvec3& p, const dvec3& q) 
 
 bool fold_at_edge(const dvec3& e0, const dvec3& e1, const dvec3& p, const dvec3& q) {
   if (unfolded(e0, e1, p, q) || orientation(e0, e1, p, q) != 0) return false;
+  const Exact exact(std::array{e0, e1, p, q});
   const auto a = exact(e0), b = exact(e1), c = exact(p), d = exact(q);
   return CGAL::coplanar(a, b, c, d) && CGAL::coplanar_orientation(a, b, c, d) == CGAL::POSITIVE;
 }
@@ -139,6 +175,7 @@ bool without_area(const Triangle& t) {
   const dvec3 u = t[1] - t[0], v = t[2] - t[0], n = glm::cross(u, v);
   const double sizes = glm::dot(u, u) * glm::dot(v, v);
   if (glm::dot(n, n) > 1e-24 * sizes && sizes > 1e-200) return false;
+  const Exact exact(t);
   return CGAL::collinear(exact(t[0]), exact(t[1]), exact(t[2]));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/assertion.h"
+#include "core/base/disjoint_sets.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/journal_scope.h"
 
@@ -70,16 +71,48 @@ bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex)
   return true;
 }
 
+// Whether the faces that stay around both ends hang together beside the edge, from apex to apex:
+// else they would meet in nothing but the kept vertex.
+bool Collapser::stay_together(const std::array<Vertex, 2>& ends) const {
+  std::vector<Vertex> around;
+  const auto for_staying = [&](auto&& visit) {
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const StarFace& f : stars_[i])
+        if (!f.uses(ends[1 - i])) visit(f);
+  };
+  for_staying([&](const StarFace& f) { around.insert(around.end(), {f.next, f.previous}); });
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  const auto place = [&](Vertex v) {
+    return static_cast<std::uint32_t>(std::lower_bound(around.begin(), around.end(), v) -
+                                      around.begin());
+  };
+  DisjointSets sheets(around.size());
+  for_staying([&](const StarFace& f) { sheets.unite(place(f.next), place(f.previous)); });
+  return std::all_of(apexes_.begin(), apexes_.end(), [&](Vertex apex) {
+    return std::binary_search(around.begin(), around.end(), apex) &&
+           sheets.find(place(apex)) == sheets.find(place(apexes_[0]));
+  });
+}
+
+// What the faces around the kept vertex need to form no more fans than before. Two apexes: the
+// edge must not cut both fans in two, as it does between two points of the border.
+bool Collapser::keeps_fans(const std::array<Vertex, 2>& ends) const {
+  if (apexes_.empty()) return stars_[0].empty() || stars_[1].empty();
+  if (apexes_.size() == 2) return !is_open(stars_[0]) || !is_open(stars_[1]);
+  return apexes_.size() == 1 || stay_together(ends);
+}
+
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the
-// apexes of their faces, no two faces fall together, no pocket closes, and no edge loses its last
-// face. A collapse then takes one vertex, k faces and k + 1 edges: the Euler number stays.
+// apexes of their faces, no two faces fall together, no pocket closes, no two fans meet in one
+// vertex, and no edge loses its last face. A collapse then takes one vertex, k faces and k + 1
+// edges: the Euler number stays.
 Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge,
                                   const std::array<Vertex, 2>& ends) {
   next_stamp(mesh);
   mark_neighbours(ends[1], stars_[1]);
   if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
-  if (apexes_.size() == 2 && is_open(stars_[0]) && is_open(stars_[1]))
-    return {Reason::Topology, edge};
+  if (!keeps_fans(ends)) return {Reason::Topology, edge};
   std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars_[0]) {
     const bool next = marked(f.next), previous = marked(f.previous);

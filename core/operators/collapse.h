@@ -103,6 +103,8 @@ class Collapser {
                                        const std::array<Vertex, 2>& ends);
   [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
   [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
+  [[nodiscard]] bool stay_together(const std::array<Vertex, 2>& ends) const;
+  [[nodiscard]] bool keeps_fans(const std::array<Vertex, 2>& ends) const;
   [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
   /// One end of the edge on its way; the faces that also use the other end fall away.
   struct Move {

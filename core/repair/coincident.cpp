@@ -104,7 +104,7 @@ class Coinciding {
 
   Coincident remove() {
     Coincident result;
-    Sets pieces = pieces_of(surface_);
+    DisjointSets pieces = pieces_of(surface_);
     for (const std::uint32_t f : repeats_) surface_.remove(f), result.repeated.add(f);
     for (const Pair& pair : cancelled_) surface_.remove(pair.first), surface_.remove(pair.second);
     std::vector<std::uint32_t> pairs(surface_.vertex_count(),
@@ -121,7 +121,7 @@ class Coinciding {
     return result;
   }
 
-  [[nodiscard]] std::uint32_t piece_of(Sets& pieces, const Pair& pair) const {
+  [[nodiscard]] std::uint32_t piece_of(DisjointSets& pieces, const Pair& pair) const {
     return pieces.find(std::as_const(surface_).vertices(pair.group)[0]);
   }
 

@@ -1,22 +1,11 @@
 #include "core/repair/connectivity.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace aomd::repair_detail {
 
-Sets::Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-void Sets::unite(std::uint32_t a, std::uint32_t b) {
-  a = find(a), b = find(b);
-  if (a < b)
-    parent_[b] = a;
-  else
-    parent_[a] = b;
-}
-
-Sets pieces_of(const Surface& surface) {
-  Sets sets(surface.vertex_count());
+DisjointSets pieces_of(const Surface& surface) {
+  DisjointSets sets(surface.vertex_count());
   surface.each_face([&](std::uint32_t f) {
     for (const std::uint32_t v : surface.vertices(f)) sets.unite(surface.vertices(f)[0], v);
   });

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/raw_vector.h"
 #include "core/repair/surface.h"
 
@@ -15,23 +16,8 @@ namespace aomd::repair_detail {
   return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
 }
 
-/// Disjoint sets of numbers: of corners, vertices or faces.
-class Sets {
- public:
-  explicit Sets(std::size_t n);
-  [[nodiscard]] std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The smaller root stays.
-  void unite(std::uint32_t a, std::uint32_t b);
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// The living faces connected through shared vertices: a set of vertices for each piece.
-[[nodiscard]] Sets pieces_of(const Surface& surface);
+[[nodiscard]] DisjointSets pieces_of(const Surface& surface);
 
 /// The sides of all living faces, edge by edge.
 class EdgeUses {

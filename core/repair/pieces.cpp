@@ -6,7 +6,7 @@
 namespace aomd::repair_detail {
 
 Tally remove_small_pieces(Surface& surface, double percent) {
-  Sets pieces = pieces_of(surface);
+  DisjointSets pieces = pieces_of(surface);
   std::vector<Box> boxes(surface.vertex_count());
   Box whole;
   surface.each_face([&](std::uint32_t f) {

@@ -87,7 +87,7 @@ class FanSplitter {
 
   // Corners that one vertex can hold: those that the edges between them connect.
   void join() {
-    fans_ = Sets(surface_.corner_count());
+    fans_ = DisjointSets(surface_.corner_count());
     for (const auto& [a, b] : pairs_) unite({0, a}, {0, b});
     for (const CrowdedEdge& edge : crowded_) {
       if (edge.hold == Hold::Pairs || edge.hold == Hold::OtherPairs)
@@ -248,7 +248,7 @@ class FanSplitter {
   bool split_;
   std::vector<std::array<std::uint32_t, 2>> pairs_;
   std::vector<CrowdedEdge> crowded_;
-  Sets fans_{0};
+  DisjointSets fans_{0};
   int rounds_ = 0;
   std::vector<std::uint32_t>
       vanished_;  ///< vertices whose corners went to others, some of them taken later

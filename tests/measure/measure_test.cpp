@@ -94,6 +94,38 @@ TEST(Intersections, RepeatedFacesArePairsAndFlatOnesAreNot) {
   EXPECT_EQ(cuts({}, {}), 0u);
 }
 
+// Copies are counted, not looked at two by two: thousands of them are no reason to list millions.
+TEST(Intersections, CopiesOfAFaceAreCounted) {
+  for (const std::uint64_t copies : {2, 3, 40000}) {
+    MeshData data = zoo::triangle();
+    for (std::uint64_t copy = 1; copy < copies; ++copy)
+      data.faces.add(Shape::Triangle, {copy % 2 == 0 ? 0u : 2u, copy % 2 == 0 ? 2u : 0u, 1u});
+    data.positions.insert(data.positions.end(), {{0.2, 0.2, -1}, {0.2, 0.2, 1}, {0.3, 0.2, 1}});
+    data.faces.add(Shape::Triangle, {3, 4, 5});  // through all of them
+    const std::uint64_t pairs = copies * (copies - 1) / 2 + copies;
+    EXPECT_EQ(measure::count_self_intersections(Mesh(data)), pairs);
+    EXPECT_TRUE(copies > 3 || self_intersections(Mesh(data)).size() == pairs);
+  }
+}
+
+// The plane z = 0 and a needle through it, over hundreds of decades, and the needle beside it.
+TEST(Intersections, CoordinatesFarApartAreToldToo) {
+  for (const double size : {1e-280, 1e-150, 1e-60, 1.0, 1e60, 1e150, 1e280})
+    for (const double up : {1e-20, 1.0, 1e20})
+      for (const bool through : {true, false}) {
+        const double x = through ? 1 : -1, high = size * up;
+        EXPECT_EQ(cuts({{0, 0, 0},
+                        {4 * size, 0, 0},
+                        {0, 4 * size, 0},
+                        {x * size, size, -high},
+                        {x * size, size, high},
+                        {x * size, 1.5 * size, high}},
+                       {{0, 1, 2}, {3, 4, 5}}),
+                  through ? 1u : 0u)
+            << size << ' ' << up;
+      }
+}
+
 TEST(Intersections, PairsAreNamedInOrder) {
   const auto pairs = self_intersections(Mesh(zoo::make({{0, 0, 0},
                                                         {4, 0, 0},

@@ -149,7 +149,7 @@ class Run {
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
-    self_intersections_ = measure::self_intersections(mesh_, steps_.threads).size();
+    self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads);
     const TriangleTree original(triangles_of(original_).corners, steps_.threads);
     flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     verify_ = verify(mesh_).size();

@@ -254,21 +254,41 @@ void PaperLoop::next_phase() {
     end_sweep();
 }
 
-// Towards a target the spacing grows whenever nothing shorter is left to collapse, as long as it is
-// what refuses.
 void PaperLoop::end_sweep() {
-  constexpr double growth = 1.2;
   SweepStatistics& sweep = sweeps_.back();
   sweep.faces = mesh_.count(2);
   ++improved_;
-  if (sweep.collapses > 0 && !at_target()) return begin_sweep();
-  if (!aims() || at_target() || sweep.refused[static_cast<std::size_t>(Reason::Spacing)] == 0) {
+  if (at_target() || (sweep.collapses == 0 && !grow()))
     phase_ = Phase::Done;
-    return;
-  }
-  reach_ *= growth;
+  else
+    begin_sweep();
+}
+
+// Towards a target the spacing grows whenever nothing shorter is left to collapse, as long as that
+// can let an edge go. While sweeps are still improved it grows by one step at a time, because
+// swaps and smoothing change lengths.
+bool PaperLoop::grow() {
+  constexpr double growth = 1.2;
+  const double needed = aims() ? needed_reach() : std::numeric_limits<double>::infinity();
+  if (std::isinf(needed)) return false;
+  do reach_ *= growth;
+  while (reach_ < needed && improved_ >= options_.improve_passes);
   forget();
-  begin_sweep();
+  return true;
+}
+
+// The least reach at which an edge that the spacing holds back could go. Infinite where none ever
+// could: between vertices without a length around them at the start, or of infinite length.
+double PaperLoop::needed_reach() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edge e : mesh_.edges()) {
+    if (refusal_[e] != Reason::Spacing) continue;
+    const auto [a, b] = mesh_.edge_vertices(e);
+    const double length = glm::length(mesh_.position(a) - mesh_.position(b));
+    const double needed = 2 * length * reach_ / std::max(spacing(a), spacing(b));
+    if (needed < least) least = needed;
+  }
+  return least;
 }
 
 std::uint32_t PaperLoop::swap_pass() {

@@ -54,6 +54,8 @@ class PaperLoop final : public Loop {
   void forget();
   void begin_sweep();
   void end_sweep();
+  bool grow();
+  [[nodiscard]] double needed_reach() const;
   void next_phase();
   [[nodiscard]] std::uint32_t end_of_phase() const;
 

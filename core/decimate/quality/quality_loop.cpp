@@ -207,8 +207,20 @@ bool QualityLoop::collapse(const Contraction& c) {
   original_.merged(c.deleted, c.kept);
   collapser_.apply_accepted(mesh_, c);
   refresh_around(c.kept);
+  if (rules_.topology == TopologyRule::Paper) forget_lost_edges(c.kept);
   made(StepKind::Collapse, c.kept);
   return true;
+}
+
+// Without the link condition a third vertex of the faces that went may have no face with the kept
+// one any more: then their edge is no candidate.
+void QualityLoop::forget_lost_edges(Vertex kept) {
+  for (const StarFace& f : collapser_.star()) {
+    if (!f.uses(kept)) continue;
+    gather(mesh_, f.third(kept), star_);
+    const auto uses_kept = [kept](const StarFace& g) { return g.uses(kept); };
+    if (std::none_of(star_.begin(), star_.end(), uses_kept)) update(f.third(kept), kept, unlimited);
+  }
 }
 
 // The edge from `v` to the vertex that has taken another in has a new cost; others at `v` have not

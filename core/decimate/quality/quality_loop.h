@@ -74,6 +74,7 @@ class QualityLoop final : public Loop {
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);
+  void forget_lost_edges(Vertex kept);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction);
 
