@@ -199,6 +199,13 @@ void OutputFiles::add(const fs::path& path, std::string_view bytes) {
   files_.push_back(std::move(file));
 }
 
+// Permissions do not say all: the folder may lie on what cannot be written.
+void OutputFiles::probe(const fs::path& path) {
+  detail::OutputTarget target = detail::find_output_target(path);
+  if (target.kind == detail::OutputTarget::Kind::File)
+    const Temporary unused(path, std::move(target));
+}
+
 // Streams first, and without the lock: they may block, and they cannot be taken back.
 void OutputFiles::commit() {
   for (const Stream& stream : streams_) stream.write();
@@ -217,8 +224,6 @@ void OutputFiles::commit() {
   files_.clear();
   streams_.clear();
 }
-
-void require_writable(const fs::path& path) { static_cast<void>(detail::find_output_target(path)); }
 
 bool abandon_outputs() {
   static std::unique_lock<std::mutex> held_for_ever;

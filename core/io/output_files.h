@@ -27,6 +27,9 @@ class OutputFiles {
   /// Writes an output beside its target, and removes what killed programs have left there. Throws
   /// WriteError.
   void add(const std::filesystem::path& path, std::string_view bytes);
+  /// Throws WriteError where an output could not be written: for complaints before the work instead
+  /// of after it.
+  static void probe(const std::filesystem::path& path);
   /// Puts all in place. Throws WriteError; then all targets are what they were before.
   void commit();
 
@@ -37,10 +40,6 @@ class OutputFiles {
   std::vector<std::unique_ptr<Temporary>> files_;
   std::vector<Stream> streams_;
 };
-
-/// Throws WriteError where an output could not be written: for complaints before the work instead
-/// of after it.
-void require_writable(const std::filesystem::path& path);
 
 /// For a program that a signal ends: waits for a commit that has begun, removes all temporaries of
 /// this process and lets nobody write from then on, since others may still be at work. Returns
