@@ -7,6 +7,7 @@
 #include "core/base/box.h"
 #include "core/decimate/paper/paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
+#include "core/decimate/spacing/vertex_neighbours.h"
 #include "core/model/class_rules.h"
 
 namespace aomd {
@@ -145,6 +146,27 @@ std::uint32_t Decimation::sweep() {
   const std::size_t present = sweeps().size();
   while (phase() == Phase::Collapse && sweeps().size() == present) collapses += loop_->advance();
   return collapses;
+}
+
+EdgesByReason Decimation::edges_left() {
+  constexpr std::uint32_t judged_at_once = 300'000;  // less than a second
+  EdgesByReason edges{};
+  if (options().strategy == Strategy::Paper && mesh_.count(1) > judged_at_once) {
+    const auto& refused = sweeps().back().refused;
+    std::copy(refused.begin(), refused.end(), edges.begin());
+    return edges;
+  }
+  const auto count = [&](const Verdict& v) { ++edges[static_cast<std::size_t>(v.reason)]; };
+  if (mesh_.complete(1)) {
+    Vertex deleted;
+    for (const Edge e : mesh_.edges()) count(judge(e, deleted));
+    return edges;
+  }
+  const VertexNeighbours neighbours(mesh_);
+  for (const Vertex v : mesh_.vertices())
+    for (const std::uint32_t other : neighbours.of(v))
+      if (v.index < other) count(loop_->judge(v, Vertex(other)));
+  return edges;
 }
 
 Decimation::Stop Decimation::run_phase(const std::function<bool()>& cancelled) {

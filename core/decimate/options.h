@@ -90,6 +90,9 @@ struct SweepStatistics {
   friend bool operator==(const SweepStatistics&, const SweepStatistics&) = default;
 };
 
+/// How many edges each reason keeps, by Reason; None: nothing is against them.
+using EdgesByReason = std::array<std::int64_t, reason_count>;
+
 enum class Phase : std::uint8_t { Collapse, Swap, Smooth, Done };
 [[nodiscard]] const char* phase_name(Phase phase);
 

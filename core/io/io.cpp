@@ -29,11 +29,8 @@ constexpr std::array<std::pair<std::string_view, Format>, 9> extensions{{{".obj"
                                                                          {".su2", Format::Su2}}};
 
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
-  const std::string extension = lower(path.extension().string());
-  for (const auto& [name, format] : extensions) {
-    if (extension == name) return format;
-  }
-  return {};
+  const std::string extension = path.extension().string();
+  return extension.empty() ? std::nullopt : format_named(std::string_view(extension).substr(1));
 }
 
 std::string_view extension_of(Format format) {
@@ -142,9 +139,9 @@ std::string_view misfit(Format format, const MeshData& mesh) {
   return {};
 }
 
-void check_writable(const std::filesystem::path& path, const MeshData& mesh,
+void check_writable(const std::filesystem::path& path, Format format, const MeshData& mesh,
                     bool single_precision) {
-  const std::string_view why = misfit(format_for_writing(path), mesh);
+  const std::string_view why = misfit(format, mesh);
   if (!why.empty()) throw WriteError(path.string(), {}, std::string(why));
   const double limit =
       single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
@@ -180,30 +177,42 @@ Format format_for_writing(const std::filesystem::path& path) {
       "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
 }
 
-void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
-  const Format format = format_for_writing(path);
+std::optional<Format> format_named(std::string_view extension) {
+  const std::string wanted = lower(extension);
+  for (const auto& [name, format] : extensions)
+    if (wanted == name.substr(1)) return format;
+  return {};
+}
+
+std::string to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
+                     const WriteOptions& options) {
   const bool binary = options.binary.value_or(binary_by_default(format, mesh));
-  check_writable(path, mesh, binary && (format == Format::Stl || format == Format::Off));
+  check_writable(name, format, mesh, binary && (format == Format::Stl || format == Format::Off));
   switch (format) {
     case Format::Obj:
-      return write_file(path, detail::write_obj(mesh));
+      return detail::write_obj(mesh);
     case Format::Ply:
-      return write_file(path, detail::write_ply(mesh, binary));
+      return detail::write_ply(mesh, binary);
     case Format::Off:
-      return write_file(path, detail::write_off(mesh, binary));
+      return detail::write_off(mesh, binary);
     case Format::Stl:
-      return write_file(path, detail::write_stl(mesh, binary));
+      return detail::write_stl(mesh, binary);
     case Format::Msh:
-      return write_file(path, detail::write_msh(mesh, binary, options.msh2));
+      return detail::write_msh(mesh, binary, options.msh2);
     case Format::Medit:
-      return write_file(path, detail::write_medit(mesh));
+      return detail::write_medit(mesh);
     case Format::Vtk:
-      return write_file(path, detail::write_vtk(mesh, binary));
+      return detail::write_vtk(mesh, binary);
     case Format::Vtu:
-      return write_file(path, detail::write_vtu(mesh, binary));
+      return detail::write_vtu(mesh, binary);
     case Format::Su2:
-      return write_file(path, detail::write_su2(mesh));
+      break;
   }
+  return detail::write_su2(mesh);
+}
+
+void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
+  write_file(path, to_bytes(path, format_for_writing(path), mesh, options));
 }
 
 namespace detail {

@@ -76,8 +76,16 @@ struct WriteOptions {
 void write(const std::filesystem::path& path, const MeshData& mesh,
            const WriteOptions& options = {});
 
+/// The bytes that write() puts into a file, in a format of the caller's choice. `name` stands in
+/// messages.
+[[nodiscard]] std::string to_bytes(const std::filesystem::path& name, Format format,
+                                   const MeshData& mesh, const WriteOptions& options = {});
+
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);
+
+/// The format of an extension without its dot, in any case: "ply"; none where no format has it.
+[[nodiscard]] std::optional<Format> format_named(std::string_view extension);
 
 /// Writes bytes atomically, with the guarantees of write(): for reports, journals and pictures too.
 /// Symbolic links are followed, and an existing file keeps its permissions. Pipes and devices are

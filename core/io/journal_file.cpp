@@ -136,7 +136,7 @@ MeshFingerprint fingerprint(const Mesh& mesh) {
   return print;
 }
 
-void write_journal(const std::filesystem::path& path, const JournalFile& file) {
+std::string to_bytes(const JournalFile& file) {
   const auto steps = file.journal.steps();
   const auto words = file.journal.words();
   detail::ByteWriter out;
@@ -154,7 +154,11 @@ void write_journal(const std::filesystem::path& path, const JournalFile& file) {
   detail::ByteWriter sum;
   sum.raw<std::endian::little>(checksum(bytes));
   bytes.replace(checksum_at, 8, sum.take());
-  write_file(path, bytes);
+  return bytes;
+}
+
+void write_journal(const std::filesystem::path& path, const JournalFile& file) {
+  write_file(path, to_bytes(file));
 }
 
 JournalFile read_journal(const std::filesystem::path& path) {

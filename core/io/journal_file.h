@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "core/io/error.h"
 #include "core/mesh/journal.h"
@@ -38,6 +39,9 @@ struct JournalFile {
   MeshFingerprint start;
   Journal journal;
 };
+
+/// The bytes of a journal file.
+[[nodiscard]] std::string to_bytes(const JournalFile& file);
 
 /// Writes a history with the guarantees of write_file(). Throws WriteError.
 void write_journal(const std::filesystem::path& path, const JournalFile& file);

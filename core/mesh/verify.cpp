@@ -13,6 +13,13 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 
+Finding not_closed(EntityRef lower, EntityRef e) {
+  return {"classification closure", lower,
+          name_of(lower) + " bounds " + name_of(e) + " but is on a higher model entity"};
+}
+
+bool above(ModelRef a, ModelRef b) { return a.valid() && a.dimension() > b.dimension(); }
+
 class Verifier {
  public:
   Verifier(const Mesh& mesh, const VerifyOptions& options) : mesh_(mesh), options_(options) {}
@@ -230,10 +237,7 @@ class Verifier {
     for (const std::uint32_t id : sides(e, k)) {
       if (id == no_index) continue;
       const EntityRef lower(k, id);
-      const ModelRef m = mesh_.classification(lower);
-      if (m.valid() && m.dimension() > model.dimension())
-        report("classification closure", lower,
-               name_of(lower) + " bounds " + name_of(e) + " but is on a higher model entity");
+      if (above(mesh_.classification(lower), model)) findings_.push_back(not_closed(lower, e));
     }
   }
 
@@ -280,10 +284,28 @@ class Verifier {
   std::vector<Finding> findings_;
 };
 
+std::optional<Finding> misclassified(const Mesh& mesh, EntityRef e) {
+  const ModelRef model = mesh.classification(e);
+  if (!model.valid()) return {};
+  VertexBuffer buffer;
+  for (const std::uint32_t v : mesh.vertices_of(e, buffer))
+    if (above(mesh.classification(Vertex(v)), model)) return not_closed(Vertex(v), e);
+  return {};
+}
+
 }  // namespace
 
 std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options) {
   return Verifier(mesh, options).run();
+}
+
+std::optional<Finding> first_misclassified(const Mesh& mesh) {
+  for (int dim = 1; dim <= 3; ++dim)
+    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
+      if (!mesh.alive(EntityRef(dim, id))) continue;
+      if (auto finding = misclassified(mesh, EntityRef(dim, id))) return finding;
+    }
+  return {};
 }
 
 }  // namespace aomd

@@ -258,7 +258,7 @@ bool is_classified(const Mesh& mesh) {
   return any;
 }
 
-void check_against(const Mesh& mesh, const Model& model) {
+void check_entities(const Mesh& mesh, const Model& model) {
   std::set<ModelRef> missing;
   for_each_entity(mesh, [&](EntityRef e) {
     const ModelRef m = mesh.classification(e);
@@ -270,6 +270,10 @@ void check_against(const Mesh& mesh, const Model& model) {
                           ? " and " + std::to_string(missing.size() - 1) + " more that"
                           : ", which") +
                      " the model does not have");
+}
+
+void check_against(const Mesh& mesh, const Model& model) {
+  check_entities(mesh, model);
   const double limit = 0.01 * model.box().diagonal();
   for (const Vertex v : mesh.vertices()) {
     const ModelRef m = mesh.classification(v);

@@ -7,9 +7,13 @@
 
 namespace aomd {
 
-/// Throws ModelError where the mesh is classified on entities that the model lacks (how many, and
-/// the first of them), or where a vertex is further from the entity that it lies on than 1 % of the
-/// model's diagonal: another model, or other units. O(mesh entities), one closest point a vertex.
+/// Throws ModelError where the mesh is classified on entities that the model lacks: how many, and
+/// the first of them. O(mesh entities).
+void check_entities(const Mesh& mesh, const Model& model);
+
+/// Throws ModelError as check_entities() does, and where a vertex is further from the entity that
+/// it lies on than 1 % of the model's diagonal: another model, or other units. O(mesh entities),
+/// one closest point a vertex.
 void check_against(const Mesh& mesh, const Model& model);
 
 /// True where the mesh has a class on any entity.

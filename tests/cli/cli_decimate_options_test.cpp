@@ -1,4 +1,4 @@
-// aomd decimate: what to aim at, what stays, what is guaranteed, and repair before.
+// aomd decimate: spacing, what stays, what is guaranteed, and repair before.
 
 #include <algorithm>
 #include <cmath>
@@ -200,21 +200,6 @@ TEST_F(DecimateOptionsCommand, MaxDistanceHolds) {
     EXPECT_LE(distance(strategy + " --max-distance 0.4"), 0.4) << strategy;
     EXPECT_EQ(json("r.json")["options"]["max_distance_pct"], 0.4);
   }
-}
-
-TEST_F(DecimateOptionsCommand, ATargetIsReachedOrTheReportSaysNot) {
-  sample("scan", "s.ply", 6000);
-  for (const char* strategy : {"paper", "quality"}) {
-    const auto report =
-        decimate("s.ply", std::string("--target-faces 1000 --strategy ") + strategy);
-    EXPECT_EQ(report["stopped"], "target");
-    EXPECT_LE(report["output"]["faces"], 1000);
-    EXPECT_GE(report["output"]["faces"], 990);
-  }
-  const Outcome run = aomd("decimate s.ply o.ply --target-faces 10 --angle 5 --report r.json");
-  EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(run.err, "aomd: note: o.ply: nothing more may go above the target of 10 faces\n");
-  EXPECT_EQ(json("r.json")["stopped"], "done");
 }
 
 TEST_F(DecimateOptionsCommand, EveryReasonAndOptionIsInTheReport) {

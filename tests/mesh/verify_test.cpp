@@ -83,6 +83,25 @@ TEST(VerifyTest, ClassificationThatBreaksTheClosure) {
   EXPECT_TRUE(found(verify(mesh), "classification closure", Vertex(0)));
 }
 
+TEST(VerifyTest, TheFirstThatIsMisclassifiedIsFoundFromVerticesAlone) {
+  Mesh mesh(zoo::square());
+  EXPECT_FALSE(first_misclassified(mesh));
+  mesh.set_classification(Face(0), ModelRef(2, 1));
+  mesh.set_classification(Vertex(0), ModelRef(2, 3));
+  EXPECT_FALSE(first_misclassified(mesh)) << "another model face is for others to judge";
+  mesh.set_classification(Vertex(0), ModelRef(3, 1));
+  const auto finding = first_misclassified(mesh);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->name, "classification closure");
+  EXPECT_EQ(finding->entity, EntityRef(Vertex(0)));
+  EXPECT_EQ(finding->text, verify(mesh).front().text);
+  Mesh with_edges = full(zoo::square());
+  with_edges.set_classification(Edge(2), ModelRef(1, 1));
+  EXPECT_FALSE(first_misclassified(with_edges));
+  with_edges.set_classification(with_edges.edge_vertices(Edge(2))[1], ModelRef(2, 1));
+  EXPECT_TRUE(first_misclassified(with_edges));
+}
+
 TEST(VerifyTest, CoordinateThatIsNoNumber) {
   Mesh mesh(zoo::square());
   mesh.move(Vertex(3), {0, std::nan(""), 0});

@@ -168,6 +168,12 @@ TEST(FitTest, TheClassesOfAMeshMustExist) {
             "the mesh lies on model edge 1 and 3 more that the model does not have");
 }
 
+TEST(FitTest, OtherUnitsAreNoMatterOfClasses) {
+  EXPECT_NO_THROW(check_entities(Mesh(make_sample("cylinder", 4)), cylinder_model(1000, 2000)));
+  EXPECT_EQ(message_of([&] { check_entities(Mesh(make_sample("cylinder", 4)), sphere_model(1)); }),
+            "the mesh lies on model edge 1 and 3 more that the model does not have");
+}
+
 TEST(FitTest, OtherUnitsAreNoticed) {
   Mesh mesh(make_sample("cylinder", 4));
   const std::string message = message_of([&] { check_against(mesh, cylinder_model(1000, 2000)); });

@@ -17,6 +17,7 @@ namespace {
                          const std::vector<std::string>& environment,
                          const std::filesystem::path& output, int inherited) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) std::signal(each, SIG_DFL);
   const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   ::dup2(file, STDOUT_FILENO);
   ::dup2(file, STDERR_FILENO);

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "core/decimate/explain/stop_words.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/stop_words.h"
 #include "viewer/scene/verdict_field.h"
 
 namespace aomd::scene {
@@ -49,7 +49,7 @@ TEST(StopWords, OfARunCountTheEdgesThatAreLeft) {
   for (const std::string_view strategy : {"strategy paper", "strategy quality"}) {
     Session s;
     drive(s, {"sample torus 20", strategy, "run", "color verdict"});
-    const EdgesByReason left = edges_left(*s.document.for_judging(), s.document.mesh());
+    const EdgesByReason left = s.document.for_judging()->edges_left();
     EXPECT_EQ(std::accumulate(left.begin(), left.end(), std::int64_t{0}),
               s.document.mesh().count(1));
     for (std::size_t r = 0; r < left.size(); ++r)

@@ -3,37 +3,42 @@
 #include <iostream>
 #include <memory>
 
+#include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/outputs.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
 struct Options {
-  std::string input, output;
+  std::string input, output, format;
   double angle_deg = 20;
   bool replace = false, quiet = false;
 };
 
 int run(const Options& options) {
-  static_cast<void>(io::format_for_writing(options.output));
+  const io::Format format = format_of_output(options.output, options.format);
+  const std::vector<NamedFile> outputs = {{"OUT", options.output}};
+  check_files({{"IN", options.input}}, outputs);
   const io::ReadResult read = read_mesh(options.input, options.quiet);
   Mesh mesh(read.mesh);
   ClassifyOptions how;
   how.feature_angle_deg = options.angle_deg;
   how.keep_present = !options.replace;
   const ClassifyResult result = classify(mesh, how);
-  stop_if_interrupted();
-  io::write(options.output, to_data(mesh));
+  if (const auto findings = verify(mesh); !findings.empty())
+    throw io::ReadError(options.input, {}, "cannot be classified: " + findings.front().text);
+  write_mesh(options.output, format, to_data(mesh));
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input
               << ": its own classification was kept; --replace derives all anew\n";
-  std::cout << options.output << ": " << result.model_vertices << " model vertices, "
-            << result.model_edges << " model edges, " << result.model_faces
-            << " model faces; sharp edges: " << result.features.sharp << " features, "
-            << result.features.rough << " roughness\n";
+  stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
+                         << result.model_edges << " model edges, " << result.model_faces
+                         << " model faces; sharp edges: " << result.features.sharp << " features, "
+                         << result.features.rough << " roughness\n";
   return done;
 }
 
@@ -43,14 +48,20 @@ void add_classify(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("classify", "Classifies a mesh by the angles between its faces");
   const auto options = std::make_shared<Options>();
-  command->add_option("IN", options->input, "The mesh")->required();
+  command->add_option("IN", options->input, "The mesh; - is standard input")
+      ->required()
+      ->check(not_empty());
   command
-      ->add_option("OUT", options->output, "Where to write it; PLY holds all of the classification")
-      ->required();
+      ->add_option("OUT", options->output,
+                   "Where to write it; PLY holds all of the classification; - is standard output")
+      ->required()
+      ->check(not_empty());
+  add_format(*command, options->format);
   command
       ->add_option("--angle", options->angle_deg,
                    "Edges whose faces meet at more than this become model edges")
-      ->check(angle_range())
+      ->type_name("DEG")
+      ->check(angle())
       ->capture_default_str();
   command->add_flag("--replace", options->replace,
                     "Forgets the classification that the file carries");

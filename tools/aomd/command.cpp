@@ -1,47 +1,64 @@
 #include "tools/aomd/command.h"
 
-#include <charconv>
-#include <iostream>
+#include <sys/stat.h>
 
-#include "tools/aomd/interrupt.h"
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "core/base/text.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
+namespace {
+
+void print_note(const std::string& file, const std::string& note) {
+  constexpr std::size_t longest = 1000;
+  std::string line = on_one_line(file + ": " + note.substr(0, longest));
+  std::cerr << "aomd: note: " << line << (note.size() > longest ? " ...\n" : "\n");
+}
+
+bool is_pipe(const std::string& file) {
+  struct stat info {};
+  return ::stat(file.c_str(), &info) == 0 && S_ISFIFO(info.st_mode);
+}
+
+io::ReadResult read_stream(const std::string& name, std::istream& stream) {
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) throw io::ReadError(name, {}, "cannot be read");
+  return io::read_bytes(name, bytes);
+}
+
+}  // namespace
 
 void print_notes(const std::string& file, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) std::cerr << "aomd: note: " << file << ": " << note << '\n';
+  constexpr std::size_t most = 20;
+  for (std::size_t i = 0; i < std::min(notes.size(), most); ++i) print_note(file, notes[i]);
+  if (notes.size() > most)
+    print_note(file, "and " + counted(notes.size() - most, "note") + " more");
+}
+
+io::ReadResult read_input(const std::string& file) {
+  if (file == "-") return read_stream("standard input", std::cin);
+  if (!is_pipe(file)) return io::read(file);
+  std::ifstream pipe(file, std::ios::binary);
+  if (!pipe) throw io::ReadError(file, {}, "cannot be opened");
+  return read_stream(file, pipe);
 }
 
 io::ReadResult read_mesh(const std::string& file, bool quiet) {
-  io::ReadResult result = io::read(file);
+  io::ReadResult result = read_input(file);
   if (!quiet) print_notes(file, result.notes);
-  stop_if_interrupted();
   return result;
-}
-
-std::optional<double> parse_number(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return {};
-  return value;
 }
 
 CLI::Option* add_threads(CLI::App& command, int& threads) {
   CLI::Option* option = command.add_option(
       "--threads", threads,
       "On how many threads to work; 0: one for each core. The result is the same");
-  option->type_name("N")->check(CLI::Range(0, 1024).description(""))->capture_default_str();
+  option->type_name("N")->transform(whole_number(0, 1024))->capture_default_str();
   return option;
-}
-
-CLI::Validator angle_range() {
-  const auto check = [](const std::string& text) -> std::string {
-    const auto angle = parse_number(text);
-    return angle && *angle > 0 && *angle < 180
-               ? ""
-               : "must be more than 0 and less than 180 degrees, not " + text;
-  };
-  return CLI::Validator(check, "DEG");
 }
 
 }  // namespace aomd::cli

@@ -2,7 +2,6 @@
 // What the commands of the program `aomd` share.
 
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,11 +20,11 @@ enum ExitCode : int {
   bad_input = 3,
   not_written = 4,
   out_of_limits = 5,
-  cancelled = 130,
+  internal_fault = 70,
+  signalled = 128,  ///< and the number of the signal: 130 for Ctrl-C
 };
 
-/// What parsing chose to run; returns an exit code and may throw io::FileError, UsageError,
-/// Cancelled or bad_alloc.
+/// What parsing chose to run; returns an exit code and may throw anything: see main.cpp.
 using Action = std::function<int()>;
 
 /// Values that parse but make no sense: exit code 2.
@@ -33,8 +32,10 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The user pressed Ctrl-C and the work stopped: exit code 130.
-struct Cancelled : std::exception {};
+/// This program contradicts itself: exit code 70.
+struct InternalFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// Each adds one command with its options to the program; when the command line names it, `action`
 /// is set.
@@ -49,19 +50,17 @@ void add_replay(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
 void add_image_diff(CLI::App& app, Action& action);
 
-/// Prints what a reader had to do, one line each, on standard error.
+/// Prints what a reader had to do, one line each, on standard error: the first few where a file
+/// causes very many.
 void print_notes(const std::string& file, const std::vector<std::string>& notes);
 
-/// Reads a mesh; what the reader had to do goes to standard error as notes unless `quiet`.
-[[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
+/// Reads a mesh; "-" stands for standard input, and a pipe is read to its end.
+[[nodiscard]] io::ReadResult read_input(const std::string& file);
 
-/// The whole text as a number, or nothing.
-[[nodiscard]] std::optional<double> parse_number(const std::string& text);
+/// The same; what the reader had to do goes to standard error as notes unless `quiet`.
+[[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
 
 /// Adds --threads N: 0, the default, stands for all cores.
 CLI::Option* add_threads(CLI::App& command, int& threads);
-
-/// A validator for angles: more than 0 and less than 180 degrees.
-[[nodiscard]] CLI::Validator angle_range();
 
 }  // namespace aomd::cli

@@ -10,9 +10,9 @@
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
@@ -55,7 +55,6 @@ Side read_side(const std::string& file, Progress& progress, int threads) {
   side.counts = measure::count_entities(side.mesh);
   side.quality = measure::measure_quality(side.mesh);
   side.self_intersections = measure::count_self_intersections(side.mesh, threads);
-  stop_if_interrupted();
   return side;
 }
 
@@ -71,7 +70,6 @@ Comparison compare(const Options& options) {
   const measure::Surface original(c.original.mesh, threads), result(c.result.mesh, threads);
   c.diagonal = original.tree().box().diagonal();
   c.distance = measure::mutual_distance(original, result, options.samples, threads);
-  stop_if_interrupted();
   c.normals = measure::measure_normals(original.tree(), c.result.mesh, threads);
   return c;
 }
@@ -207,14 +205,18 @@ int run(const Options& options) {
 
 void add_limits(CLI::App* command, Options& options) {
   const auto limit = [command](const char* name, auto& value, const char* text) {
-    command->add_option(name, value, text)
-        ->check(CLI::NonNegativeNumber)
+    return command->add_option(name, value, text)
+        ->type_name("N")
+        ->check(at_least(0))
         ->group("Exit code 1 when exceeded");
+  };
+  const auto count = [&limit](const char* name, auto& value, const char* text) {
+    limit(name, value, text)->transform(whole_number(0, std::uint64_t{1} << 53));
   };
   limit("--max-distance", options.max_distance, "Largest distance either way, % of the diagonal");
   limit("--max-rms", options.max_rms, "Root mean square distance either way, % of the diagonal");
-  limit("--max-flips", options.max_flips, "Faces whose normal turned by more than 90 degrees");
-  limit("--max-intersections", options.max_intersections, "Self-intersections of RESULT");
+  count("--max-flips", options.max_flips, "Faces whose normal turned by more than 90 degrees");
+  count("--max-intersections", options.max_intersections, "Self-intersections of RESULT");
   command
       ->add_flag("--same-topology", options.same_topology,
                  "Euler number, components and non-manifold edges must be the same, and both "
@@ -234,7 +236,8 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("RESULT", options->result, "The surface that should be like it")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->add_option("--samples", options->samples, "Points on each surface, besides all vertices")
-      ->check(CLI::Range(1, 1'000'000'000))
+      ->type_name("N")
+      ->transform(whole_number(1, 1'000'000'000))
       ->capture_default_str();
   add_threads(*command, options->threads);
   add_limits(command, *options);

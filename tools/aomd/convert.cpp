@@ -3,25 +3,25 @@
 #include <memory>
 
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/outputs.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
 struct Options {
-  std::string input, output;
+  std::string input, output, format;
   bool ascii = false, binary = false, msh2 = false;
 };
 
 int run(const Options& options) {
-  static_cast<void>(
-      io::format_for_writing(options.output));  // complain before the work, not after it
+  const io::Format format = format_of_output(options.output, options.format);
+  check_files({{"IN", options.input}}, {{"OUT", options.output}});
   const io::ReadResult read = read_mesh(options.input);
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
-  stop_if_interrupted();
-  io::write(options.output, read.mesh, how);
+  write_mesh(options.output, format, read.mesh, how);
   return done;
 }
 
@@ -31,12 +31,17 @@ void add_convert(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("convert", "Writes a mesh in the format that OUT's extension names");
   const auto options = std::make_shared<Options>();
-  command->add_option("IN", options->input, "The mesh")->required();
+  command->add_option("IN", options->input, "The mesh; - is standard input")
+      ->required()
+      ->check(not_empty());
   command
-      ->add_option(
-          "OUT", options->output,
-          "Where to write it: .obj, .ply, .off, .stl; with regions .msh, .mesh, .vtk, .vtu or .su2")
-      ->required();
+      ->add_option("OUT", options->output,
+                   "Where to write it: .obj, .ply, .off, .stl; with regions .msh, .mesh, .vtk, "
+                   ".vtu or .su2; - is "
+                   "standard output")
+      ->required()
+      ->check(not_empty());
+  add_format(*command, options->format);
   CLI::Option* ascii =
       command->add_flag("--ascii", options->ascii, "As text, where the format has both");
   command->add_flag("--binary", options->binary, "As binary, where the format has both")

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/io/journal_file.h"
+#include "core/io/output_files.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
@@ -19,8 +21,9 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_options.h"
 #include "tools/aomd/given_classes.h"
-#include "tools/aomd/interrupt.h"
 #include "tools/aomd/keep_file.h"
+#include "tools/aomd/missed_target.h"
+#include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
 
@@ -37,32 +40,33 @@ class Run {
         how_(options.for_classification()) {}
 
   int run() {
-    static_cast<void>(
-        io::format_for_writing(options_.output));  // complain before the work, not after it
+    format_ = format_of_output(options_.output, options_.format);
     static_cast<void>(options_.spacing_source());
+    check_files(options_.inputs(), options_.outputs());
     read();
     classify_mesh();
     add_what_needs_the_mesh();
     decimate();
     check();
     write();
-    report();
-    return done;
+    progress_.wipe();
+    if (!options_.quiet) print_summary();
+    return missed_ && options_.strict ? says_no : done;
   }
 
  private:
   void read() {
     progress_.show("reading");
-    io::ReadResult read = io::read(options_.input);
+    io::ReadResult read = read_input(options_.input);
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.input, read.notes);
-    stop_if_interrupted();
     original_ = std::move(read.mesh);
     seconds_["read"] = watch_.lap();
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
+    steps_.target_faces = options_.target_faces(mesh_.count(2));
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
   }
@@ -76,12 +80,12 @@ class Run {
       for (const RepairItem& item : repaired_.left) print_notes(options_.input, {line_of(item)});
     }
     seconds_["repair"] = watch_.lap();
-    stop_if_interrupted();
   }
 
   void classify_mesh() {
     progress_.show("classifying");
     classify(mesh_, how_);
+    if (const auto finding = first_misclassified(mesh_)) refuse(*finding);
     if (!options_.paper() && !model_ && !options_.snaps())
       mesh_.keep_model_edges_only();  // models look at all edges
     if (!options_.journal.empty()) {
@@ -91,11 +95,24 @@ class Run {
     }
     if (model_) fit_to_model();
     if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
-    if (options_.snaps()) steps_.model = model_.get();
+    if (options_.snaps()) snap_to_model();
     seconds_["classify"] = watch_.lap();
-    stop_if_interrupted();
     input_ = measure::count_entities(mesh_);
     watch_.lap();
+  }
+
+  [[noreturn]] void refuse(const Finding& finding) const {
+    throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding.text);
+  }
+
+  // The mesh may lie on what its own facets do not give, such as a model face without faces.
+  void snap_to_model() {
+    try {
+      check_entities(mesh_, *model_);
+    } catch (const ModelError& e) {
+      throw io::ReadError(options_.input, {}, std::string("--snap model: ") + e.what());
+    }
+    steps_.model = model_.get();
   }
 
   // Classification by the model is a step of the journal, so that a replay needs no model.
@@ -125,7 +142,6 @@ class Run {
       throw UsageError(std::string("--spacing: ") + e.what());
     }
     seconds_["spacing"] = watch_.lap();
-    stop_if_interrupted();
   }
 
   void decimate() {
@@ -135,58 +151,76 @@ class Run {
     using namespace std::chrono_literals;
     const auto slice =
         progress_.shown() ? std::optional<std::chrono::microseconds>(100ms) : std::nullopt;
-    while (decimation.run(slice, interrupted) == Decimation::Stop::Budget)
+    while (decimation.run(slice) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
-    stop_if_interrupted();
     seconds_["decimate"] = watch_.lap();
     memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
                {"journal", record_.journal.bytes()},
                {"decimate_peak", peak_bytes()}};
     sweeps_ = decimation.sweeps();
+    if (!misses(mesh_.count(2), steps_.target_faces)) return;
+    progress_.show("asking why");
+    missed_ = {decimation.edges_left(), ""};
+    missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
   }
 
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
+    if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
     self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads);
     const TriangleTree original(triangles_of(original_).corners, steps_.threads);
     flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
-    verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
-    stop_if_interrupted();
     output_ = measure::count_entities(mesh_);
     quality_ = measure::measure_quality(mesh_);
     watch_.lap();
+  }
+
+  /// The result contradicts itself: because the input did, or because of a fault in this program.
+  /// Nothing is written then but the journal, which shows the operation at fault.
+  [[noreturn]] void blame(const Finding& finding) const {
+    Mesh start(original_);
+    classify(start, how_);
+    if (const auto findings = verify(start); !findings.empty()) refuse(findings.front());
+    const bool journal = !options_.journal.empty();
+    if (journal) io::write_journal(output_path(options_.journal), record_);
+    throw InternalFault(options_.input + ": internal fault: in the result " + finding.text +
+                        "; it was not written; please report it with the input, the command line " +
+                        "and " + (journal ? options_.journal : "what --journal writes"));
   }
 
   void write() {
     progress_.show("writing");
     MeshData result = to_data(mesh_);
     GivenClasses(original_).apply(result);
-    stop_if_interrupted();
-    io::write(options_.output, result);
-    if (!options_.journal.empty()) io::write_journal(options_.journal, record_);
+    io::OutputFiles files;
+    const auto path = output_path(options_.output);
+    files.add(path, io::to_bytes(path, format_, result));
+    if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
     seconds_["write"] = watch_.lap();
-  }
-
-  void report() {
     seconds_["total"] = watch_.total();
     memory_["peak"] = peak_bytes();
-    if (!options_.report.empty()) io::write_file(options_.report, text_of(report_json()));
-    progress_.wipe();
-    if (!options_.quiet) print_summary();
+    if (!options_.report.empty()) files.add(output_path(options_.report), text_of(report_json()));
+    files.commit();
   }
 
-  [[nodiscard]] bool at_target() const {
-    return steps_.target_faces > 0 && output_.faces <= steps_.target_faces;
+  /// "stopped" of a report.
+  [[nodiscard]] Json stopped_json() const {
+    const bool aimed = steps_.target_faces > 0;
+    const char* why = missed_ ? "missed" : aimed ? "target" : "done";
+    const bool helps = missed_ && !missed_->would_help.empty();
+    return {{"why", why},
+            {"refused", missed_ ? refused_json(missed_->edges) : Json::object()},
+            {"would_help", helps ? Json(missed_->would_help) : Json(nullptr)}};
   }
 
   [[nodiscard]] Json report_json() const {
     return {{"schema", 1},
             {"input", counts_json(options_.input, input_)},
             {"output", counts_json(options_.output, output_)},
-            {"options", options_.json()},
+            {"options", options_.json(steps_)},
             {"repair", options_.repair ? Json{{"done", items_json(repaired_.done)},
                                               {"left", items_json(repaired_.left)}}
                                        : Json(nullptr)},
@@ -195,28 +229,25 @@ class Run {
             {"sweeps", sweeps_json(sweeps_)},
             {"quality", quality_json(quality_)},
             {"findings",
-             {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", verify_}}},
-            {"stopped", at_target() ? "target" : "done"}};
+             {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", 0}}},
+            {"stopped", stopped_json()}};
   }
 
   void print_summary() const {
     const bool kept = input_.euler == output_.euler;
-    std::cout << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
-              << ", Euler number " << input_.euler
-              << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
-              << counted(self_intersections_, "self-intersection") << ", "
-              << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())
-              << " ms\n";
-    if (steps_.target_faces > 0 && !at_target())
-      std::cerr << "aomd: note: " << options_.output << ": nothing more may go above the target of "
-                << counted(steps_.target_faces, "face") << '\n';
-    if (verify_ > 0)
-      std::cerr << "aomd: note: " << options_.output << ": " << counted(verify_, "finding")
-                << " (aomd check)\n";
+    stream_beside(options_.outputs())
+        << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
+        << ", Euler number " << input_.euler
+        << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
+        << counted(self_intersections_, "self-intersection") << ", "
+        << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())
+        << " ms\n";
+    if (missed_) print_notes(options_.output, {sentence(*missed_, steps_, output_.faces)});
   }
 
   const DecimateOptions& options_;
   Progress progress_;
+  io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
   ClassifyOptions how_;
   Stopwatch watch_;
@@ -229,7 +260,8 @@ class Run {
   measure::Counts input_, output_;
   measure::Quality quality_;
   std::vector<SweepStatistics> sweeps_;
-  std::size_t flips_ = 0, self_intersections_ = 0, verify_ = 0;
+  std::optional<MissedTarget> missed_;
+  std::size_t flips_ = 0, self_intersections_ = 0;
 };
 
 }  // namespace

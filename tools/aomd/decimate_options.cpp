@@ -2,40 +2,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <filesystem>
 #include <initializer_list>
 #include <stdexcept>
 
 #include "core/base/parallel.h"
 #include "core/decimate/spacing/spacing_expression.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
-// Names of validators would show in the help, which has names of values of its own.
-CLI::Validator number_check(const char* wanted, std::function<bool(double)> fits) {
-  const auto check = [wanted = std::string(wanted),
-                      fits = std::move(fits)](const std::string& text) {
-    const auto value = parse_number(text);
-    return value && fits(*value) ? std::string() : "must be " + wanted + ", not " + text;
+CLI::Validator angle_or_off() {
+  const auto check = [](std::string& text) {
+    const bool fits = text == "off" || angle()(text).empty();
+    return fits ? std::string()
+                : "must be off, or more than 0 and less than 180 degrees, not " + text;
   };
   return CLI::Validator(check, "");
 }
 
-CLI::Validator positive_finite() {
-  return number_check("a number above 0", [](double x) { return x > 0 && std::isfinite(x); });
+/// The share that a text like "10%" names, in percent; nothing for what is none.
+std::optional<double> parse_share(const std::string& text) {
+  if (!text.ends_with('%')) return {};
+  const auto share = parse_number(text.substr(0, text.size() - 1));
+  return share && *share > 0 && *share <= 100 ? share : std::nullopt;
 }
 
-CLI::Validator between(double low, double high) {
-  return number_check(("between " + number_text(low) + " and " + number_text(high)).c_str(),
-                      [=](double x) { return x >= low && x <= high; });
-}
-
-CLI::Validator angle() { return angle_range().description(""); }
-
-CLI::Validator angle_or_off() {
-  const auto check = [](std::string& text) {
-    return text == "off" ? std::string() : angle()(text);
+CLI::Validator number_or_share() {
+  const auto check = [](const std::string& text) {
+    const auto faces = parse_whole_number(text);
+    const bool fits = parse_share(text) || (faces && *faces > 0 && *faces < no_index);
+    return fits
+               ? std::string()
+               : "must be a whole number from 1 to 4294967294, or a share such as 10%, not " + text;
   };
   return CLI::Validator(check, "");
 }
@@ -62,12 +62,13 @@ void put_into(const char* group, std::initializer_list<CLI::Option*> options) {
 
 void add_aims(CLI::App& command, DecimateOptions& o) {
   CLI::Option* target =
-      command.add_option("--target-faces", o.decimation.target_faces,
-                         "Stops at this many faces, or where nothing more may go");
-  target->type_name("N")->check(CLI::PositiveNumber.description(""));
+      command.add_option("--target-faces", o.target,
+                         "Stops at this many faces, or at this share of the input's, or where\n"
+                         "nothing more may go");
+  target->type_name("N|P%")->check(number_or_share());
   CLI::Option* factor =
       command.add_option("--factor", o.decimation.factor, "Edges become this many times longer");
-  factor->type_name("F")->check(positive_finite())->capture_default_str()->excludes(target);
+  factor->type_name("F")->check(positive_number())->capture_default_str()->excludes(target);
   CLI::Option* coarsest =
       command.add_flag("--coarsest", o.decimation.coarsest, "No limit on the length of edges");
   coarsest->excludes(factor);
@@ -77,12 +78,15 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
       "vertex; curvature (longer where it is flatter); or a formula of x, y, z,\n"
       "h (mean length of the edges there), k (curvature) and diag (diagonal of\n"
       "the box): \"x < 0 ? 2 * h : 8 * h\"");
-  spacing->type_name("FILE|EXPR|curvature")->excludes(factor)->excludes(coarsest);
+  spacing->type_name("FILE|EXPR|curvature")
+      ->check(not_empty())
+      ->excludes(factor)
+      ->excludes(coarsest);
   CLI::Option* gradation = command.add_option(
       "--gradation", o.gradation,
       "How much the spacing may grow per unit of length; default " +
           number_text(default_spacing_growth) + " for\ncurvature, else no limit");
-  gradation->type_name("G")->check(positive_finite())->needs(spacing);
+  gradation->type_name("G")->check(positive_number())->needs(spacing);
   put_into("What to aim at", {target, factor, coarsest, spacing, gradation});
 }
 
@@ -103,7 +107,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
-  improve->type_name("N")->check(between(0, 1000))->capture_default_str();
+  improve->type_name("N")->transform(whole_number(0, 1000))->capture_default_str();
   CLI::Option* exchange = command.add_flag(
       "--exchange", o.decimation.exchange,
       "For paper: T(0,2) makes way for T(0,1) and T(1,2) during swaps and smoothing;\nthe "
@@ -118,7 +122,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--model", o.model,
       "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo\n"
       "(with Gmsh); a mesh without classification is classified on it");
-  model->type_name("FILE");
+  model->type_name("FILE")->check(not_empty());
   CLI::Option* repair =
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
   CLI::Option* without = command.add_option(
@@ -143,7 +147,7 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
   CLI::Option* distance = command.add_option(
       "--max-distance", o.max_distance_pct,
       "No point of the result is further from the original, percent of the diagonal");
-  distance->type_name("PCT")->check(positive_finite());
+  distance->type_name("PCT")->check(positive_number());
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");
   CLI::Option* topology = command.add_option(
@@ -153,7 +157,7 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "--keep", o.keep,
       "Vertices that stay where they are, one item a line: a vertex (123), a range\n"
       "(10-20), or a model entity and so all on it (vertex 3, edge 7, face 2)");
-  keep->type_name("FILE");
+  keep->type_name("FILE")->check(not_empty());
   put_into("Guarantees", {turn, smallest, distance, intersections, topology, keep});
 }
 
@@ -162,15 +166,37 @@ void add_outputs(CLI::App& command, DecimateOptions& o) {
       command.add_option("--report", o.report, "What was done and measured, as JSON");
   CLI::Option* journal =
       command.add_option("--journal", o.journal, "Every operation, for aomd replay");
-  for (CLI::Option* each : {report, journal}) each->type_name("FILE");
+  for (CLI::Option* each : {report, journal}) each->type_name("FILE")->check(not_empty());
+  CLI::Option* strict = command.add_flag(
+      "--strict", o.strict, "Exit code 1 where the target is missed by more than 1 percent");
   CLI::Option* quiet = command.add_flag("--quiet", o.quiet, "Prints nothing but errors");
-  put_into("Output", {report, journal, quiet});
+  put_into("Output", {report, journal, add_format(command, o.format), strict, quiet});
 }
 
 Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
+
+std::uint32_t DecimateOptions::target_faces(std::uint32_t input_faces) const {
+  if (target.empty()) return 0;
+  if (const auto number = parse_whole_number(target)) return static_cast<std::uint32_t>(*number);
+  const double faces = *parse_share(target) / 100 * double(input_faces);
+  return std::max(1u, static_cast<std::uint32_t>(std::lround(faces)));
+}
+
+std::vector<NamedFile> DecimateOptions::inputs() const {
+  std::error_code ignored;
+  const bool from_file = std::filesystem::is_regular_file(spacing, ignored);
+  return {{"IN", input},
+          {"--model", model},
+          {"--keep", keep},
+          {"--spacing", from_file ? spacing : std::string()}};
+}
+
+std::vector<NamedFile> DecimateOptions::outputs() const {
+  return {{"OUT", output}, {"--journal", journal}, {"--report", report}};
+}
 
 DecimationOptions DecimateOptions::for_library() const {
   DecimationOptions result = decimation;
@@ -205,8 +231,7 @@ std::optional<SpacingSource> DecimateOptions::spacing_source() const {
   }
 }
 
-Json DecimateOptions::json() const {
-  const DecimationOptions steps = for_library();
+Json DecimateOptions::json(const DecimationOptions& steps) const {
   const auto source = spacing_source();
   const bool by_factor = !steps.coarsest && !source && steps.target_faces == 0;
   return {{"strategy", strategy},
@@ -236,12 +261,17 @@ Json DecimateOptions::json() const {
 }
 
 void add_decimate_options(CLI::App& command, DecimateOptions& options) {
-  command.add_option("IN", options.input, "The mesh")->required()->type_name("FILE");
-  command
-      .add_option("OUT", options.output,
-                  "Where to write the result; the extension chooses the format")
+  command.add_option("IN", options.input, "The mesh; - is standard input")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(not_empty());
+  command
+      .add_option(
+          "OUT", options.output,
+          "Where to write the result; the extension chooses the format; - is standard output")
+      ->required()
+      ->type_name("FILE")
+      ->check(not_empty());
   command.get_formatter()->label("Excludes", "not with");
   command.get_formatter()->label("Needs", "with");
   add_aims(command, options);

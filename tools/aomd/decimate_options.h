@@ -10,14 +10,16 @@
 #include "core/decimate/spacing/spacing.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/outputs.h"
 #include "tools/aomd/report.h"
 
 namespace aomd::cli {
 
 /// As given, defaults included.
 struct DecimateOptions {
-  std::string input, output;
+  std::string input, output, format;
   // What to aim at
+  std::string target;               ///< "1000", or "10%" of the input's faces; empty: none
   std::string spacing;              ///< empty: by factor
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
@@ -31,19 +33,27 @@ struct DecimateOptions {
   int threads = 0;              ///< 0: all cores
   // What is written
   std::string report, journal;
-  bool quiet = false;
+  bool quiet = false, strict = false;
   DecimationOptions decimation;  ///< takes the numbers that need nothing else
 
   [[nodiscard]] bool paper() const { return strategy == "paper"; }
   [[nodiscard]] bool snaps() const { return snap == "model"; }
 
-  /// For the library, apart from what needs the mesh: spacing, keep, model and max_distance.
+  /// The number of faces to aim at, at least 1; 0 for none.
+  [[nodiscard]] std::uint32_t target_faces(std::uint32_t input_faces) const;
+  /// The files that it reads.
+  [[nodiscard]] std::vector<NamedFile> inputs() const;
+  /// The files that it writes.
+  [[nodiscard]] std::vector<NamedFile> outputs() const;
+  /// For the library, apart from what needs the mesh: target, spacing, keep, model and
+  /// max_distance.
   [[nodiscard]] DecimationOptions for_library() const;
   [[nodiscard]] ClassifyOptions for_classification() const;
   /// None without --spacing. Throws UsageError for what is no file and no formula.
   [[nodiscard]] std::optional<SpacingSource> spacing_source() const;
-  /// "options" of a report: each of them, null where it is not in use.
-  [[nodiscard]] Json json() const;
+  /// "options" of a report: each of them, null where it is not in use; `steps` is what the library
+  /// was told.
+  [[nodiscard]] Json json(const DecimationOptions& steps) const;
 };
 
 /// Adds them to the command, in groups.

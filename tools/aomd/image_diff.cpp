@@ -5,6 +5,8 @@
 
 #include "core/measure/image_diff.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/outputs.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
@@ -15,6 +17,7 @@ struct Options {
 };
 
 int run(const Options& options) {
+  check_files({{"A", options.a}, {"B", options.b}}, {{"--output", options.output}});
   const io::Image a = io::read_png(options.a), b = io::read_png(options.b);
   const measure::ImageDifference difference = measure::compare_images(a, b);
   if (!options.output.empty()) io::write_png(options.output, measure::difference_picture(a, b));
@@ -38,7 +41,8 @@ void add_image_diff(CLI::App& app, Action& action) {
   command
       ->add_option("--threshold", options->threshold,
                    "Structural similarity that counts as equal; 1 is identical")
-      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("S")
+      ->check(between(0, 1))
       ->capture_default_str();
   command->add_option("--output", options->output, "Writes a picture of the differences, in red");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

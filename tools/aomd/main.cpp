@@ -3,22 +3,51 @@
 #include <algorithm>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
+#include "core/base/text.h"
 #include "core/io/error.h"
 #include "core/model/model.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/signals.h"
 
 namespace aomd::cli {
 namespace {
 
 int fail(const std::string& what, int code) {
-  std::cerr << "aomd: " << what << std::endl;
+  std::cerr << "aomd: " << on_one_line(what) << std::endl;
   return code;
 }
 
-/// CLI11's own messages span lines: the first is the one that says what is wrong.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// The first word that no option and no file stands for; CLI11 names all of them, backwards.
+std::string unexpected_word(const CLI::App& app, int argc, char** argv) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto left_over = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  char** const found = std::find_if(argv + 1, argv + argc, left_over);
+  if (found == argv + argc) return "one argument too many";
+  const std::string word = *found;
+  return word.starts_with('-') ? "there is no option " + word : "one argument too many: " + word;
+}
+
+/// One line of what CLI11 says.
+std::string words_of(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return unexpected_word(app, argc, argv);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+    return text.substr(0, text.find(':')) + " needs a value";
+  return text.substr(0, text.find('\n'));
+}
+
+/// "aomd decimate --help lists what there is", once a command is known.
+std::string hint(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return " (aomd " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
+         "--help lists what there is)";
+}
 
 bool has_command(CLI::App& app, const std::string& name) {
   const auto commands = app.get_subcommands([](CLI::App*) { return true; });
@@ -26,11 +55,9 @@ bool has_command(CLI::App& app, const std::string& name) {
                      [&](const CLI::App* c) { return c->check_name(name); });
 }
 
-int run(const Action& action) {
+int run_caught(const Action& action) {
   try {
-    const int code = action();
-    std::cout.flush();
-    return std::cout ? code : fail("standard output: cannot be written", not_written);
+    return action();
   } catch (const io::ReadError& e) {
     return fail(e.what(), bad_input);
   } catch (const ModelError& e) {
@@ -41,11 +68,22 @@ int run(const Action& action) {
     return fail(e.what(), out_of_limits);
   } catch (const UsageError& e) {
     return fail(e.what(), wrong_usage);
+  } catch (const InternalFault& e) {
+    return fail(e.what(), internal_fault);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", out_of_limits);
-  } catch (const Cancelled&) {
-    return fail("cancelled; nothing was written", cancelled);
+  } catch (const std::exception& e) {
+    return fail(fault_words(e.what()), internal_fault);
+  } catch (...) {
+    return fail(fault_words("an exception of unknown kind"), internal_fault);
   }
+}
+
+int run(const Action& action) {
+  const int code = run_caught(action);
+  std::cout.flush();
+  return std::cout || code > says_no ? code
+                                     : fail("standard output: cannot be written", not_written);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -58,7 +96,8 @@ int parse_and_run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 the check or comparison says no, 2 wrong usage, 3 input unreadable or "
       "invalid,\n"
-      "4 output not written, 5 out of memory or another limit, 130 cancelled.\n"
+      "4 output not written, 5 out of memory or another limit, 70 internal fault, 130 cancelled by "
+      "Ctrl-C\n(143 by SIGTERM, 129 by SIGHUP).\n"
       "`aomd COMMAND --help` lists the options of a command.");
   Action action;
   for (auto* add : {add_info, add_decimate, add_check, add_classify, add_convert, add_compare,
@@ -71,19 +110,18 @@ int parse_and_run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help and --version
-    return fail(first_line(e.what()) + " (aomd --help lists what there is)", wrong_usage);
+    return fail(words_of(e, app, argc, argv) + hint(app), wrong_usage);
   }
-  return run(action);
+  return action();
 }
 
 }  // namespace
 }  // namespace aomd::cli
 
 int main(int argc, char** argv) {
-  aomd::cli::catch_interrupts();
-  try {
-    return aomd::cli::parse_and_run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return aomd::cli::fail("out of memory", aomd::cli::out_of_limits);
-  }
+  using namespace aomd::cli;
+  hold_standard_descriptors();
+  end_on_signals();
+  name_internal_faults();
+  return run([=] { return parse_and_run(argc, argv); });
 }

@@ -4,25 +4,27 @@
 #include <memory>
 
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/outputs.h"
 #include "tools/aomd/repair_items.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
 struct Options {
-  std::string input, output;
+  std::string input, output, format;
   RepairOptions repair;
   bool json = false, quiet = false;
 };
 
-void print(const std::string& file, const std::vector<RepairItem>& items) {
-  for (const RepairItem& item : items) std::cout << file << ": " << line_of(item) << '\n';
+void print(std::ostream& out, const std::string& file, const std::vector<RepairItem>& items) {
+  for (const RepairItem& item : items) out << file << ": " << line_of(item) << '\n';
 }
 
 int run(const Options& options) {
-  static_cast<void>(
-      io::format_for_writing(options.output));  // complain before the work, not after it
+  const io::Format format = format_of_output(options.output, options.format);
+  const std::vector<NamedFile> outputs = {{"OUT", options.output}};
+  check_files({{"IN", options.input}}, outputs);
   Stopwatch watch;
   io::ReadResult read = read_mesh(options.input, options.quiet || options.json);
   if (!read.mesh.regions.empty())
@@ -33,10 +35,10 @@ int run(const Options& options) {
   watch.lap();
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
-  stop_if_interrupted();
-  io::write(options.output, read.mesh);
+  write_mesh(options.output, format, read.mesh);
+  std::ostream& out = stream_beside(outputs);
   if (options.json) {
-    std::cout << text_of(
+    out << text_of(
         {{"schema", 1},
          {"input", counts_json(options.input, before)},
          {"output", counts_json(options.output, measure::count_entities(Mesh(read.mesh)))},
@@ -44,9 +46,9 @@ int run(const Options& options) {
          {"left", items_json(report.left)},
          {"seconds", {{"read", reading}, {"repair", repairing}}}});
   } else if (!options.quiet) {
-    print(options.output, report.done);
-    print(options.output, report.left);
-    if (report.done.empty()) std::cout << options.output << ": nothing to mend\n";
+    print(out, options.output, report.done);
+    print(out, options.output, report.left);
+    if (report.done.empty()) out << options.output << ": nothing to mend\n";
   }
   return done;
 }
@@ -66,7 +68,8 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
   command
       .add_option("--min-piece", repair.min_piece_pct,
                   "Removes pieces smaller than this, percent of the diagonal")
-      ->check(CLI::Range(0.0, 100.0));
+      ->type_name("PCT")
+      ->check(between(0, 100));
   command.add_flag("--drop-unused", repair.drop_unused, "Drops vertices that nothing uses");
 }
 
@@ -76,8 +79,13 @@ void add_repair(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "repair", "Mends what is safe to mend in a dirty surface, and says what it did");
   const auto options = std::make_shared<Options>();
-  command->add_option("IN", options->input, "The mesh")->required();
-  command->add_option("OUT", options->output, "Where to write it")->required();
+  command->add_option("IN", options->input, "The mesh; - is standard input")
+      ->required()
+      ->check(not_empty());
+  command->add_option("OUT", options->output, "Where to write it; - is standard output")
+      ->required()
+      ->check(not_empty());
+  add_format(*command, options->format);
   add_switches(*command, options->repair);
   command->add_flag("--json", options->json, "Prints what was done as JSON");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");

@@ -10,13 +10,14 @@
 #include "core/repair/repair.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/given_classes.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/outputs.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
 struct Options {
-  std::string model, journal, output;
+  std::string model, journal, output, format;
   std::optional<std::size_t> step;
   bool repair = false, quiet = false;
 };
@@ -30,7 +31,9 @@ std::size_t last_step(const Options& options, const Journal& journal) {
 }
 
 int run(const Options& options) {
-  static_cast<void>(io::format_for_writing(options.output));
+  const io::Format format = format_of_output(options.output, options.format);
+  const std::vector<NamedFile> outputs = {{"OUT", options.output}};
+  check_files({{"MODEL", options.model}, {"JOURNAL", options.journal}}, outputs);
   io::JournalFile file = io::read_journal(options.journal);
   const std::size_t step = last_step(options, file.journal);
   io::ReadResult read = read_mesh(options.model, options.quiet);
@@ -40,18 +43,17 @@ int run(const Options& options) {
   if (file.start.counts[1] < mesh.count(1))
     mesh.keep_model_edges_only();  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);
-  stop_if_interrupted();
   file.journal.seek(mesh, step);
   if (const auto findings = verify(mesh); !findings.empty())
     throw io::ReadError(options.journal, {},
                         "the journal leads to a broken mesh: " + findings.front().text);
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
-  stop_if_interrupted();
-  io::write(options.output, result);
+  write_mesh(options.output, format, result);
   if (!options.quiet)
-    std::cout << options.output << ": " << counted(step, "step") << " of " << file.journal.size()
-              << " replayed, " << counted(mesh.count(2), "face") << '\n';
+    stream_beside(outputs) << options.output << ": " << counted(step, "step") << " of "
+                           << file.journal.size() << " replayed, " << counted(mesh.count(2), "face")
+                           << '\n';
   return done;
 }
 
@@ -60,13 +62,20 @@ int run(const Options& options) {
 void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Makes the operations of a journal again");
   const auto options = std::make_shared<Options>();
-  command->add_option("MODEL", options->model, "The mesh that the journal started from")
-      ->required();
+  command
+      ->add_option("MODEL", options->model,
+                   "The mesh that the journal started from; - is standard input")
+      ->required()
+      ->check(not_empty());
   command->add_option("JOURNAL", options->journal, "What aomd decimate --journal wrote")
       ->required();
-  command->add_option("OUT", options->output, "Where to write the result")->required();
+  command->add_option("OUT", options->output, "Where to write the result; - is standard output")
+      ->required()
+      ->check(not_empty());
+  add_format(*command, options->format);
   command->add_option("--step", options->step, "Stops after so many operations")
-      ->check(CLI::NonNegativeNumber);
+      ->type_name("N")
+      ->transform(whole_number(0, std::uint64_t{1} << 32));
   command->add_flag("--repair", options->repair,
                     "First mends the mesh, as aomd decimate --repair did");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "core/samples/samples.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/interrupt.h"
+#include "tools/aomd/outputs.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
 
 struct Options {
-  std::string name, output;
+  std::string name, output, format;
   int size = 0;
   bool list = false;
 };
@@ -38,10 +40,10 @@ int run(const Options& options) {
   if (options.list) return list_samples();
   if (options.name.empty() || options.output.empty())
     throw UsageError("sample: NAME and OUT are required, or --list");
-  static_cast<void>(io::format_for_writing(options.output));
+  const io::Format format = format_of_output(options.output, options.format);
+  check_files({}, {{"OUT", options.output}});
   const MeshData mesh = make(options);
-  stop_if_interrupted();
-  io::write(options.output, mesh);
+  write_mesh(options.output, format, mesh);
   return done;
 }
 
@@ -51,9 +53,11 @@ void add_sample(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("sample", "Writes a generated mesh");
   const auto options = std::make_shared<Options>();
   command->add_option("NAME", options->name, "Which one; --list shows them");
-  command->add_option("OUT", options->output, "Where to write it");
+  command->add_option("OUT", options->output, "Where to write it; - is standard output");
+  add_format(*command, options->format);
   command->add_option("--size", options->size, "How fine; what it counts depends on the sample")
-      ->check(CLI::PositiveNumber);
+      ->type_name("N")
+      ->transform(whole_number(1, std::numeric_limits<int>::max()));
   command->add_flag("--list", options->list, "Lists the samples");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

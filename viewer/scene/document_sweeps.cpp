@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "viewer/scene/document.h"
-#include "viewer/scene/stop_words.h"
 
 namespace aomd::scene {
 namespace {
@@ -45,7 +44,7 @@ void Document::note_last_work() {
 
 /// The run has gone to its end; its command is closed. One that changed nothing has left no mark.
 void Document::note_stop(std::size_t made) {
-  last_work_.stop = stop_words(edges_left(*loaded_->decimation, mesh()), options_, mesh().count(2));
+  last_work_.stop = stop_words(loaded_->decimation->edges_left(), options_, mesh().count(2));
   if (made == 0) return;
   marks_.back().stop = last_work_.stop;
   marks_.back().stopped_at = journal().cursor();

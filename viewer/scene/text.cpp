@@ -3,16 +3,9 @@
 #include <array>
 #include <cstdio>
 
-#include "core/base/text.h"
 #include "core/mesh/names.h"
 
 namespace aomd::scene {
-
-std::string grouped(std::int64_t n) {
-  std::string text = std::to_string(n < 0 ? -n : n);
-  for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, ",");
-  return n < 0 ? "\u2212" + text : text;
-}
 
 std::string counted(std::int64_t n, std::string_view one) {
   return grouped(n) + " " + (n == 1 ? std::string(one) : plural(one));

@@ -8,29 +8,18 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/text.h"
+
 namespace aomd::scene {
 
-/// "69,451".
-[[nodiscard]] std::string grouped(std::int64_t n);
-template <std::unsigned_integral N>
-[[nodiscard]] std::string grouped(N n) {
-  return grouped(static_cast<std::int64_t>(n));
-}
+using aomd::grouped;
+using aomd::joined;
 
 /// "1 face", "7,160 faces", "2 vertices".
 [[nodiscard]] std::string counted(std::int64_t n, std::string_view one);
 template <std::unsigned_integral N>
 [[nodiscard]] std::string counted(N n, std::string_view one) {
   return counted(static_cast<std::int64_t>(n), one);
-}
-
-/// "a, b or c", where the last two are joined by " or ".
-template <typename Words>
-[[nodiscard]] std::string joined(const Words& words, std::string_view last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += std::string(i == 0 ? "" : i + 1 == words.size() ? last : ", ").append(words[i]);
-  return text;
 }
 
 /// "+12", "−1,234", "±0".

@@ -103,6 +103,11 @@ void PaperLoop::begin_sweep() {
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
 
+Verdict PaperLoop::judge(Vertex a, Vertex b) {
+  Vertex deleted;
+  return judge(mesh_.find_edge(a, b), deleted);
+}
+
 Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {
   hold(true);
   const auto ends = mesh_.edge_vertices(edge);

@@ -23,6 +23,7 @@ class PaperLoop final : public Loop {
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] Verdict judge(Vertex a, Vertex b) override;
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
   [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;

@@ -13,12 +13,23 @@ Verdict QualityLoop::judge(Edge edge, Vertex& deleted) {
   return verdict;
 }
 
+Verdict QualityLoop::judge(Vertex a, Vertex b) {
+  Candidate candidate;
+  return judge(a, b, candidate);
+}
+
 Verdict QualityLoop::judge(Edge edge, Candidate& candidate) {
   const auto [a, b] = mesh_.edge_vertices(edge);
+  Verdict verdict = judge(a, b, candidate);
+  if (verdict.reason == Reason::Spacing) verdict.entity = edge;
+  return verdict;
+}
+
+Verdict QualityLoop::judge(Vertex a, Vertex b, Candidate& candidate) {
   candidate = {{a, b, mesh_.position(b)}, unlimited};
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
   if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
-    return {Reason::Spacing, edge, length};
+    return {Reason::Spacing, a, length};
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
   candidate.cost = cost(a, b, candidate.contraction);
   if (!(candidate.cost < unlimited))

@@ -30,6 +30,7 @@ class QualityLoop final : public Loop {
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] Verdict judge(Vertex a, Vertex b) override;
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
   [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
@@ -81,6 +82,7 @@ class QualityLoop final : public Loop {
   // What is said without being done (quality_outlook.cpp)
   /// With what would go where, and at what cost: infinite where it is out of the question.
   [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
+  [[nodiscard]] Verdict judge(Vertex a, Vertex b, Candidate& candidate);
   [[nodiscard]] Limits limits(const TurnLimit& turn, double least_angle_deg) const;
 
   // Stages (quality_stages.cpp)

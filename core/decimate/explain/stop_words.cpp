@@ -1,13 +1,13 @@
-#include "viewer/scene/stop_words.h"
+#include "core/decimate/explain/stop_words.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
-#include <utility>
-#include <vector>
 
-#include "viewer/scene/text.h"
+#include "core/base/text.h"
+#include "core/decimate/explain/verdict_words.h"
 
-namespace aomd::scene {
+namespace aomd {
 namespace {
 
 /// What decided, as one says it after "mostly by".
@@ -33,7 +33,7 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
     case Reason::Flat:
       return "would leave a face without area";
     case Reason::Angle:
-      return "would turn a face by more than " + short_number(options.angle_deg, 1) + " degrees";
+      return "would turn a face by more than " + words::degrees(options.angle_deg) + " degrees";
     case Reason::Quality:
       return "would make the shape worse";
     case Reason::Kept:
@@ -48,50 +48,46 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
   return "would cut the surface with itself";
 }
 
-using Count = std::pair<std::int64_t, Reason>;
+/// "1 edge", "7,160 faces".
+std::string grouped_count(std::int64_t n, const char* one) {
+  return grouped(n) + " " + (n == 1 ? std::string(one) : plural(one));
+}
 
-/// What keeps any, the most first.
-std::vector<Count> by_number(const EdgesByReason& edges) {
-  std::vector<Count> counts;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (edges[i] > 0) counts.emplace_back(edges[i], static_cast<Reason>(i));
-  std::stable_sort(counts.begin(), counts.end(),
-                   [](const Count& a, const Count& b) { return a.first > b.first; });
-  return counts;
+std::int64_t total(const EdgesByReason& edges) {
+  return std::accumulate(edges.begin(), edges.end(), std::int64_t{0});
 }
 
 }  // namespace
 
-EdgesByReason edges_left(Decimation& decimation, const Mesh& mesh) {
-  constexpr std::uint32_t judged_at_once = 300'000;  // less than a second
-  EdgesByReason edges{};
-  if (decimation.options().strategy == Strategy::Paper && mesh.count(1) > judged_at_once) {
-    const auto& refused = decimation.sweeps().back().refused;
-    std::copy(refused.begin(), refused.end(), edges.begin());
-    return edges;
-  }
-  Vertex deleted;
-  for (const Edge e : mesh.edges())
-    ++edges[static_cast<std::size_t>(decimation.judge(e, deleted).reason)];
-  return edges;
+std::vector<ReasonCount> by_number(const EdgesByReason& edges) {
+  std::vector<ReasonCount> counts;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (edges[i] > 0) counts.push_back({static_cast<Reason>(i), edges[i]});
+  std::stable_sort(counts.begin(), counts.end(),
+                   [](const ReasonCount& a, const ReasonCount& b) { return a.edges > b.edges; });
+  return counts;
+}
+
+std::string words_of_edges_left(const EdgesByReason& edges, const DecimationOptions& options) {
+  std::vector<std::string> parts;
+  for (const auto& [reason, n] : by_number(edges))
+    parts.push_back(grouped(n) + " " + said_of(reason, n == 1, options));
+  if (parts.empty()) return "no edge is left";
+  return "of " + grouped_count(total(edges), "edge") + " left, " + joined(parts, " and ");
 }
 
 std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
                        std::int64_t faces) {
-  const std::string target = counted(options.target_faces, "face");
+  const std::string target = grouped_count(options.target_faces, "face");
   if (options.target_faces > 0 && faces <= options.target_faces)
     return "Stopped at the aim of " + target + ".";
-  const std::vector<Count> counts = by_number(edges);
-  const std::int64_t all = std::accumulate(edges.begin(), edges.end(), std::int64_t{0});
   std::string text = options.target_faces > 0 ? "Stopped above the aim of " + target : "Stopped";
-  if (counts.empty()) return text + ": no edge is left.";
-  const auto [most, reason] = counts.front();
-  if (reason != Reason::None && 2 * most > all)
-    text += std::string(", mostly by ") + decider(reason);
-  std::vector<std::string> parts;
-  for (const auto& [n, why] : counts)
-    parts.push_back(grouped(n) + " " + said_of(why, n == 1, options));
-  return text + ": of " + counted(all, "edge") + " left, " + joined(parts, " and ") + ".";
+  if (const auto counts = by_number(edges); !counts.empty()) {
+    const auto [reason, most] = counts.front();
+    if (reason != Reason::None && 2 * most > total(edges))
+      text += std::string(", mostly by ") + decider(reason);
+  }
+  return text + ": " + words_of_edges_left(edges, options) + ".";
 }
 
-}  // namespace aomd::scene
+}  // namespace aomd

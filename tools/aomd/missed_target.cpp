@@ -1,0 +1,114 @@
+#include "tools/aomd/missed_target.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/decimate/explain/stop_words.h"
+#include "core/decimate/spacing/spacing_expression.h"
+
+namespace aomd::cli {
+namespace {
+
+/// Whether vertices of faces share their places, as in a file that lists each triangle by itself.
+bool welding_joins(const MeshData& mesh) {
+  std::vector<std::uint32_t> used = mesh.faces.vertices;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place = [&](std::uint32_t v) {
+    const glm::dvec3& p = mesh.positions[v];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  std::sort(used.begin(), used.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  const auto same = [&](std::uint32_t a, std::uint32_t b) { return place(a) == place(b); };
+  return std::adjacent_find(used.begin(), used.end(), same) != used.end();
+}
+
+/// Looks for what loosens one reason.
+class Help {
+ public:
+  Help(const DecimateOptions& given, const DecimationOptions& steps, const MeshData& original,
+       const measure::Counts& input)
+      : given_(given), steps_(steps), original_(original), input_(input) {}
+
+  [[nodiscard]] std::string against(Reason reason) const {
+    switch (reason) {
+      case Reason::Spacing:
+        return given_.spacing.empty() ? "" : "a larger --spacing";
+      case Reason::Classification:
+        return against_classification();
+      case Reason::Topology:
+        if (const std::string mending = by_mending(); !mending.empty()) return mending;
+        return steps_.topology == TopologyRule::Safe ? "--topology paper" : "";
+      case Reason::Flat:
+        return given_.repair ? "" : "--repair";
+      case Reason::Angle:
+        return steps_.angle_deg < 90
+                   ? "--angle " + number_text(std::min(90.0, 2 * steps_.angle_deg))
+                   : "";
+      case Reason::Shape:
+        return steps_.min_angle_deg > 0 ? "a smaller --min-angle" : "";
+      case Reason::Kept:
+        return "fewer vertices in --keep";
+      case Reason::Distance:
+        return "--max-distance " + number_text(2 * given_.max_distance_pct);
+      case Reason::Intersection:
+        return "leaving out --no-intersections";
+      case Reason::None:
+      case Reason::Quality:
+        break;
+    }
+    return "";
+  }
+
+ private:
+  /// Borders that should be none, and edges of many faces, are model edges as features are.
+  [[nodiscard]] std::string against_classification() const {
+    if (const std::string mending = by_mending(); !mending.empty()) return mending;
+    if (given_.feature_angle != "off") return "--feature-angle off";
+    return original_.classified() ? "aomd classify --replace" : "";
+  }
+
+  [[nodiscard]] std::string by_mending() const {
+    if (input_.boundary_edges > 0 && welding_joins(original_)) return "aomd repair --weld";
+    return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
+  }
+
+  const DecimateOptions& given_;
+  const DecimationOptions& steps_;
+  const MeshData& original_;
+  const measure::Counts& input_;
+};
+
+}  // namespace
+
+bool misses(std::uint64_t faces, std::uint64_t target) {
+  return target > 0 && 100 * faces > 101 * target;
+}
+
+std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
+                            const DecimationOptions& steps, const MeshData& original,
+                            const measure::Counts& input) {
+  const Help help(given, steps, original, input);
+  for (const ReasonCount& each : by_number(edges))
+    if (std::string option = help.against(each.reason); !option.empty()) return option;
+  return "";
+}
+
+std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
+                     std::uint64_t faces) {
+  return grouped(faces) + " faces, above the target of " + grouped(steps.target_faces) + ": " +
+         words_of_edges_left(missed.edges, steps) +
+         (missed.would_help.empty() ? "" : "; " + missed.would_help + " would help");
+}
+
+Json refused_json(const EdgesByReason& edges) {
+  Json refused = Json::object();
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i] > 0) refused[reason_name(static_cast<Reason>(i))] = edges[i];
+  return refused;
+}
+
+}  // namespace aomd::cli

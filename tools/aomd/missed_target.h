@@ -1,0 +1,35 @@
+#pragma once
+// A run that stopped above its target: why, and what would help.
+
+#include <cstdint>
+#include <string>
+
+#include "core/decimate/options.h"
+#include "core/measure/statistics.h"
+#include "tools/aomd/decimate_options.h"
+
+namespace aomd::cli {
+
+/// Whether so many faces miss a target, 0 for none, by more than one percent.
+[[nodiscard]] bool misses(std::uint64_t faces, std::uint64_t target);
+
+/// What a run that missed its target found.
+struct MissedTarget {
+  EdgesByReason edges{};   ///< that are left, by what keeps them
+  std::string would_help;  ///< an option or a command, empty where none would
+};
+
+/// Says what would loosen the reason that keeps most edges of those that anything loosens: an
+/// option of `given`, or a command that mends `original`, of which `input` counts the entities.
+[[nodiscard]] std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
+                                          const DecimationOptions& steps, const MeshData& original,
+                                          const measure::Counts& input);
+
+/// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help".
+[[nodiscard]] std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
+                                   std::uint64_t faces);
+
+/// "refused" of a report: how many edges each reason keeps, those that keep none left out.
+[[nodiscard]] Json refused_json(const EdgesByReason& edges);
+
+}  // namespace aomd::cli

@@ -1,0 +1,109 @@
+#include "tools/aomd/outputs.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "core/base/text.h"
+#include "core/io/output_files.h"
+#include "core/io/output_target.h"
+#include "tools/aomd/command.h"
+
+namespace aomd::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string identity(const struct stat& info) {
+  return std::to_string(info.st_dev) + ':' + std::to_string(info.st_ino);
+}
+
+/// What tells one file from another, whatever the path; none for what nothing can overwrite, such
+/// as a terminal.
+std::optional<std::string> identity_of_input(const std::string& path) {
+  struct stat info {};
+  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &info) : ::stat(path.c_str(), &info);
+  if (failed != 0 || !S_ISREG(info.st_mode)) return {};
+  return identity(info);
+}
+
+/// Of an output that is not there yet: its folder and its name.
+std::optional<std::string> identity_of_output(const std::string& given) {
+  const fs::path path = output_path(given);
+  const io::detail::OutputTarget target = io::detail::find_output_target(path);
+  struct stat info {};
+  const bool own = target.kind == io::detail::OutputTarget::Kind::Descriptor;
+  const int failed = own ? ::fstat(target.descriptor, &info) : ::stat(target.path.c_str(), &info);
+  if (failed == 0) return S_ISCHR(info.st_mode) ? std::nullopt : std::optional(identity(info));
+  return (fs::weakly_canonical(fs::absolute(target.path).parent_path()) / target.path.filename())
+      .string();
+}
+
+bool is_standard_output(const NamedFile& file) {
+  return !file.path.empty() && output_path(file.path) == "/dev/stdout";
+}
+
+struct KnownFile {
+  const NamedFile* file;
+  std::string identity;
+};
+
+std::vector<KnownFile> identified(const std::vector<NamedFile>& inputs) {
+  std::vector<KnownFile> known;
+  for (const NamedFile& input : inputs)
+    if (const auto identity = identity_of_input(input.path)) known.push_back({&input, *identity});
+  return known;
+}
+
+}  // namespace
+
+void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+  std::vector<KnownFile> known = identified(inputs);
+  for (const NamedFile& output : outputs) {
+    if (output.path.empty()) continue;
+    io::OutputFiles::probe(output_path(output.path));
+    const auto identity = identity_of_output(output.path);
+    if (!identity) continue;
+    for (const KnownFile& other : known)
+      if (other.identity == *identity)
+        throw UsageError(std::string(other.file->name) + " and " + output.name +
+                         " are one file: " + output.path);
+    known.push_back({&output, *identity});
+  }
+}
+
+fs::path output_path(const std::string& given) { return given == "-" ? "/dev/stdout" : given; }
+
+std::ostream& stream_beside(const std::vector<NamedFile>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), is_standard_output) ? std::cerr : std::cout;
+}
+
+CLI::Option* add_format(CLI::App& command, std::string& format) {
+  const auto check = [](const std::string& text) {
+    return io::format_named(text)
+               ? std::string()
+               : "must be obj, ply, off, stl, msh, mesh, vtk, vtu or su2, not " + shown(text);
+  };
+  CLI::Option* option = command.add_option(
+      "--format", format, "The format of OUT, whatever its name; needed where OUT is -");
+  option->type_name("FMT")->check(CLI::Validator(check, ""));
+  return option;
+}
+
+io::Format format_of_output(const std::string& given, const std::string& format) {
+  if (!format.empty()) return *io::format_named(format);
+  if (given == "-") throw UsageError("OUT is -, standard output: --format says in which format");
+  return io::format_for_writing(given);
+}
+
+void write_mesh(const std::string& given, io::Format format, const MeshData& mesh,
+                const io::WriteOptions& how) {
+  const fs::path path = output_path(given);
+  io::write_file(path, io::to_bytes(path, format, mesh, how));
+}
+
+}  // namespace aomd::cli

@@ -1,0 +1,25 @@
+#pragma once
+// How the program ends where it is not by itself: signals from outside, and faults of its own.
+
+#include <string>
+
+namespace aomd::cli {
+
+/// From now on Ctrl-C, SIGTERM and SIGHUP end the program at once, whatever it is doing, with code
+/// 128 + the signal's number; no temporary file stays, and outputs are as they were or complete.
+/// nohup is respected. A reader of standard output that goes away and a file that reaches the limit
+/// of the process are errors of writing, not the end. To be called before any thread is started.
+void end_on_signals();
+
+/// From now on failed assertions and exceptions that nothing catches end with one line and the code
+/// of internal faults, not with a signal.
+void name_internal_faults();
+
+/// Standard descriptors that the caller has closed lead nowhere from now on, so that no file that
+/// is opened later takes the place of one.
+void hold_standard_descriptors();
+
+/// "internal fault: WHAT; please report it with the input and the command line".
+[[nodiscard]] std::string fault_words(const std::string& what);
+
+}  // namespace aomd::cli
