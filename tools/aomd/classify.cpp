@@ -25,7 +25,7 @@ int run(const Options& options) {
   how.keep_present = !options.replace;
   const ClassifyResult result = classify(mesh, how);
   stop_if_interrupted();
-  io::write(options.output, to_data(mesh));
+  write_mesh(options.output, to_data(mesh), options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input

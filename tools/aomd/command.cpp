@@ -3,12 +3,15 @@
 #include <charconv>
 #include <iostream>
 
+#include "core/base/text.h"
 #include "tools/aomd/interrupt.h"
 
 namespace aomd::cli {
 
 void print_notes(const std::string& file, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) std::cerr << "aomd: note: " << file << ": " << note << '\n';
+  const std::string name = printable(file);
+  for (const std::string& note : limited_lines(notes))
+    std::cerr << "aomd: note: " << name << ": " << note << '\n';
 }
 
 io::ReadResult read_mesh(const std::string& file, bool quiet) {
@@ -16,6 +19,12 @@ io::ReadResult read_mesh(const std::string& file, bool quiet) {
   if (!quiet) print_notes(file, result.notes);
   stop_if_interrupted();
   return result;
+}
+
+void write_mesh(const std::string& file, const MeshData& mesh, bool quiet,
+                const io::WriteOptions& options) {
+  const io::WriteResult result = io::write(file, mesh, options);
+  if (!quiet) print_notes(file, result.notes);
 }
 
 std::optional<double> parse_number(const std::string& text) {

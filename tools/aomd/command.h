@@ -49,11 +49,15 @@ void add_replay(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
 void add_image_diff(CLI::App& app, Action& action);
 
-/// Prints what a reader had to do, one line each, on standard error.
+/// Prints what a reader or a writer has to say, one line each, on standard error.
 void print_notes(const std::string& file, const std::vector<std::string>& notes);
 
 /// Reads a mesh; what the reader had to do goes to standard error as notes unless `quiet`.
 [[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
+
+/// Writes a mesh; what the format cannot hold goes to standard error as notes unless `quiet`.
+void write_mesh(const std::string& file, const MeshData& mesh, bool quiet = false,
+                const io::WriteOptions& options = {});
 
 /// The whole text as a number, or nothing.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);

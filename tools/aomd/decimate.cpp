@@ -165,8 +165,10 @@ class Run {
     MeshData result = to_data(mesh_);
     GivenClasses(original_).apply(result);
     stop_if_interrupted();
-    io::write(options_.output, result);
+    const io::WriteResult written = io::write(options_.output, result);
     if (!options_.journal.empty()) io::write_journal(options_.journal, record_);
+    progress_.wipe();
+    if (!options_.quiet) print_notes(options_.output, written.notes);
     seconds_["write"] = watch_.lap();
   }
 

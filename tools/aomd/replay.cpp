@@ -48,7 +48,7 @@ int run(const Options& options) {
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
   stop_if_interrupted();
-  io::write(options.output, result);
+  write_mesh(options.output, result, options.quiet);
   if (!options.quiet)
     std::cout << options.output << ": " << counted(step, "step") << " of " << file.journal.size()
               << " replayed, " << counted(mesh.count(2), "face") << '\n';

@@ -41,7 +41,7 @@ int run(const Options& options) {
   static_cast<void>(io::format_for_writing(options.output));
   const MeshData mesh = make(options);
   stop_if_interrupted();
-  io::write(options.output, mesh);
+  write_mesh(options.output, mesh);
   return done;
 }
 
