@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace aomd {
 
@@ -34,11 +35,15 @@ template <typename Words>
 /// The text in small letters; bytes outside of ASCII stay.
 [[nodiscard]] std::string lower(std::string_view text);
 
-/// A word of an input as a message shows it: in quotes, cut after 24 characters, with a question
-/// mark for each byte that is no printable ASCII.
+/// The text as a terminal and a single line can take it: control characters, and bytes that are no
+/// UTF-8, as "\\n", "\\t" or "\\x1b".
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// A word of an input as a message shows it: printable, in quotes, cut after 24 bytes.
 [[nodiscard]] std::string shown(std::string_view word);
 
-/// A text on one line: control bytes as \x1b, a line feed as \n.
-[[nodiscard]] std::string on_one_line(std::string_view text);
+/// Lines for people: printable, none longer than 400 bytes and no more than 20 of them, of which
+/// the last then says how many there were besides. Limiting them again changes nothing.
+[[nodiscard]] std::vector<std::string> limited_lines(std::vector<std::string> lines);
 
 }  // namespace aomd

@@ -34,14 +34,60 @@ std::string out_of_range(std::int64_t index, std::uint64_t vertex_count, int fir
          std::to_string(vertex_count - 1 + static_cast<std::uint64_t>(first)) + ")";
 }
 
-std::string entity_defect(std::string_view name, std::span<const std::int64_t> vertices,
-                          std::uint64_t vertex_count, int first) {
+std::string range_defect(std::span<const std::int64_t> vertices, std::uint64_t vertex_count,
+                         int first) {
   for (const std::int64_t index : vertices) {
     if (outside(index, vertex_count)) return out_of_range(index, vertex_count, first);
   }
+  return {};
+}
+
+std::string entity_defect(Shape shape, std::span<const std::int64_t> vertices,
+                          std::uint64_t vertex_count, int first) {
+  std::string wrong = range_defect(vertices, vertex_count, first);
+  if (!wrong.empty()) return wrong;
   const std::int64_t twin = repeated(vertices);
   if (twin == none) return {};
-  return "the " + std::string(name) + " repeats vertex " + std::to_string(twin + first);
+  const ShapeTemplate& t = shape_template(shape);
+  wrong = "the " + std::string(t.name) + " repeats vertex " + std::to_string(twin + first);
+  if (t.dimension == 3) wrong += ": a region that collapses must be listed as what it becomes";
+  return wrong;
+}
+
+std::optional<std::vector<std::int64_t>> without_repeats(Shape shape,
+                                                         std::span<const std::int64_t> vertices,
+                                                         std::uint64_t vertex_count,
+                                                         Repeats& repeats) {
+  const int dimension = shape_template(shape).dimension;
+  if (dimension == 3 || !range_defect(vertices, vertex_count).empty()) return {};
+  std::vector<std::int64_t> left(vertices.begin(), vertices.end());
+  trim_walk(left);
+  if (left.size() < 3) left.clear();
+  ++(dimension == 1 ? repeats.edges : left.empty() ? repeats.faces : repeats.cut);
+  return left;
+}
+
+bool repeats_vertex(std::span<const std::int64_t> vertices) { return repeated(vertices) != none; }
+
+void trim_walk(std::vector<std::int64_t>& polygon) {
+  std::vector<std::int64_t> walk;
+  for (const std::int64_t v : polygon) {
+    if (walk.size() > 1 && walk[walk.size() - 2] == v) walk.pop_back();
+    if (walk.empty() || walk.back() != v) walk.push_back(v);
+  }
+  // Where the walk closes, both of its ends may go.
+  std::size_t begin = 0, end = walk.size();
+  while (end - begin > 1) {
+    if (walk[begin] == walk[end - 1] || walk[begin] == walk[end - 2]) {
+      --end;
+    } else if (walk[begin + 1] == walk[end - 1]) {
+      ++begin;
+    } else {
+      break;
+    }
+  }
+  polygon.assign(walk.begin() + static_cast<std::ptrdiff_t>(begin),
+                 walk.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertices) {

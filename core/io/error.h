@@ -1,11 +1,13 @@
 #pragma once
 // Failures of the outside world: one line each, `FILE:LINE: what is wrong` or `FILE: byte N: what
-// is wrong`.
+// is wrong`. Names and words of files stand in it with their control characters escaped.
 
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "core/base/text.h"
 
 namespace aomd::io {
 
@@ -19,7 +21,7 @@ struct Place {
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& file, Place place, const std::string& what)
-      : std::runtime_error(format(file, place, what)) {}
+      : std::runtime_error(printable(format(file, place, what))) {}
 
  private:
   static std::string format(const std::string& file, Place place, const std::string& what) {

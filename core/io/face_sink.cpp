@@ -19,13 +19,25 @@ void drop_if_empty(std::vector<ModelRef>& classes) {
 
 std::string polygon_defect(std::span<const std::int64_t> polygon, std::uint64_t vertex_count,
                            int first) {
-  if (polygon.size() < 3)
-    return "a face needs 3 or more vertices, this one has " + std::to_string(polygon.size());
   if (polygon.size() > max_polygon) {
     return "a face of " + std::to_string(polygon.size()) + " vertices; the limit is " +
            std::to_string(max_polygon);
   }
-  return entity_defect("face", polygon, vertex_count, first);
+  return range_defect(polygon, vertex_count, first);
+}
+
+void triangles_of_walk(std::span<const glm::dvec3> positions,
+                       std::span<const std::uint32_t> polygon, std::vector<std::uint32_t>& out) {
+  const std::size_t start = out.size();
+  triangulate(positions, polygon, out);
+  std::size_t kept = start;
+  for (std::size_t i = start; i < out.size(); i += 3) {
+    const std::uint32_t a = out[i], b = out[i + 1], c = out[i + 2];
+    if (a == b || b == c || c == a) continue;
+    out[kept] = a, out[kept + 1] = b, out[kept + 2] = c;
+    kept += 3;
+  }
+  out.resize(kept);
 }
 
 void FaceSink::reserve(std::size_t n) {
@@ -43,34 +55,76 @@ std::string FaceSink::add(std::span<const std::int64_t> polygon, ModelRef model)
   }
   std::string wrong = polygon_defect(polygon, vertex_count_, first_);
   if (!wrong.empty()) return wrong;
+  if (polygon.size() > 3 && !repeats_vertex(polygon)) {
+    keep_place(polygon, model);
+  } else {
+    add_walk(polygon, model);
+  }
+  return {};
+}
+
+std::string FaceSink::add_edge(std::int64_t a, std::int64_t b, ModelRef model) {
+  const std::int64_t ends[] = {a, b};
+  std::string wrong = range_defect(ends, vertex_count_, first_);
+  if (!wrong.empty()) return wrong;
+  if (a == b) {
+    ++repeats_.edges;
+  } else {
+    edges_.add(Shape::Line, {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)}, model);
+  }
+  return {};
+}
+
+/// A face with repeated or too few corners.
+void FaceSink::add_walk(std::span<const std::int64_t> polygon, ModelRef model) {
+  walk_.assign(polygon.begin(), polygon.end());
+  trim_walk(walk_);
+  ++(walk_.size() < 3 ? repeats_.faces : repeats_.cut);
+  if (walk_.size() < 3) return;
+  keep_place(walk_, model);
+  bridged_ += repeats_vertex(walk_);
+}
+
+/// A fan keeps the place of a polygon; finish() puts the real triangles there.
+void FaceSink::keep_place(std::span<const std::int64_t> polygon, ModelRef model) {
   polygons_.push_back({faces_.size(), corners_.size(), polygon.size()});
   for (const std::int64_t index : polygon) corners_.push_back(static_cast<std::uint32_t>(index));
-  // A fan keeps the place; finish() puts the real triangles there.
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    push(corner(0), corner(i), corner(i + 1), model);
-  return {};
+  const std::span<const std::uint32_t> corners =
+      std::span(corners_).subspan(corners_.size() - polygon.size());
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    push(corners[0], corners[i], corners[i + 1], model);
 }
 
 void FaceSink::push(std::uint32_t a, std::uint32_t b, std::uint32_t c, ModelRef model) {
   faces_.add(Shape::Triangle, {a, b, c}, model);
 }
 
-std::size_t FaceSink::finish(MeshData& mesh) {
+void FaceSink::finish(MeshData& mesh, std::vector<std::string>& notes) {
   std::vector<std::uint32_t> triangles;
   for (const Polygon& polygon : polygons_) {
     triangles.clear();
-    triangulate(mesh.positions, std::span(corners_).subspan(polygon.start, polygon.size),
-                triangles);
+    triangles_of_walk(mesh.positions, std::span(corners_).subspan(polygon.start, polygon.size),
+                      triangles);
+    triangles.resize(3 * (polygon.size - 2));  // what is missing repeats vertex 0
     std::copy(triangles.begin(), triangles.end(),
               faces_.vertices.begin() + static_cast<std::ptrdiff_t>(3 * polygon.triangle));
   }
+  if (bridged_ > 0) drop_empty_places();
   mesh.faces = std::move(faces_);
-  return polygons_.size();
+  mesh.edges = std::move(edges_);
+  note_polygons(notes, polygons_.size() - repeats_.cut);
+  repeats_.note(notes);
 }
 
-std::string edge_defect(std::int64_t a, std::int64_t b, std::uint64_t vertex_count, int first) {
-  const std::int64_t ends[] = {a, b};
-  return entity_defect("edge", ends, vertex_count, first);
+void FaceSink::drop_empty_places() {
+  EntityList kept;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const std::uint32_t* v = &faces_.vertices[3 * i];
+    if (v[0] == v[1]) continue;
+    kept.add(Shape::Triangle, {v[0], v[1], v[2]},
+             faces_.classes.empty() ? ModelRef() : faces_.classes[i]);
+  }
+  faces_ = std::move(kept);
 }
 
 void drop_empty_classes(MeshData& mesh) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/notes.h"
 #include "core/mesh/mesh_data.h"
 
 namespace aomd::io::detail {
@@ -14,10 +15,16 @@ namespace aomd::io::detail {
 /// A face of more vertices is an error.
 inline constexpr std::size_t max_polygon = 10'000;
 
-/// What is wrong with a polygon (too few or many vertices, out of range, one of them twice), or an
-/// empty string.
+/// What is wrong with a polygon (too many vertices, or out of range), or an empty string. What
+/// repeats and what is too short is no error: see trim_walk().
 [[nodiscard]] std::string polygon_defect(std::span<const std::int64_t> polygon,
                                          std::uint64_t vertex_count, int first = 0);
+
+/// Splits a polygon that trim_walk() has seen, and appends the triangles that have three different
+/// corners: all of them unless the polygon passes a vertex twice, as one that bridges to its hole
+/// does.
+void triangles_of_walk(std::span<const glm::dvec3> positions,
+                       std::span<const std::uint32_t> polygon, std::vector<std::uint32_t>& out);
 
 /// The readers add every face here, in the order of the file, and call finish() once.
 class FaceSink {
@@ -31,11 +38,19 @@ class FaceSink {
   void reserve(std::size_t n);
 
   /// Adds one face of any number of vertices, 0-based. Returns what is wrong with it, or an empty
-  /// string.
+  /// string. Repeated corners are cut out; a face that nothing is left of is dropped.
   [[nodiscard]] std::string add(std::span<const std::int64_t> polygon, ModelRef model = {});
+  /// Adds one edge. Returns what is wrong with it, or an empty string; one from a vertex to itself
+  /// is dropped.
+  [[nodiscard]] std::string add_edge(std::int64_t a, std::int64_t b, ModelRef model = {});
+  /// Counts faces and edges that the reader has dropped itself.
+  void drop(std::size_t faces, std::size_t edges) {
+    repeats_.faces += faces;
+    repeats_.edges += edges;
+  }
 
-  /// Splits the polygons, and hands the triangles over. Returns how many polygons there were.
-  std::size_t finish(MeshData& mesh);
+  /// Splits the polygons, hands triangles and edges over, and notes what had to be done.
+  void finish(MeshData& mesh, std::vector<std::string>& notes);
 
  private:
   struct Polygon {
@@ -43,17 +58,19 @@ class FaceSink {
   };
 
   void push(std::uint32_t a, std::uint32_t b, std::uint32_t c, ModelRef model);
+  void add_walk(std::span<const std::int64_t> polygon, ModelRef model);
+  void keep_place(std::span<const std::int64_t> polygon, ModelRef model);
+  void drop_empty_places();
 
   std::uint64_t vertex_count_;
   int first_;
-  EntityList faces_;
+  EntityList faces_, edges_;
   std::vector<Polygon> polygons_;
   std::vector<std::uint32_t> corners_;  ///< of the polygons
+  std::vector<std::int64_t> walk_;
+  std::size_t bridged_ = 0;  ///< polygons that pass a vertex twice
+  Repeats repeats_;
 };
-
-/// What is wrong with an edge between two vertices, or an empty string.
-[[nodiscard]] std::string edge_defect(std::int64_t a, std::int64_t b, std::uint64_t vertex_count,
-                                      int first = 0);
 
 /// Forgets classifications that classify nothing.
 void drop_empty_classes(MeshData& mesh);

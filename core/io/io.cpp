@@ -11,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "core/io/formats.h"
+#include "core/io/losses.h"
 #include "core/io/text_cursor.h"
 
 namespace aomd::io {
@@ -58,22 +59,24 @@ std::optional<Format> format_of_content(const Source& source) {
   if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
   if (word.starts_with("NDIME") || word.starts_with("NZONE")) return Format::Su2;
   if (detail::is_off(word)) return Format::Off;
-  if (word == "solid" || word == "SOLID") return Format::Stl;
+  if (lower(word.substr(0, 6)) == "solid") return Format::Stl;
   constexpr std::string_view obj_words[] = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
   if (std::find(std::begin(obj_words), std::end(obj_words), word) != std::end(obj_words))
     return Format::Obj;
   return {};
 }
 
-/// Text that calls itself "solid" and goes on with facets, in spite of a size that fits no facet
-/// count.
+/// Text that calls itself "solid". Binary files may do so too, and with bytes too few or too many
+/// their size does not tell: but zeros come in them before any facet is named.
 bool is_text_stl(const Source& source) {
   if (detail::is_binary_stl(source.bytes)) return false;
   detail::TextCursor cursor(source, source.bytes);
   cursor.skip_to_content();
-  const std::string_view word = cursor.word();
-  return (word == "solid" || word == "SOLID" || word == "Solid") &&
-         source.bytes.find('\0') == std::string_view::npos;
+  if (lower(cursor.word().substr(0, 6)) != "solid") return false;
+  const std::size_t zero = source.bytes.find('\0');
+  if (zero == std::string_view::npos) return true;
+  const std::string start = lower(source.bytes.substr(0, std::min<std::size_t>(zero, 1000)));
+  return start.find("facet") != std::string::npos;
 }
 
 ReadResult read_as(Format format, const Source& source) {
@@ -100,16 +103,50 @@ ReadResult read_as(Format format, const Source& source) {
   return detail::read_stl(source, !is_text_stl(source));
 }
 
+/// What people hand to a mesh program that no reader takes, by its first bytes, and what helps.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> foreign{
+    {{"\xff\xfe", "is text in UTF-16: save it as UTF-8"},
+     {"\xfe\xff", "is text in UTF-16: save it as UTF-8"},
+     {"\x1f\x8b", "is compressed by gzip: unpack it first"},
+     {"BZh", "is compressed by bzip2: unpack it first"},
+     {"\xfd"
+      "7zXZ",
+      "is compressed by xz: unpack it first"},
+     {"PK\x03\x04", "is a ZIP archive: unpack it first, or export .stl instead of .3mf"},
+     {"ISO-10303-21", "is a STEP file, which holds surfaces but no mesh: mesh it first"},
+     {"glTF", "is a binary glTF file: export .ply or .obj"},
+     {"Kaydara FBX", "is an FBX file: export .ply or .obj"},
+     {"\x89HDF", "is an HDF5 file: export .vtu or .msh"}}};
+
+void refuse_foreign(const Source& source) {
+  for (const auto& [start, what] : foreign) {
+    if (source.bytes.starts_with(start)) source.fail(std::string(what));
+  }
+}
+
 ReadResult read_source(const Source& source) {
   const auto named = format_of_name(source.name);
   const auto found = format_of_content(source);
-  if (!found && !named) source.fail("is in no format that is known here");
+  if (!found) refuse_foreign(source);
+  if (!found && !named)
+    source.fail(
+        "is in no format that is known here: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, "
+        ".vtu or .su2");
   ReadResult result = read_as(found ? *found : *named, source);
   if (found && named && *found != *named) {
     result.notes.push_back("read as " + std::string(extension_of(*found)) +
                            ", which is what the content is");
   }
+  result.notes = limited_lines(std::move(result.notes));
   return result;
+}
+
+/// Without the byte order mark that some editors put before text. The free header of a binary STL
+/// may begin with anything.
+Source without_mark(const std::string& name, std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (!bytes.starts_with(mark) || detail::is_binary_stl(bytes)) return {name, bytes};
+  return {name, bytes.substr(mark.size()), mark.size()};
 }
 
 bool binary_by_default(Format format, const MeshData& mesh) {
@@ -147,10 +184,37 @@ void check_writable(const std::filesystem::path& path, Format format, const Mesh
       single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
   for (const glm::dvec3& p : mesh.positions) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(p[axis]) <= limit))
-        throw WriteError(path.string(), {}, "a coordinate does not fit the format");
+      if (std::abs(p[axis]) <= limit) continue;
+      throw WriteError(path.string(), {},
+                       single_precision ? "a coordinate is too large for 32-bit floats: write text"
+                                        : "a coordinate is not a finite number");
     }
   }
+}
+
+std::string bytes_of(Format format, bool binary, const MeshData& mesh,
+                     const WriteOptions& options) {
+  switch (format) {
+    case Format::Obj:
+      return detail::write_obj(mesh);
+    case Format::Ply:
+      return detail::write_ply(mesh, binary);
+    case Format::Off:
+      return detail::write_off(mesh, binary);
+    case Format::Msh:
+      return detail::write_msh(mesh, binary, options.msh2);
+    case Format::Medit:
+      return detail::write_medit(mesh);
+    case Format::Vtk:
+      return detail::write_vtk(mesh, binary);
+    case Format::Vtu:
+      return detail::write_vtu(mesh, binary);
+    case Format::Su2:
+      return detail::write_su2(mesh);
+    case Format::Stl:
+      break;
+  }
+  return detail::write_stl(mesh, binary);
 }
 
 }  // namespace
@@ -161,8 +225,8 @@ ReadResult read(const std::filesystem::path& path) {
 }
 
 ReadResult read_bytes(const std::string& name, std::string_view bytes) {
-  const Source source{name, bytes};
-  if (bytes.empty()) source.fail("is empty");
+  const Source source = without_mark(name, bytes);
+  if (source.bytes.empty()) source.fail("is empty");
   try {
     return read_source(source);
   } catch (const std::bad_alloc&) {
@@ -184,35 +248,24 @@ std::optional<Format> format_named(std::string_view extension) {
   return {};
 }
 
-std::string to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
+EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
                      const WriteOptions& options) {
   const bool binary = options.binary.value_or(binary_by_default(format, mesh));
-  check_writable(name, format, mesh, binary && (format == Format::Stl || format == Format::Off));
-  switch (format) {
-    case Format::Obj:
-      return detail::write_obj(mesh);
-    case Format::Ply:
-      return detail::write_ply(mesh, binary);
-    case Format::Off:
-      return detail::write_off(mesh, binary);
-    case Format::Stl:
-      return detail::write_stl(mesh, binary);
-    case Format::Msh:
-      return detail::write_msh(mesh, binary, options.msh2);
-    case Format::Medit:
-      return detail::write_medit(mesh);
-    case Format::Vtk:
-      return detail::write_vtk(mesh, binary);
-    case Format::Vtu:
-      return detail::write_vtu(mesh, binary);
-    case Format::Su2:
-      break;
-  }
-  return detail::write_su2(mesh);
+  const bool rounds = binary && (format == Format::Stl || format == Format::Off);
+  check_writable(name, format, mesh, rounds);
+  EncodedMesh result;
+  detail::note_losses(format, binary, mesh, result.notes);
+  if (rounds) detail::note_rounding(name, mesh, result.notes);
+  result.notes = limited_lines(std::move(result.notes));
+  result.bytes = bytes_of(format, binary, mesh, options);
+  return result;
 }
 
-void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
-  write_file(path, to_bytes(path, format_for_writing(path), mesh, options));
+std::vector<std::string> write(const std::filesystem::path& path, const MeshData& mesh,
+                               const WriteOptions& options) {
+  EncodedMesh encoded = to_bytes(path, format_for_writing(path), mesh, options);
+  write_file(path, encoded.bytes);
+  return std::move(encoded.notes);
 }
 
 namespace detail {

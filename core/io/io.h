@@ -18,8 +18,8 @@ enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
 struct ReadResult {
   MeshData mesh;
   Format format = Format::Obj;
-  std::vector<std::string>
-      notes;  ///< one line each: "12 polygons triangulated", "104 vertices welded"
+  /// One line each, printable, at most 20: "12 polygons triangulated", "left out: normals".
+  std::vector<std::string> notes;
 };
 
 struct WriteOptions {
@@ -32,13 +32,21 @@ struct WriteOptions {
   bool msh2 = false;
 };
 
+/// A mesh as a file holds it, and what the format could not hold, as notes like those of a reader.
+struct EncodedMesh {
+  std::string bytes;
+  std::vector<std::string> notes;
+};
+
 /// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
 /// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
-/// nothing uses are kept, nodes that only higher-order elements use are not; attributes that we do
-/// not know are passed over in OBJ, PLY, OFF and STL. Cost: linear in the file; memory bounded by
-/// the file's size, whatever its header promises. Throws ReadError (missing, folder, empty,
-/// truncated, index out of range, NaN, repeated vertex in an element, unknown format) with line or
-/// byte, or LimitError.
+/// nothing uses are kept, nodes that only higher-order elements use are not. Attributes that we do
+/// not know are passed over in OBJ, PLY, OFF and STL, and so is what follows the last face that is
+/// promised; a note names it. Faces lose repeated corners, and are dropped, as edges are, where
+/// fewer than 3 different ones (2 for edges) are left: a note counts them. A byte order mark means
+/// nothing. Cost: linear in the file; memory bounded by the file's size, whatever its header
+/// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated
+/// vertex in a region, unknown format) with line or byte, or LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
 /// The same for bytes in memory. `name` stands in messages; its extension counts as a file's does.
@@ -71,14 +79,16 @@ struct WriteOptions {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 ///
-/// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and
-/// shapes that the program added.
-void write(const std::filesystem::path& path, const MeshData& mesh,
-           const WriteOptions& options = {});
+/// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
+/// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that
+/// collapse. Throws WriteError, also where more than 1 % of the faces would collapse, for regions
+/// where the format has none, surfaces in space in SU2, and shapes that the program added.
+/// Returns the notes.
+std::vector<std::string> write(const std::filesystem::path& path, const MeshData& mesh,
+                               const WriteOptions& options = {});
 
-/// The bytes that write() puts into a file, in a format of the caller's choice. `name` stands in
-/// messages.
-[[nodiscard]] std::string to_bytes(const std::filesystem::path& name, Format format,
+/// What write() puts into a file, in a format of the caller's choice. `name` stands in messages.
+[[nodiscard]] EncodedMesh to_bytes(const std::filesystem::path& name, Format format,
                                    const MeshData& mesh, const WriteOptions& options = {});
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.

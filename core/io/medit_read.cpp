@@ -26,6 +26,7 @@ bool same(std::string_view word, std::string_view keyword) {
 struct Part {
   bool read = false;
   std::size_t first = 0, count = 0;
+  std::vector<std::size_t> dropped{};  ///< places in the list that gave no element; ascending
 };
 
 /// A 1-based number of something that may follow later, and the end of its word.
@@ -57,6 +58,7 @@ class MeditReader {
     classify();
     add_attributes();
     ReadResult result{std::move(mesh_), Format::Medit, {}};
+    repeats_.note(result.notes);
     if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
     return result;
   }
@@ -183,13 +185,27 @@ class MeditReader {
     const std::span<std::int64_t> used(v.data(), corners);
     for (std::size_t i = 0; i < part.count; ++i) {
       for (std::int64_t& index : used) index = integer("a vertex index") - 1;
-      const std::string wrong = entity_defect(shape.name, used, mesh_.positions.size(), 1);
-      if (!wrong.empty()) cursor_.fail(wrong);
-      append(list, kind.shape, used);
+      const std::string wrong = entity_defect(kind.shape, used, mesh_.positions.size(), 1);
+      if (wrong.empty()) {
+        append(list, kind.shape, used);
+      } else if (!add_rest(kind.shape, used, list, wrong)) {
+        part.dropped.push_back(i);
+        reference();
+        continue;
+      }
       const std::int32_t tag = reference();
       list.classes.emplace_back(shape.dimension, tag);
       tagged_ = tagged_ || tag != 0;
     }
+  }
+
+  /// Adds what is left of an edge or a face without its repeated corners; false where nothing is.
+  bool add_rest(Shape shape, std::span<const std::int64_t> used, EntityList& list,
+                const std::string& wrong) {
+    const auto left = without_repeats(shape, used, mesh_.positions.size(), repeats_);
+    if (!left) cursor_.fail(wrong);
+    if (!left->empty()) append(list, Shape::Triangle, *left);
+    return !left->empty();
   }
 
   Mark number() {
@@ -258,7 +274,7 @@ class MeditReader {
       add_required(d);
       if (d == 1 && !ridges_.empty())
         mark(add(medit_ridge, 1, 1, true, mesh_.edges.size()), ridges_,
-             {true, 0, mesh_.edges.size()});
+             parts_[static_cast<std::size_t>(Shape::Line)]);
     }
   }
 
@@ -269,7 +285,12 @@ class MeditReader {
   }
 
   void mark(std::vector<double>& values, const std::vector<Mark>& marks, const Part& part) const {
-    for (const Mark& m : marks) values[part.first + checked(m, part.count)] = 1;
+    for (const Mark& m : marks) {
+      const std::size_t place = checked(m, part.count);
+      const auto gone = std::lower_bound(part.dropped.begin(), part.dropped.end(), place);
+      if (gone != part.dropped.end() && *gone == place) continue;
+      values[part.first + place - static_cast<std::size_t>(gone - part.dropped.begin())] = 1;
+    }
   }
 
   void add_required(int d) {
@@ -314,6 +335,7 @@ class MeditReader {
   std::array<std::vector<Mark>, builtin_shapes> required_;  ///< by shape; vertices first
   std::vector<Mark> corners_, ridges_;
   Vectors normals_, tangents_;
+  Repeats repeats_;
   std::string passed_over_;
 };
 

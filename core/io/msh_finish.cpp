@@ -99,6 +99,7 @@ void MshMesh::finish(NodeClasses known) {
   }
   std::sort(dropped_.begin(), dropped_.end());
   if (repeated > 0) notes_.push_back(counted(repeated, "repeated element") + " dropped");
+  repeats_.note(notes_);
   drop_unused_nodes();
   for (int dim = 1; dim <= 3; ++dim)
     mesh_.list(dim) = std::move(elements_[static_cast<std::size_t>(dim)].list);

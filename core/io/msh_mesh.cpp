@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/io/entities.h"
+
 namespace aomd::io::detail {
 
 std::vector<std::uint32_t> ascending_order(const std::vector<std::uint64_t>& tags) {
@@ -60,31 +62,57 @@ std::string MshMesh::finish_nodes() {
   return {};
 }
 
+namespace {
+
+/// The first node that is there twice; there is one.
+std::uint64_t repeated_node(std::span<const std::uint64_t> nodes) {
+  std::size_t i = 1;
+  while (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes[i]) ==
+         nodes.begin() + static_cast<std::ptrdiff_t>(i))
+    ++i;
+  return nodes[i];
+}
+
+}  // namespace
+
 std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::uint64_t> nodes,
                          ModelRef model, std::int32_t physical) {
   const auto corners = static_cast<std::size_t>(shape_template(type.shape).vertex_count);
-  Elements& elements = elements_[static_cast<std::size_t>(shape_template(type.shape).dimension)];
-  std::vector<std::uint32_t>& vertices = elements.list.vertices;
-  const std::size_t start = vertices.size();
+  vertices_.clear();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::uint32_t v = nodes_.find(nodes[i]);
     if (v == no_index)
       return "element " + std::to_string(tag) + " refers to node " +
              std::to_string(static_cast<std::int64_t>(nodes[i])) + ", which is not there";
     (i < corners ? corner_ : inner_)[v] = true;
-    if (i >= corners) continue;
-    if (std::find(vertices.begin() + static_cast<std::ptrdiff_t>(start), vertices.end(), v) !=
-        vertices.end())
-      return "element " + std::to_string(tag) + " repeats node " +
-             std::to_string(static_cast<std::int64_t>(nodes[i]));
-    vertices.push_back(v);
+    if (i < corners) vertices_.push_back(v);
   }
-  elements.list.shapes.push_back(type.shape);
+  higher_order_ += nodes.size() > corners;
+  if (!repeats_vertex(vertices_)) {
+    push(tag, type.shape, vertices_, model, physical);
+    return {};
+  }
+  const auto left = without_repeats(type.shape, vertices_, corner_.size(), repeats_);
+  if (!left) {
+    return "element " + std::to_string(tag) + " repeats node " +
+           std::to_string(static_cast<std::int64_t>(repeated_node(nodes.first(corners)))) +
+           ": a region that collapses must be listed as what it becomes";
+  }
+  if (left->empty()) {
+    dropped_.push_back(tag);
+  } else {
+    push(tag, Shape::Triangle, *left, model, physical);
+  }
+  return {};
+}
+
+void MshMesh::push(std::uint64_t tag, Shape shape, std::span<const std::int64_t> vertices,
+                   ModelRef model, std::int32_t physical) {
+  Elements& elements = elements_[static_cast<std::size_t>(shape_template(shape).dimension)];
+  append(elements.list, shape, vertices);
   elements.list.classes.push_back(model);
   elements.tags.push_back(tag);
   elements.physical.push_back(physical);
-  higher_order_ += nodes.size() > corners;
-  return {};
 }
 
 std::uint32_t MshMesh::vertex(std::uint64_t tag, bool& known) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/io/msh.h"
+#include "core/io/notes.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
@@ -64,7 +65,8 @@ class MshMesh {
   /// All nodes are there. Returns what is wrong with them, or an empty string.
   [[nodiscard]] std::string finish_nodes();
 
-  /// Adds an element by its node tags. `physical` is that of MSH 2, 0 where there is none. Returns
+  /// Adds an element by its node tags; edges and faces with repeated nodes are mended or dropped.
+  /// `physical` is that of MSH 2, 0 where there is none. Returns
   /// what is wrong, or an empty string.
   [[nodiscard]] std::string add(std::uint64_t tag, MshType type,
                                 std::span<const std::uint64_t> nodes, ModelRef model,
@@ -96,6 +98,8 @@ class MshMesh {
     std::vector<std::int32_t> physical;
   };
 
+  void push(std::uint64_t tag, Shape shape, std::span<const std::int64_t> vertices, ModelRef model,
+            std::int32_t physical);
   void sort(Elements& elements) const;
   std::size_t drop_repeated(int dim);
   void drop_unused_nodes();
@@ -110,8 +114,10 @@ class MshMesh {
   std::vector<std::uint32_t> new_vertices_;  ///< by node; empty where none was dropped
   std::array<Elements, 4> elements_;
   std::array<MshTags, 4> element_tags_;
-  std::vector<std::uint64_t> dropped_;  ///< tags of repeated elements
+  std::vector<std::uint64_t> dropped_;  ///< tags of elements that are repeated or have no extent
   std::vector<std::pair<ModelRef, std::int32_t>> further_groups_;
+  std::vector<std::int64_t> vertices_;
+  Repeats repeats_;
   std::size_t higher_order_ = 0;
   std::vector<std::string> notes_;
 };

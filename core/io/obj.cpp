@@ -61,11 +61,13 @@ class ObjReader {
     result.format = Format::Obj;
     result.mesh.positions = std::move(text_.positions);
     for (const ObjText::Line& line : text_.lines) {
-      result.mesh.edges.add(
-          Shape::Line, {static_cast<std::uint32_t>(line.a), static_cast<std::uint32_t>(line.b)});
+      const std::string wrong = faces_.add_edge(line.a, line.b);
+      if (!wrong.empty()) source_.fail_at_line(line.offset, wrong);
     }
-    note_polygons(result.notes, faces_.finish(result.mesh));
+    faces_.drop(text_.short_faces, text_.short_lines);
+    faces_.finish(result.mesh, result.notes);
     classify(result);
+    text_.left_out.note(result.notes);
     drop_empty_classes(result.mesh);
     return result;
   }

@@ -1,7 +1,9 @@
 #include "core/io/obj_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/io/text_cursor.h"
@@ -10,6 +12,17 @@ namespace aomd::io::detail {
 namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// What the lines of a keyword hold that we pass over.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> meanings{
+    {{"vt", "texture coordinates"},
+     {"vn", "normals"},
+     {"mtllib", "materials"},
+     {"usemtl", "materials"},
+     {"s", "smoothing groups"},
+     {"p", "points"},
+     {"vp", "free-form geometry"},
+     {"cstype", "free-form geometry"}}};
 
 class ObjScanner {
  public:
@@ -24,7 +37,6 @@ class ObjScanner {
     TextCursor cursor(source_, text_.cleaned);
     while (!cursor.skip_to_content()) element(cursor);
     if (text_.positions.empty()) source_.fail("no vertices: this is not an OBJ file");
-    for (const ObjText::Line& line : text_.lines) check(line);
     return std::move(text_);
   }
 
@@ -36,17 +48,34 @@ class ObjScanner {
     if (keyword == "v") {
       vertex(cursor);
     } else if (keyword == "f") {
-      text_.face_offsets.push_back(start);
-      face(cursor);
+      face(cursor, start);
     } else if (keyword == "l") {
       line(cursor);
       blank(start, cursor.offset());
-    } else if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
-      cursor.skip_line();
     } else {
-      cursor.skip_line();
-      blank(start, cursor.offset());
+      other(cursor, keyword, start);
     }
+  }
+
+  /// Names count; of all else we say that it is there.
+  void other(TextCursor& cursor, std::string_view keyword, std::size_t start) {
+    const bool name = keyword == "g" || keyword == "o" || keyword == "usemtl";
+    if (!name) tidy(cursor.offset());
+    TextCursor ahead = cursor;
+    const std::string_view value = ahead.word();
+    const bool none = keyword == "s" && (value == "off" || value == "0");
+    if (!none && keyword != "g" && keyword != "o") leave_out(keyword);
+    cursor.skip_line();
+    if (!name) blank(start, cursor.offset());
+  }
+
+  void leave_out(std::string_view keyword) {
+    const auto at = std::find_if(meanings.begin(), meanings.end(),
+                                 [&](const auto& meaning) { return meaning.first == keyword; });
+    if (at == meanings.end()) return text_.left_out.add(shown(keyword) + " lines");
+    bool& said = said_[static_cast<std::size_t>(at - meanings.begin())];
+    if (!said) text_.left_out.add(std::string(at->second));
+    said = true;
   }
 
   /// Joins the lines that end with a backslash to the one at `offset` and removes a comment at its
@@ -75,17 +104,20 @@ class ObjScanner {
   void vertex(TextCursor& cursor) {
     const double x = cursor.real("x"), y = cursor.real("y"), z = cursor.real("z");
     text_.positions.emplace_back(x, y, z);
-    while (!cursor.line_done()) cursor.real("a weight or colour");
+    std::size_t more = 0;
+    for (; !cursor.line_done(); ++more) cursor.real("a weight or colour");
+    if (more > 1) text_.left_out.add("vertex colours");
     cursor.end_line();
   }
 
-  /// Checks the corners "7", "7/2", "7//3", "7/2/3"; tinyobjloader reads them again.
-  void face(TextCursor& cursor) {
+  /// Checks the corners; tinyobjloader reads their vertices again.
+  void face(TextCursor& cursor, std::size_t start) {
     std::size_t corners = 0;
     for (; !cursor.line_done(); ++corners) vertex_of(cursor);
-    if (corners < 3)
-      cursor.fail("a face needs 3 or more vertices, this one has " + std::to_string(corners));
     cursor.end_line();
+    if (corners > 2) return text_.face_offsets.push_back(start);
+    ++text_.short_faces;
+    blank(start, cursor.offset());
   }
 
   void line(TextCursor& cursor) {
@@ -99,46 +131,39 @@ class ObjScanner {
       if (ends > 0) text_.lines.push_back({previous, vertex, start});
       previous = vertex;
     }
-    if (ends < 2) cursor.fail("a line needs 2 or more vertices");
+    text_.short_lines += ends < 2;
     cursor.end_line();
   }
 
-  /// The vertex index of one corner, as it stands there: from 1, or negative from the last vertex
-  /// so far.
-  static std::int64_t vertex_of(TextCursor& cursor) {
+  /// The vertex index of one corner ("7", "7/2", "7//3", "7/2/3", or with nothing after a slash),
+  /// as it stands there: from 1, or negative from the last vertex so far. The rest is blanked.
+  std::int64_t vertex_of(TextCursor& cursor) {
     const std::string_view word = cursor.word();
-    int vertex = 0, other = 0;
-    const char *p = word.data(), *end = p + word.size();
-    auto result = std::from_chars(p, end, vertex);
-    bool sound = result.ec == std::errc{} && vertex != 0;
-    for (int part = 0; sound && part < 2 && result.ptr != end; ++part) {
-      sound = *result.ptr == '/';
-      const bool left_out = sound && part == 0 && result.ptr + 1 != end && result.ptr[1] == '/';
-      if (left_out) {
-        ++result.ptr;
-      } else if (sound) {
-        result = std::from_chars(result.ptr + 1, end, other);
-        sound = result.ec == std::errc{};
-      }
-    }
-    if (vertex == 0 && result.ec == std::errc{}) cursor.fail("vertex index 0: OBJ counts from 1");
-    if (!sound || result.ptr != end) cursor.fail("expected a vertex index, found " + shown(word));
+    const char* end = word.data() + word.size();
+    int vertex = 0;
+    const auto [stop, error] = std::from_chars(word.data(), end, vertex);
+    if (vertex == 0 && error == std::errc{}) cursor.fail("vertex index 0: OBJ counts from 1");
+    if (error != std::errc{} || !other_indices(stop, end))
+      cursor.fail("expected a vertex index, found " + shown(word));
+    if (stop != end) blank(cursor.offset() - static_cast<std::size_t>(end - stop), cursor.offset());
     return vertex;
   }
 
-  void check(const ObjText::Line& line) const {
-    const auto n = static_cast<std::int64_t>(text_.positions.size());
-    for (const std::int64_t v : {line.a, line.b}) {
-      if (v < 0 || v >= n)
-        source_.fail_at_line(line.offset, "vertex index " + std::to_string(v + 1) +
-                                              " is out of range (1.." + std::to_string(n) + ")");
+  /// True where up to two indices follow, each after a slash and each of them perhaps left out.
+  static bool other_indices(const char* p, const char* end) {
+    for (int part = 0; part < 2 && p != end; ++part) {
+      if (*p++ != '/') return false;
+      std::int64_t index = 0;
+      const auto [stop, error] = std::from_chars(p, end, index);
+      if (error == std::errc::result_out_of_range) return false;
+      p = stop;
     }
-    if (line.a == line.b)
-      source_.fail_at_line(line.offset, "the line repeats vertex " + std::to_string(line.a + 1));
+    return p == end;
   }
 
   const Source& source_;
   ObjText text_;
+  std::array<bool, meanings.size()> said_{};
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/io/notes.h"
 #include "core/io/source.h"
 
 namespace aomd::io::detail {
@@ -22,7 +23,10 @@ struct ObjText {
 
   std::vector<glm::dvec3> positions;      ///< exactly rounded
   std::vector<Line> lines;                ///< the segments of all `l` elements
-  std::vector<std::size_t> face_offsets;  ///< where each `f` element stands
+  std::vector<std::size_t> face_offsets;  ///< where each `f` element of 3 or more corners stands
+  std::size_t short_faces = 0;            ///< `f` elements of fewer corners, which are blanked
+  std::size_t short_lines = 0;            ///< `l` elements of one vertex or none
+  LeftOut left_out;                       ///< what the file holds besides
   std::string cleaned;  ///< the elements that tinyobjloader is to see; offsets as in the source
 };
 

@@ -1,4 +1,5 @@
-// OFF: [ST][C][N]OFF in text and binary. Colours, normals and texture coordinates are passed over.
+// OFF: [ST][C][N][4]OFF in text and binary. Colours, normals and texture coordinates are passed
+// over.
 
 #include <algorithm>
 #include <bit>
@@ -10,36 +11,63 @@
 #include "core/io/byte_writer.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/text_cursor.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
 
-/// How many values a vertex line may have after its coordinates, by the header word; nothing where
-/// the word is none of ours.
-std::optional<std::size_t> extra_values(std::string_view word) {
-  std::size_t extra = 0;
-  const auto take = [&](std::string_view prefix, std::size_t values) {
-    if (!word.starts_with(prefix)) return;
-    word.remove_prefix(prefix.size());
-    extra += values;
+/// What the header word says of a vertex.
+struct OffHeader {
+  bool texture = false, colour = false, normal = false;
+  bool weight = false;  ///< a fourth coordinate, which divides the other three
+
+  /// How many values may follow the coordinates.
+  [[nodiscard]] std::size_t extra() const {
+    return (texture ? 2u : 0u) + (colour ? 4u : 0u) + (normal ? 3u : 0u);
+  }
+  void name_in(LeftOut& left_out) const {
+    if (texture) left_out.add("texture coordinates");
+    if (colour) left_out.add("vertex colours");
+    if (normal) left_out.add("normals");
+  }
+};
+
+/// Nothing where the word is none of ours.
+std::optional<OffHeader> header_of(std::string_view word) {
+  const auto take = [&](std::string_view prefix) {
+    const bool there = word.starts_with(prefix);
+    if (there) word.remove_prefix(prefix.size());
+    return there;
   };
-  take("ST", 2);
-  take("C", 4);
-  take("N", 3);
+  OffHeader header;
+  header.texture = take("ST");
+  header.colour = take("C");
+  header.normal = take("N");
+  header.weight = take("4");
   if (word != "OFF") return {};
-  return extra;
+  return header;
+}
+
+/// From four coordinates to three; false where the quotients are not finite.
+bool divide(glm::dvec3& p, double weight) {
+  p /= weight;
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 struct Counts {
   std::uint64_t vertices = 0, faces = 0;
 };
 
+/// Vertices and faces usually have a line each; their numbers may go on in the next one. A line
+/// that lacks a number is found out all the same: it takes those of another, which then is missing.
 class OffText {
  public:
-  OffText(const Source& source, const TextCursor& cursor, std::size_t extra)
-      : source_(source), cursor_(cursor), extra_(extra) {}
+  OffText(const Source& source, const TextCursor& cursor, const OffHeader& header)
+      : source_(source), cursor_(cursor), header_(header) {
+    header_.name_in(left_out_);
+  }
 
   ReadResult read() {
     const Counts counts = read_counts();
@@ -56,20 +84,24 @@ class OffText {
       expect_line(i, counts.faces, "faces");
       face(faces);
     }
-    if (!cursor_.skip_to_content())
-      cursor_.fail("data after the last face: " + shown(cursor_.word()));
-    note_polygons(result.notes, faces.finish(result.mesh));
+    faces.finish(result.mesh, result.notes);
+    if (coloured_) left_out_.add("face colours");
+    left_out_.note(result.notes);
+    cursor_.skip_to_content();
+    note_rest(result.notes, cursor_.rest(), "face");
     return result;
   }
 
  private:
+  /// On one line, where the third may be missing, or on a line each.
   Counts read_counts() {
     if (cursor_.skip_to_content())
       cursor_.fail("the file ends before the numbers of vertices and faces");
     const std::int64_t vertices = cursor_.integer("the number of vertices");
-    const std::int64_t faces = cursor_.integer("the number of faces");
+    const bool line_each = cursor_.line_done();
+    const std::int64_t faces = integer("the number of faces");
     if (vertices < 0 || faces < 0) cursor_.fail("a negative number of vertices or faces");
-    if (!cursor_.line_done()) cursor_.integer("the number of edges");
+    if (line_each || !cursor_.line_done()) integer("the number of edges");
     cursor_.end_line();
     return {static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(faces)};
   }
@@ -89,11 +121,23 @@ class OffText {
     }
   }
 
+  double real(const char* what) {
+    if (cursor_.line_done()) cursor_.skip_to_content();
+    return cursor_.real(what);
+  }
+  std::int64_t integer(const char* what) {
+    if (cursor_.line_done()) cursor_.skip_to_content();
+    return cursor_.integer(what);
+  }
+
   glm::dvec3 vertex() {
-    const double x = cursor_.real("x"), y = cursor_.real("y"), z = cursor_.real("z");
-    for (std::size_t i = 0; i < extra_ && !cursor_.line_done(); ++i) pass_over_number();
+    const double x = real("x"), y = real("y"), z = real("z");
+    glm::dvec3 p(x, y, z);
+    if (header_.weight && !divide(p, real("the fourth coordinate")))
+      cursor_.fail("a vertex at infinity");
+    for (std::size_t i = 0; i < header_.extra() && !cursor_.line_done(); ++i) pass_over_number();
     cursor_.end_line();
-    return {x, y, z};
+    return p;
   }
 
   void face(FaceSink& faces) {
@@ -102,10 +146,11 @@ class OffText {
       cursor_.fail("a face cannot have " + std::to_string(n) + " vertices");
     }
     polygon_.resize(static_cast<std::size_t>(n));
-    for (std::int64_t& index : polygon_) index = cursor_.integer("a vertex index");
+    for (std::int64_t& index : polygon_) index = integer("a vertex index");
     const std::string wrong = faces.add(polygon_);
     if (!wrong.empty()) cursor_.fail(wrong);
-    while (!cursor_.line_done()) pass_over_number();  // a colour
+    coloured_ = coloured_ || !cursor_.line_done();
+    while (!cursor_.line_done()) pass_over_number();
     cursor_.end_line();
   }
 
@@ -116,20 +161,28 @@ class OffText {
 
   const Source& source_;
   TextCursor cursor_;
-  std::size_t extra_;
+  OffHeader header_;
+  LeftOut left_out_;
+  bool coloured_ = false;
   std::vector<std::int64_t> polygon_;
 };
 
-/// "OFF BINARY": 32-bit integers and floats, big-endian.
+/// "OFF BINARY": 32-bit integers and floats, big-endian by the definition and little-endian as some
+/// programs write them.
 class OffBinary {
  public:
-  OffBinary(const Source& source, std::size_t start, std::size_t extra)
-      : source_(source), at_(start), extra_(extra) {}
+  OffBinary(const Source& source, std::size_t start, const OffHeader& header)
+      : source_(source), at_(start), header_(header) {
+    header_.name_in(left_out_);
+    if (fits()) return;
+    little_ = true;
+    little_ = fits();
+  }
 
   ReadResult read() {
     const std::uint32_t vertices = count("vertices"), faces = count("faces");
     take();  // the number of edges, often 0 or wrong
-    require(std::uint64_t{vertices} * 4 * (3 + extra_) + std::uint64_t{faces} * 8);
+    require(std::uint64_t{vertices} * vertex_size() + std::uint64_t{faces} * 8);
     ReadResult result;
     result.format = Format::Off;
     result.mesh.positions.reserve(vertices);
@@ -137,12 +190,38 @@ class OffBinary {
     FaceSink sink(vertices);
     sink.reserve(faces);
     for (std::uint32_t i = 0; i < faces; ++i) face(sink);
-    if (at_ != source_.bytes.size()) source_.fail_at_byte(at_, "data after the last face");
-    note_polygons(result.notes, sink.finish(result.mesh));
+    sink.finish(result.mesh, result.notes);
+    if (coloured_) left_out_.add("face colours");
+    left_out_.note(result.notes);
+    note_rest(result.notes, source_.bytes.substr(at_), "face");
+    if (little_) result.notes.push_back("read as little-endian");
     return result;
   }
 
  private:
+  [[nodiscard]] std::size_t vertex_size() const {
+    return 4 * (3 + (header_.weight ? 1u : 0u) + header_.extra());
+  }
+
+  /// True where the file holds all the vertices and faces that it promises in the present byte
+  /// order. Steps over the faces without looking at their vertices.
+  bool fits() {
+    const std::uint64_t size = source_.bytes.size(), start = at_;
+    if (size - start < 12) return false;
+    const std::uint64_t vertices = take(), faces = take();
+    std::uint64_t at = start + 12 + vertices * vertex_size();
+    const auto step = [&] {
+      if (at + 4 > size) return false;
+      at_ = static_cast<std::size_t>(at);
+      at += 4 + 4 * std::uint64_t{take()};
+      return at <= size;
+    };
+    bool inside = at <= size && faces <= size;
+    for (std::uint64_t i = 0; inside && i < faces; ++i) inside = step() && step();
+    at_ = static_cast<std::size_t>(start);
+    return inside;
+  }
+
   void require(std::uint64_t bytes) const {
     if (bytes <= source_.bytes.size() - at_) return;
     source_.fail_at_byte(source_.bytes.size(), "the file ends early: " + std::to_string(bytes) +
@@ -153,8 +232,9 @@ class OffBinary {
   std::uint32_t take() {
     require(4);
     std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i)
-      value = value << 8 | static_cast<unsigned char>(source_.bytes[at_++]);
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<unsigned char>(source_.bytes[at_ + (little_ ? 3 - i : i)]);
+    at_ += 4;
     return value;
   }
 
@@ -172,9 +252,11 @@ class OffBinary {
 
   glm::dvec3 vertex() {
     const double x = real(), y = real(), z = real();
-    require(4 * extra_);
-    at_ += 4 * extra_;
-    return {x, y, z};
+    glm::dvec3 p(x, y, z);
+    if (header_.weight && !divide(p, real())) source_.fail_at_byte(at_ - 4, "a vertex at infinity");
+    require(4 * header_.extra());
+    at_ += 4 * header_.extra();
+    return p;
   }
 
   void face(FaceSink& sink) {
@@ -188,10 +270,14 @@ class OffBinary {
     const std::uint64_t colours = take();
     require(4 * colours);
     at_ += 4 * colours;
+    coloured_ = coloured_ || colours > 0;
   }
 
   const Source& source_;
-  std::size_t at_, extra_;
+  std::size_t at_;
+  OffHeader header_;
+  bool little_ = false, coloured_ = false;
+  LeftOut left_out_;
   std::vector<std::int64_t> polygon_;
 };
 
@@ -215,25 +301,25 @@ std::string write_off_binary(const MeshData& mesh) {
 
 }  // namespace
 
-bool is_off(std::string_view first_word) { return extra_values(first_word).has_value(); }
+bool is_off(std::string_view first_word) { return header_of(first_word).has_value(); }
 
 ReadResult read_off(const Source& source) {
   TextCursor cursor(source, source.bytes, 0, '#');
   cursor.skip_to_content();
   TextCursor ahead = cursor;
   const std::string_view word = ahead.word();
-  const auto extra = extra_values(word);
-  if (!extra && word.ends_with("OFF"))
-    cursor.fail("only three-dimensional OFF is read, not " + shown(word));
+  const auto header = header_of(word);
+  if (!header && word.ends_with("OFF"))
+    cursor.fail("only three-dimensional OFF is read, not " + shown(word) + ": export OFF or PLY");
   // Some programs leave the word out.
-  if (!extra && !is_number(word)) cursor.fail("not an OFF file: it starts with " + shown(word));
-  if (!extra) return OffText(source, cursor, 0).read();
+  if (!header && !is_number(word)) cursor.fail("not an OFF file: it starts with " + shown(word));
+  if (!header) return OffText(source, cursor, {}).read();
   TextCursor after = ahead;
   if (after.word() == "BINARY") {
     after.end_line();
-    return OffBinary(source, after.offset(), *extra).read();
+    return OffBinary(source, after.offset(), *header).read();
   }
-  return OffText(source, ahead, *extra).read();
+  return OffText(source, ahead, *header).read();
 }
 
 std::string write_off(const MeshData& mesh, bool binary) {

@@ -20,6 +20,7 @@ class PlyText {
   [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what); }
   [[nodiscard]] std::size_t left() const { return cursor_.left(); }
   [[nodiscard]] bool at_end() { return cursor_.skip_to_content(); }
+  [[nodiscard]] std::string_view rest() const { return cursor_.rest(); }
   void end_element() { cursor_.end_line(); }
 
   double real(PlyType, const char* what) { return cursor_.real(what); }
@@ -42,6 +43,7 @@ class PlyBinary {
   [[noreturn]] void fail(const std::string& what) const { source_.fail_at_byte(value_at_, what); }
   [[nodiscard]] std::size_t left() const { return source_.bytes.size() - at_; }
   [[nodiscard]] bool at_end() const { return left() == 0; }
+  [[nodiscard]] std::string_view rest() const { return source_.bytes.substr(at_); }
   void end_element() {}
 
   double real(PlyType type, const char* what) {

@@ -1,10 +1,13 @@
 // PLY: vertex, face, edge and tristrips elements; everything else is passed over.
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/ply_body.h"
 #include "core/io/ply_header.h"
 #include "core/mesh/handle.h"
@@ -37,6 +40,34 @@ Role role_of(const PlyElement& element, const PlyProperty& p) {
   return Role::Skip;
 }
 
+/// What people call a property that we pass over.
+std::string meaning(const PlyElement& element, const PlyProperty& property) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 20> meanings{
+      {{"nx", "normals"},
+       {"ny", "normals"},
+       {"nz", "normals"},
+       {"red", "colours"},
+       {"green", "colours"},
+       {"blue", "colours"},
+       {"alpha", "colours"},
+       {"diffuse_red", "colours"},
+       {"diffuse_green", "colours"},
+       {"diffuse_blue", "colours"},
+       {"diffuse_alpha", "colours"},
+       {"s", "texture coordinates"},
+       {"t", "texture coordinates"},
+       {"u", "texture coordinates"},
+       {"v", "texture coordinates"},
+       {"texture_u", "texture coordinates"},
+       {"texture_v", "texture coordinates"},
+       {"texcoord", "texture coordinates"},
+       {"texnumber", "texture numbers"},
+       {"material_index", "materials"}}};
+  const auto at = std::find_if(meanings.begin(), meanings.end(),
+                               [&](const auto& m) { return m.first == property.name; });
+  return element.name + ' ' + (at == meanings.end() ? property.name : std::string(at->second));
+}
+
 /// One element's values that we use.
 struct Record {
   double position[3] = {};
@@ -57,10 +88,11 @@ class PlyReader {
 
   ReadResult read() {
     for (const PlyElement& element : header_.elements) read_element(element);
-    if (!body_.at_end()) body_.fail("data after the last element");
     ReadResult result;
     result.format = Format::Ply;
-    note_polygons(result.notes, faces_.finish(mesh_));
+    faces_.finish(mesh_, result.notes);
+    left_out_.note(result.notes);
+    note_rest(result.notes, body_.rest(), "element");
     drop_empty_classes(mesh_);
     result.mesh = std::move(mesh_);
     return result;
@@ -94,6 +126,15 @@ class PlyReader {
     } else {
       std::fill(roles_.begin(), roles_.end(), Role::Skip);
       each(element, [] {});
+      if (element.count > 0) left_out_.add("element " + shown(element.name));
+      return;
+    }
+    if (element.count > 0) name_unread(element);
+  }
+
+  void name_unread(const PlyElement& element) {
+    for (std::size_t p = 0; p < roles_.size(); ++p) {
+      if (roles_[p] == Role::Skip) left_out_.add(meaning(element, element.properties[p]));
     }
   }
 
@@ -215,12 +256,8 @@ class PlyReader {
   }
 
   void add_edge() {
-    const std::string wrong = edge_defect(record_.ends[0], record_.ends[1], vertex_count_);
+    const std::string wrong = faces_.add_edge(record_.ends[0], record_.ends[1], model(1));
     if (!wrong.empty()) body_.fail(wrong);
-    mesh_.edges.add(
-        Shape::Line,
-        {static_cast<std::uint32_t>(record_.ends[0]), static_cast<std::uint32_t>(record_.ends[1])},
-        model(1));
   }
 
   /// Strips end with -1; every second triangle runs the other way. Triangles that repeat a vertex
@@ -249,6 +286,7 @@ class PlyReader {
   std::vector<Role> roles_;
   bool classified_ = false;
   Record record_;
+  LeftOut left_out_;
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ void Source::fail_at_line(std::size_t offset, const std::string& what) const {
 }
 
 void Source::fail_at_byte(std::size_t offset, const std::string& what) const {
-  throw ReadError(name, Place{.byte = offset}, what);
+  throw ReadError(name, Place{.byte = skipped + offset}, what);
 }
 
 void Source::fail(const std::string& what) const { throw ReadError(name, {}, what); }

@@ -15,6 +15,7 @@ namespace aomd::io::detail {
 struct Source {
   std::string name;
   std::string_view bytes;
+  std::size_t skipped = 0;  ///< bytes of the file before these: a byte order mark
 
   /// Throws ReadError naming the line that holds `offset`. O(offset): lines are counted only now.
   [[noreturn]] void fail_at_line(std::size_t offset, const std::string& what) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -15,6 +14,7 @@
 #include "core/io/class_names.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/polygon.h"
 #include "core/io/text_cursor.h"
 #include "core/io/weld.h"
@@ -46,7 +46,11 @@ class FacetSink {
     faces_.add(Shape::Triangle, {v[0], v[1], v[2]}, ModelRef(2, solid));
   }
 
-  ReadResult finish(const std::vector<std::string>& solids) {
+  [[nodiscard]] bool empty() const { return corners_ == 0; }
+
+  /// `rest` is what the file holds after the last facet or solid.
+  ReadResult finish(const std::vector<std::string>& solids, std::string_view rest,
+                    std::string_view last) {
     ReadResult result;
     result.format = Format::Stl;
     result.notes.push_back(std::to_string(corners_) + " corners welded into " +
@@ -59,6 +63,7 @@ class FacetSink {
     drop_empty_classes(result.mesh);
     if (result.mesh.classified())
       result.notes.push_back("faces classified by " + counted(solids.size(), "solid"));
+    note_rest(result.notes, rest, last);
     return result;
   }
 
@@ -73,22 +78,28 @@ class StlText {
   explicit StlText(const Source& source) : cursor_(source, source.bytes) {}
 
   ReadResult read() {
-    while (!cursor_.skip_to_content()) {
+    while (!cursor_.skip_to_content() && !at_rest()) {
       expect("solid");
       solids_.emplace_back(cursor_.rest_of_line());
-      while (!done("endsolid")) facet();
+      while (!done()) facet();
       cursor_.skip_line();  // the name again
     }
     if (solids_.empty()) cursor_.fail("not an STL file");
-    return sink_.finish(solids_);
+    return sink_.finish(solids_, cursor_.rest(), "solid");
   }
 
  private:
   static bool same(std::string_view word, std::string_view keyword) {
-    return word.size() == keyword.size() &&
-           std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) {
-             return std::tolower(static_cast<unsigned char>(a)) == b;
-           });
+    return word.size() == keyword.size() && lower(word) == keyword;
+  }
+
+  /// True where what follows the solids is none, nor a part of one.
+  [[nodiscard]] bool at_rest() const {
+    constexpr std::string_view words[] = {"solid", "facet", "outer", "vertex"};
+    TextCursor ahead = cursor_;
+    const std::string_view word = ahead.word();
+    return !sink_.empty() && std::none_of(std::begin(words), std::end(words),
+                                          [&](std::string_view w) { return same(word, w); });
   }
 
   void expect(std::string_view keyword) {
@@ -99,11 +110,29 @@ class StlText {
       cursor_.fail("expected \"" + std::string(keyword) + "\", found " + shown(word));
   }
 
+  /// "endfacet", or "end facet" as some programs write.
+  static bool ends(TextCursor& cursor, std::string_view what) {
+    const std::string_view word = cursor.word();
+    if (same(word, "end")) return same(cursor.word(), what);
+    return same(word.substr(0, 3), "end") &&
+           same(word.substr(std::min<std::size_t>(3, word.size())), what);
+  }
+
+  void expect_end(std::string_view what) {
+    const std::string keyword = "end" + std::string(what);
+    if (cursor_.skip_to_content())
+      cursor_.fail("the file ends where \"" + keyword + "\" should follow");
+    TextCursor ahead = cursor_;
+    if (!ends(ahead, what))
+      cursor_.fail("expected \"" + keyword + "\", found " + shown(cursor_.word()));
+    cursor_ = ahead;
+  }
+
   /// True, and past it, where the solid ends.
-  bool done(std::string_view keyword) {
+  bool done() {
     if (cursor_.skip_to_content()) cursor_.fail("the file ends before \"endsolid\"");
     TextCursor ahead = cursor_;
-    if (!same(ahead.word(), keyword)) return false;
+    if (!ends(ahead, "solid")) return false;
     cursor_ = ahead;
     return true;
   }
@@ -120,8 +149,8 @@ class StlText {
       p = {x, y, z};
       cursor_.end_line();
     }
-    expect("endloop");
-    expect("endfacet");
+    expect_end("loop");
+    expect_end("facet");
     sink_.add(facet, static_cast<std::int32_t>(solids_.size()) - 1);
   }
 
@@ -140,8 +169,8 @@ ReadResult read_binary(const Source& source) {
     source.fail_at_byte(bytes.size(), "the file ends early: " + std::to_string(n) +
                                           " facets need " + std::to_string(expected) + " bytes");
   }
-  if (bytes.size() > expected)
-    source.fail_at_byte(expected, "data after the last of " + std::to_string(n) + " facets");
+  if (n == 0 && !is_blank(bytes.substr(data_start)))
+    source.fail_at_byte(data_start, "data after a header that promises no facets");
   FacetSink sink;
   for (std::size_t at = data_start; at < expected; at += facet_size) {
     Facet facet;
@@ -153,7 +182,7 @@ ReadResult read_binary(const Source& source) {
     }
     sink.add(facet, 0);
   }
-  return sink.finish({"binary"});
+  return sink.finish({"binary"}, bytes.substr(expected), "facet");
 }
 
 /// The faces as triangles; quads and the like are split.

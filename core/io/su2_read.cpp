@@ -26,6 +26,7 @@ class Su2Reader {
     if (!has_points_) cursor_.fail("the file has no NPOIN");
     if (!has_elements_) cursor_.fail("the file has no NELEM");
     ReadResult result{std::move(mesh_), Format::Su2, {}};
+    repeats_.note(result.notes);
     if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
     if (marker_points_ > 0)
       result.notes.push_back(counted(marker_points_, "vertex") + " of markers passed over");
@@ -144,12 +145,21 @@ class Su2Reader {
     std::array<std::int64_t, 8> v{};
     for (const std::uint8_t k : corner_order(*kind)) v[k] = cursor_.integer("a vertex index");
     const std::span<const std::int64_t> corners(v.data(), kind->nodes);
-    const std::string wrong = entity_defect(shape_template(kind->shape).name, corners, points_);
-    if (!wrong.empty()) cursor_.fail(wrong);
-    EntityList& list = mesh_.list(dimension);
-    append(list, kind->shape, corners);
-    if (model.valid()) list.classes.push_back(model);
+    const std::string wrong = entity_defect(kind->shape, corners, points_);
+    if (wrong.empty()) {
+      push(kind->shape, corners, model);
+    } else {
+      const auto left = without_repeats(kind->shape, corners, points_, repeats_);
+      if (!left) cursor_.fail(wrong);
+      if (!left->empty()) push(Shape::Triangle, *left, model);
+    }
     end_of_item();
+  }
+
+  void push(Shape shape, std::span<const std::int64_t> corners, ModelRef model) {
+    EntityList& list = mesh_.list(shape_template(shape).dimension);
+    append(list, shape, corners);
+    if (model.valid()) list.classes.push_back(model);
   }
 
   void marker() {
@@ -188,6 +198,7 @@ class Su2Reader {
   std::uint64_t dimension_ = 0, points_ = 0;
   bool has_points_ = false, has_elements_ = false;
   std::size_t marker_points_ = 0;
+  Repeats repeats_;
   std::string passed_over_;
 };
 

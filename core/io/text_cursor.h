@@ -27,6 +27,7 @@ class TextCursor {
 
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(p_ - start_); }
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - p_); }
+  [[nodiscard]] std::string_view rest() const { return {p_, left()}; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(offset(), what); }
 
   /// Moves over blanks, line ends and comments; true when nothing else is left.

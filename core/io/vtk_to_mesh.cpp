@@ -42,6 +42,7 @@ class GridToMesh {
     if (curved_ > 0) drop_inner_nodes();
     drop_empty_classes(mesh_);
     note_polygons(notes_, polygons_);
+    repeats_.note(notes_);
     return {std::move(mesh_), {}, std::move(notes_)};
   }
 
@@ -80,11 +81,18 @@ class GridToMesh {
 
   void add(Shape shape, Indices corners, std::size_t cell) {
     const ShapeTemplate& t = shape_template(shape);
-    const std::string wrong = entity_defect(t.name, corners, grid_.points.size());
-    if (!wrong.empty()) fail_(cell, wrong);
+    const std::string wrong = entity_defect(shape, corners, grid_.points.size());
+    if (!wrong.empty()) return add_rest(shape, corners, cell, wrong);
     append(mesh_.list(t.dimension), shape, corners);
     cells_[static_cast<std::size_t>(t.dimension)].push_back(static_cast<std::uint32_t>(cell));
     for (const std::int64_t v : corners) used_[static_cast<std::size_t>(v)] = Corner;
+  }
+
+  /// What is left of an edge or a face without its repeated corners.
+  void add_rest(Shape shape, Indices corners, std::size_t cell, const std::string& wrong) {
+    const auto left = without_repeats(shape, corners, grid_.points.size(), repeats_);
+    if (!left) fail_(cell, wrong);
+    if (!left->empty()) add(Shape::Triangle, *left, cell);
   }
 
   void check_indices(Indices nodes, std::size_t cell) const {
@@ -102,15 +110,16 @@ class GridToMesh {
   }
 
   void add_lines(Indices nodes, std::size_t cell) {
-    if (nodes.size() < 2) fail_(cell, "a line needs 2 or more vertices");
+    check_indices(nodes, cell);
+    repeats_.edges += nodes.size() < 2;
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) add(Shape::Line, nodes.subspan(k, 2), cell);
   }
 
   /// Every second triangle runs the other way; those that repeat a vertex are how strips turn
   /// corners.
   void add_strip(Indices v, std::size_t cell) {
-    if (v.size() < 3) fail_(cell, "a triangle strip needs 3 or more vertices");
     check_indices(v, cell);
+    repeats_.faces += v.size() < 3;
     for (std::size_t k = 2; k < v.size(); ++k) {
       const bool odd = k % 2 == 1;
       const std::int64_t triangle[] = {v[k - 2], v[odd ? k : k - 1], v[odd ? k - 1 : k]};
@@ -125,14 +134,18 @@ class GridToMesh {
     if (nodes.size() == 4) return add(Shape::Quad, nodes, cell);
     const std::string wrong = polygon_defect(nodes, grid_.points.size());
     if (!wrong.empty()) fail_(cell, wrong);
-    polygon_.assign(nodes.begin(), nodes.end());
+    walk_.assign(nodes.begin(), nodes.end());
+    const bool repeats = nodes.size() < 3 || repeats_vertex(nodes);
+    if (repeats) trim_walk(walk_);
+    ++(!repeats ? polygons_ : walk_.size() < 3 ? repeats_.faces : repeats_.cut);
+    if (walk_.size() < 3) return;
+    polygon_.assign(walk_.begin(), walk_.end());
     triangles_.clear();
-    triangulate(grid_.points, polygon_, triangles_);
+    triangles_of_walk(grid_.points, polygon_, triangles_);
     for (std::size_t k = 0; k < triangles_.size(); k += 3) {
       const std::int64_t triangle[] = {triangles_[k], triangles_[k + 1], triangles_[k + 2]};
       add(Shape::Triangle, triangle, cell);
     }
-    ++polygons_;
   }
 
   void add_corners(const CellKind& kind, Indices nodes, std::size_t cell) {
@@ -329,6 +342,8 @@ class GridToMesh {
   std::string labels_;  ///< the array that classified the cells
   std::vector<std::uint32_t> polygon_, triangles_;
   std::size_t polygons_ = 0, curved_ = 0;
+  Repeats repeats_;
+  std::vector<std::int64_t> walk_;
   std::vector<std::string> notes_;
 };
 

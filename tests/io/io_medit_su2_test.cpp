@@ -87,7 +87,7 @@ TEST(Medit, BadFilesSayTheLine) {
   bad("Vertices\n2\n0 0 0 0\n1 0 0\n", {"the file ends before a reference"});
   bad(three + "Triangles\n1\n1 2 4 0\n", {"a.mesh:10: ", "index 4 is out of range (1..3)"});
   bad(three + "Triangles\n1\n1 2 0 0\n", {"a.mesh:10: ", "index 0 is out of range (1..3)"});
-  bad(three + "Triangles\n1\n1 2 2 0\n", {"a.mesh:10: ", "the triangle repeats vertex 2"});
+  bad(three + "Tetrahedra\n1\n1 2 2 3 0\n", {"a.mesh:10: ", "the tetrahedron repeats vertex 2"});
   bad(three + "Triangles\n1\n1 2 3 999999999\n", {"a.mesh:10: ", "999999999 is out of range"});
   bad(three + "Triangles\n2\n1 2 3 0\nEnd\n", {"a.mesh:11: ", "\"End\""});
   bad(three + "Triangles 0 Triangles 0\n", {"a.mesh:8: ", "listed twice"});
@@ -145,7 +145,8 @@ TEST(Su2, BadFilesSayTheLine) {
   bad("NDIME= 2\nNPOIN= 1\n0\n", {"a.su2:3: ", "before y"});
   bad("NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 2\n0 0\n1 1\n",
       {"a.su2:3: ", "2 is out of range (0..1)"});
-  bad("NDIME= 2\nNELEM= 1\n5 0 1 1\nNPOIN= 2\n0 0\n1 1\n", {"a.su2:3: ", "repeats vertex 1"});
+  bad("NDIME= 3\nNELEM= 1\n10 0 1 1 0\nNPOIN= 2\n0 0 0\n1 1 0\n",
+      {"a.su2:3: ", "repeats vertex 1"});
   bad("NDIME= 2\nNELEM= 1\n10 0 1 2 3\nNPOIN= 9\n", {"a.su2:3: ", "no elements of type 10"});
   bad(plane + "MARKER_TAG= a\nNELEM= 1\n", {"a.su2:13: ", "MARKER_ELEMS should follow"});
   bad(plane + "MARKER_TAG= a\nMARKER_ELEMS= 1\n5 0 1 2\n",

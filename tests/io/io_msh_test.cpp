@@ -330,7 +330,7 @@ TEST(Msh, RefusesBroken4) {
         Broken{"2 4 2 1", "2 4 34 1", "element type 34"},
         Broken{"2 4 2 1", "1 4 2 1", "a triangle cannot lie on a model entity of dimension 1"},
         Broken{"3 1 2 3\n", "3 1 2 9\n", "a.msh:33: element 3 refers to node 9"},
-        Broken{"3 1 2 3\n", "3 1 2 2\n", "element 3 repeats node 2"},
+        Broken{"4 1 2 3 4\n", "4 1 2 3 2\n", "element 4 repeats node 2: a region that"},
         Broken{"3 1 2 3\n", "3 1 2 x\n", "found \"x\""}})
     expect_error("a.msh", replaced(text, b), {b.says});
   expect_error("a.msh", text + nodes4, {"a second section $Nodes"});

@@ -58,6 +58,35 @@ TEST(Read, ContentGoesBeforeTheExtension) {
             io::Format::Obj);
 }
 
+TEST(Read, AByteOrderMarkMeansNothing) {
+  const TemporaryFolder folder;
+  const MeshData box = make_sample("box", 1), ball = make_sample("tet-ball", 1);
+  for (const bool binary : {false, true}) {
+    for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl", "a.msh", "a.mesh", "a.vtk",
+                             "a.vtu", "b.msh", "b.mesh", "b.vtk", "b.vtu", "b.su2"}) {
+      io::write(folder / name, name[0] == 'a' ? box : ball, {.binary = binary});
+      const std::string bytes = test::bytes_of(folder / name);
+      if (binary && name == std::string("a.stl")) continue;  // no text anywhere
+      const io::ReadResult plain = io::read_bytes(name, bytes);
+      for (const char* other : {name, "no_extension"}) {
+        const io::ReadResult marked = io::read_bytes(other, "\xef\xbb\xbf" + bytes);
+        EXPECT_TRUE(same_mesh(marked.mesh, plain.mesh)) << other << binary;
+        EXPECT_EQ(marked.notes, plain.notes) << other << binary;
+      }
+    }
+  }
+  test::expect_error("a.ply", "\xef\xbb\xbf", {"a.ply: is empty"});
+}
+
+TEST(Read, BytesCountFromTheStartOfTheFile) {
+  const std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\n"
+      "property float x\nproperty float y\nproperty float z\nend_header\n";
+  const auto byte = [](std::size_t n) { return "byte " + std::to_string(n) + ":"; };
+  test::expect_error("a.ply", bytes + "1234", {byte(bytes.size() + 4).c_str()});
+  test::expect_error("a.ply", "\xef\xbb\xbf" + bytes + "1234", {byte(bytes.size() + 7).c_str()});
+}
+
 struct RoundTrip {
   const char* name;
   std::optional<bool> binary;

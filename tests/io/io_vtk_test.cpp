@@ -146,7 +146,6 @@ TEST(Vtk, BadBinarySaysTheByte) {
                {byte(points + 12).c_str(), "finite"});
   expect_error("a.vtk", binary_square(1, 4),
                {byte(cells).c_str(), "index 4 is out of range (0..3)"});
-  expect_error("a.vtk", binary_square(1, 2), {byte(cells).c_str(), "repeats vertex 2"});
   expect_error("a.vtk", binary_square(1, 7, "5.1"), {"byte ", "index 7"});
   for (std::size_t size = points; size + 1 < good.size(); ++size) {
     SCOPED_TRACE(size);
@@ -179,9 +178,6 @@ TEST(Vtk, BadTextSaysTheLine) {
   bad(square + one + "9\n", {"a.vtk:10: ", "a quad of 3 vertices; it has 4"});
   bad(square + one + "42\n", {"a.vtk:10: ", "42 (polyhedron) are not read"});
   bad(square + one + "500\n", {"a.vtk:12: ", "no cell type 500"});
-  bad(square + "CELLS 1 4\n3 0 1 1\nCELL_TYPES 1\n5\n",
-      {"a.vtk:10: ", "the triangle repeats vertex 1"});
-  bad(square + "CELLS 1 6\n5 0 1 2 3 1\nCELL_TYPES 1\n7\n", {"the face repeats vertex 1"});
   bad(square + "CELLS 1 4\n3 0 1 2\n", {"0 cell types for 1 cell"});
   bad(two_triangles + "CELL_DATA 3\n", {"a.vtk:15: ", "data for 3 of 2"});
   bad(two_triangles + "CELL_DATA 2\nSCALARS a int\nLOOKUP_TABLE default\n1\n",

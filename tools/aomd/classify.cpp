@@ -30,7 +30,7 @@ int run(const Options& options) {
   const ClassifyResult result = classify(mesh, how);
   if (const auto findings = verify(mesh); !findings.empty())
     throw io::ReadError(options.input, {}, "cannot be classified: " + findings.front().text);
-  write_mesh(options.output, format, to_data(mesh));
+  write_mesh(options.output, format, to_data(mesh), options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input

@@ -13,12 +13,6 @@
 namespace aomd::cli {
 namespace {
 
-void print_note(const std::string& file, const std::string& note) {
-  constexpr std::size_t longest = 1000;
-  std::string line = on_one_line(file + ": " + note.substr(0, longest));
-  std::cerr << "aomd: note: " << line << (note.size() > longest ? " ...\n" : "\n");
-}
-
 bool is_pipe(const std::string& file) {
   struct stat info {};
   return ::stat(file.c_str(), &info) == 0 && S_ISFIFO(info.st_mode);
@@ -33,10 +27,9 @@ io::ReadResult read_stream(const std::string& name, std::istream& stream) {
 }  // namespace
 
 void print_notes(const std::string& file, const std::vector<std::string>& notes) {
-  constexpr std::size_t most = 20;
-  for (std::size_t i = 0; i < std::min(notes.size(), most); ++i) print_note(file, notes[i]);
-  if (notes.size() > most)
-    print_note(file, "and " + counted(notes.size() - most, "note") + " more");
+  const std::string name = printable(file);
+  for (const std::string& note : limited_lines(notes))
+    std::cerr << "aomd: note: " << name << ": " << note << '\n';
 }
 
 io::ReadResult read_input(const std::string& file) {

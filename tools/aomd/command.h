@@ -50,8 +50,7 @@ void add_replay(CLI::App& app, Action& action);
 void add_sample(CLI::App& app, Action& action);
 void add_image_diff(CLI::App& app, Action& action);
 
-/// Prints what a reader had to do, one line each, on standard error: the first few where a file
-/// causes very many.
+/// Prints what a reader or a writer has to say, one line each, on standard error.
 void print_notes(const std::string& file, const std::vector<std::string>& notes);
 
 /// Reads a mesh; "-" stands for standard input, and a pipe is read to its end.

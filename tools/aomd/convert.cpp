@@ -21,7 +21,7 @@ int run(const Options& options) {
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
-  write_mesh(options.output, format, read.mesh, how);
+  write_mesh(options.output, format, read.mesh, false, how);
   return done;
 }
 

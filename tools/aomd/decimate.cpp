@@ -197,13 +197,16 @@ class Run {
     GivenClasses(original_).apply(result);
     io::OutputFiles files;
     const auto path = output_path(options_.output);
-    files.add(path, io::to_bytes(path, format_, result));
+    io::EncodedMesh encoded = io::to_bytes(path, format_, result);
+    files.add(path, std::move(encoded.bytes));
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
     seconds_["write"] = watch_.lap();
     seconds_["total"] = watch_.total();
     memory_["peak"] = peak_bytes();
     if (!options_.report.empty()) files.add(output_path(options_.report), text_of(report_json()));
     files.commit();
+    progress_.wipe();
+    if (!options_.quiet) print_notes(options_.output, encoded.notes);
   }
 
   /// "stopped" of a report.

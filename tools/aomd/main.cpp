@@ -16,7 +16,7 @@ namespace aomd::cli {
 namespace {
 
 int fail(const std::string& what, int code) {
-  std::cerr << "aomd: " << on_one_line(what) << std::endl;
+  std::cerr << "aomd: " << printable(what) << std::endl;
   return code;
 }
 

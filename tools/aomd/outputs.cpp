@@ -100,10 +100,12 @@ io::Format format_of_output(const std::string& given, const std::string& format)
   return io::format_for_writing(given);
 }
 
-void write_mesh(const std::string& given, io::Format format, const MeshData& mesh,
+void write_mesh(const std::string& given, io::Format format, const MeshData& mesh, bool quiet,
                 const io::WriteOptions& how) {
   const fs::path path = output_path(given);
-  io::write_file(path, io::to_bytes(path, format, mesh, how));
+  const io::EncodedMesh encoded = io::to_bytes(path, format, mesh, how);
+  io::write_file(path, encoded.bytes);
+  if (!quiet) print_notes(given, encoded.notes);
 }
 
 }  // namespace aomd::cli

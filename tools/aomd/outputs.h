@@ -35,8 +35,9 @@ CLI::Option* add_format(CLI::App& command, std::string& format);
 /// UsageError for standard output without --format, io::WriteError for an unknown extension.
 [[nodiscard]] io::Format format_of_output(const std::string& given, const std::string& format);
 
-/// Writes a mesh as the only output of a command.
+/// Writes a mesh as the only output of a command; what the format cannot hold goes to standard
+/// error as notes unless `quiet`.
 void write_mesh(const std::string& given, io::Format format, const MeshData& mesh,
-                const io::WriteOptions& how = {});
+                bool quiet = false, const io::WriteOptions& how = {});
 
 }  // namespace aomd::cli

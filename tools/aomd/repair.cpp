@@ -35,7 +35,7 @@ int run(const Options& options) {
   watch.lap();
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
-  write_mesh(options.output, format, read.mesh);
+  write_mesh(options.output, format, read.mesh, options.quiet || options.json);
   std::ostream& out = stream_beside(outputs);
   if (options.json) {
     out << text_of(

@@ -49,7 +49,7 @@ int run(const Options& options) {
                         "the journal leads to a broken mesh: " + findings.front().text);
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
-  write_mesh(options.output, format, result);
+  write_mesh(options.output, format, result, options.quiet);
   if (!options.quiet)
     stream_beside(outputs) << options.output << ": " << counted(step, "step") << " of "
                            << file.journal.size() << " replayed, " << counted(mesh.count(2), "face")

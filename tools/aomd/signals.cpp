@@ -77,7 +77,7 @@ void end_on_signals() {
 void name_internal_faults() {
   std::signal(SIGABRT, [](int) { ::_exit(internal_fault); });
   std::set_terminate([] {
-    say("aomd: " + on_one_line(fault_words(what_of(std::current_exception()))));
+    say("aomd: " + printable(fault_words(what_of(std::current_exception()))));
     ::_exit(internal_fault);
   });
 }

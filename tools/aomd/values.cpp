@@ -11,7 +11,7 @@ namespace aomd::cli {
 namespace {
 
 std::string refusal(const std::string& wanted, const std::string& text) {
-  return "must be " + wanted + ", not " + (text.empty() ? "empty" : on_one_line(text));
+  return "must be " + wanted + ", not " + (text.empty() ? "empty" : printable(text));
 }
 
 }  // namespace

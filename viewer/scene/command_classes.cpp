@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/text.h"
 #include "core/io/io.h"
 #include "core/mesh/names.h"
 #include "core/mesh/part.h"
@@ -128,12 +129,13 @@ void export_selection(Session& session, Arguments& arguments) {
   need_mesh(session);
   const MeshData part = part_of(session.document.mesh(), session.selection.entities());
   if (part.positions.empty()) arguments.fail("no faces or regions are selected");
-  io::write(expanded(file), part);
+  const std::vector<std::string> notes = io::write(expanded(file), part);
   const std::size_t regions = part.regions.size();
   session.status =
       "Saved " +
       counted(regions > 0 ? regions : part.faces.size(), regions > 0 ? "region" : "face") + " in " +
-      file;
+      printable(file);
+  for (const std::string& note : notes) session.status += ", " + note;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 #include "viewer/scene/command_groups.h"
@@ -52,10 +53,11 @@ void model(Session& session, Arguments& arguments) {
 void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
-  io::write(file, to_data(session.document.mesh()));
+  const std::vector<std::string> notes = io::write(file, to_data(session.document.mesh()));
   session.document.mark_saved(file);
   session.view.dialog = Dialog::None;
-  session.status = "Saved " + file.string();
+  session.status = "Saved " + printable(file.string());
+  for (const std::string& note : notes) session.status += ", " + note;
   // The question about unsaved work, if there was one, is answered.
   if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});
 }

@@ -1,0 +1,134 @@
+#include "core/io/losses.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/base/box.h"
+#include "core/base/text.h"
+#include "core/io/formats.h"
+#include "core/io/notes.h"
+
+namespace aomd::io::detail {
+namespace {
+
+/// Whether each format holds edges, the classes of edges and vertices, and attributes of any name.
+struct Holds {
+  bool edges, classes, attributes;
+};
+
+Holds what_holds(Format format) {
+  switch (format) {
+    case Format::Obj:
+      return {true, false, false};
+    case Format::Ply:
+      return {true, true, false};
+    case Format::Off:
+    case Format::Stl:
+      return {false, false, false};
+    case Format::Medit:
+      return {true, true, false};
+    case Format::Su2:
+      return {true, true, false};  // as markers, as far as it has them
+    case Format::Msh:
+    case Format::Vtk:
+    case Format::Vtu:
+      break;
+  }
+  return {true, true, true};
+}
+
+bool classified(const std::vector<ModelRef>& classes) {
+  return std::any_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); });
+}
+
+std::size_t unused_vertices(const MeshData& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const std::uint32_t v : mesh.faces.vertices) used[v] = true;
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+}
+
+/// How many different points there are among a few.
+template <class Point>
+std::size_t different(const std::vector<Point>& points) {
+  std::size_t n = 0;
+  for (auto p = points.begin(); p != points.end(); ++p) n += std::find(points.begin(), p, *p) == p;
+  return n;
+}
+
+glm::vec3 rounded(const glm::dvec3& p) { return {p}; }
+
+/// How many faces have 3 different corners before rounding, and fewer after it.
+std::size_t collapsing_faces(const MeshData& mesh) {
+  std::size_t n = 0;
+  std::vector<glm::dvec3> before;
+  std::vector<glm::vec3> after;
+  for_each_entity(mesh.faces, [&](auto corners, ModelRef) {
+    before.clear(), after.clear();
+    for (const std::uint32_t v : corners) after.push_back(rounded(mesh.positions[v]));
+    if (different(after) > 2) return;
+    for (const std::uint32_t v : corners) before.push_back(mesh.positions[v]);
+    n += different(before) > 2;
+  });
+  return n;
+}
+
+double largest_move(const MeshData& mesh) {
+  double largest = 0;
+  for (const glm::dvec3& p : mesh.positions)
+    largest = std::max(largest, glm::distance(p, glm::dvec3(rounded(p))));
+  return largest;
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+}  // namespace
+
+void note_losses(Format format, bool binary, const MeshData& mesh,
+                 std::vector<std::string>& notes) {
+  const Holds holds = what_holds(format);
+  const bool faces_lose = format == Format::Off || (format == Format::Stl && binary);
+  LeftOut left_out;
+  if (!holds.edges && !mesh.edges.empty()) left_out.add(counted(mesh.edges.size(), "edge"));
+  if (format == Format::Stl) {
+    const std::size_t unused = unused_vertices(mesh);
+    if (unused > 0) left_out.add(counted(unused, "vertex") + " that no face uses");
+  }
+  if (!holds.classes && classified(mesh.vertex_classes)) left_out.add("classification of vertices");
+  if (!holds.classes && classified(mesh.edges.classes)) left_out.add("classification of edges");
+  if (faces_lose && classified(mesh.faces.classes)) left_out.add("classification of faces");
+  for (const Attribute& a : mesh.attributes) {
+    if (!holds.attributes && !(format == Format::Medit && a.name.starts_with("medit:")))
+      left_out.add("attribute " + shown(a.name));
+  }
+  if (!mesh.model.groups.empty() && format != Format::Msh && format != Format::Su2)
+    left_out.add("names of physical groups");
+  left_out.note(notes);
+}
+
+void note_rounding(const std::filesystem::path& path, const MeshData& mesh,
+                   std::vector<std::string>& notes) {
+  Box box;
+  for (const glm::dvec3& p : mesh.positions) box.add(p);
+  const double move = largest_move(mesh);
+  const std::size_t lost = collapsing_faces(mesh);
+  if (100 * lost > mesh.faces.size()) {
+    throw WriteError(
+        path.string(), {},
+        counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
+            " would collapse, since coordinates are rounded to 32-bit floats by up to " +
+            short_number(move) + ": write text, or move the mesh to the origin");
+  }
+  if (lost == 0 && move <= 1e-6 * box.diagonal()) return;
+  std::string note = "coordinates rounded to 32-bit floats by up to " + short_number(move);
+  if (lost > 0) note += "; " + counted(lost, "face") + " collapse" + (lost == 1 ? "s" : "");
+  notes.push_back(note + "; text keeps them");
+}
+
+}  // namespace aomd::io::detail
