@@ -1,0 +1,174 @@
+#include "core/model/features.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/io/io.h"
+#include "core/mesh/mesh.h"
+#include "core/model/classify.h"
+#include "tests/model/feature_shapes.h"
+#include "tests/model/shape_builder.h"
+
+namespace aomd {
+namespace {
+
+using test::FeatureShape;
+
+Mesh with_edges(const MeshData& data) {
+  Mesh mesh(data);
+  for (const auto& [i, j] : {std::pair{2, 1}, {1, 2}, {0, 1}}) mesh.set(i, j);
+  return mesh;
+}
+
+// Edges of two faces that are features: by the faces of the smooth shape, or by the angle alone.
+struct Features {
+  std::vector<bool> known, found;
+  FeatureCount count;
+};
+
+Features features_of(const MeshData& data, double angle_deg = 20) {
+  const Mesh mesh = with_edges(data);
+  Column<Edge, std::uint8_t> known, found;
+  find_features(mesh, {std::nullopt, true, false}, known);
+  Features all;
+  all.count = find_features(mesh, {angle_deg, true, true}, found);
+  for (const Edge e : mesh.edges()) {
+    if (mesh.row<2>(e).size() != 2) continue;
+    all.known.push_back(known[e]);
+    all.found.push_back(found[e]);
+  }
+  return all;
+}
+
+struct Score {
+  double known = 0, found = 0, right = 0;
+
+  void add(const Features& f) {
+    for (std::size_t i = 0; i < f.known.size(); ++i)
+      known += f.known[i], found += f.found[i], right += f.known[i] && f.found[i];
+  }
+  [[nodiscard]] double recall() const { return known > 0 ? right / known : 1; }
+  [[nodiscard]] double precision() const { return found > 0 ? right / found : 1; }
+};
+
+std::uint32_t sharp_in(const MeshData& data) { return features_of(data).count.sharp; }
+
+TEST(Features, OfShapesInFewFacesAreThoseOfTheSmoothShapes) {
+  Score all;
+  const std::vector<FeatureShape> shapes = test::feature_shapes();
+  ASSERT_GE(shapes.size(), 40u);
+  for (const FeatureShape& shape : shapes) {
+    Score one;
+    one.add(features_of(shape.data));
+    all.add(features_of(shape.data));
+    EXPECT_GE(one.recall(), 0.98) << shape.name;
+    EXPECT_GE(one.precision(), 0.98) << shape.name;
+  }
+  EXPECT_GE(all.recall(), 0.98);
+  EXPECT_GE(all.precision(), 0.98);
+}
+
+TEST(Features, DoNotDependOnWhereAndHowLargeAShapeIs) {
+  const glm::dvec3 x = glm::normalize(glm::dvec3(1, 2, -0.7)),
+                   y = glm::normalize(glm::cross(x, {0.3, -1, 0.4})), z = glm::cross(x, y);
+  for (const FeatureShape& shape : test::feature_shapes())
+    for (const double scale : {1e-9, 1.0, 3e8}) {
+      const auto there = [&](glm::dvec3 p) { return scale * (p.x * x + p.y * y + p.z * z + x); };
+      EXPECT_EQ(features_of(test::moved(shape.data, there)).found, features_of(shape.data).found)
+          << shape.name << ' ' << scale;
+    }
+}
+
+TEST(Features, DoNotDependOnWhichSideFacesLookTo) {
+  for (const FeatureShape& shape : test::feature_shapes()) {
+    MeshData turned = shape.data;
+    for (std::size_t f = 0; f < turned.faces.size(); ++f)
+      std::swap(turned.faces.vertices[3 * f], turned.faces.vertices[3 * f + 1]);
+    Score score;
+    score.add(features_of(turned));
+    EXPECT_GE(std::min(score.recall(), score.precision()), 0.98) << shape.name;
+  }
+}
+
+TEST(Features, OfASphereInFacetsAreNone) {
+  const FeatureCount count = features_of(test::sphere(12, 6)).count;
+  EXPECT_EQ(count.sharp, 0u);
+  EXPECT_EQ(count.rough, 0u);
+  EXPECT_EQ(count.steps, 108u);
+}
+
+TEST(Features, OfABoxAreItsTwelveEdges) {
+  EXPECT_EQ(sharp_in(test::cells({{0, 0, 0}}, {3, 2, 1})), 12u);
+}
+
+TEST(Features, OfACylinderAreItsRims) {
+  for (const int sides : {8, 12, 16, 24})
+    EXPECT_EQ(sharp_in(test::cylinder(sides, 2, 1, false)), 2u * static_cast<unsigned>(sides));
+}
+
+// Fewer than eight sides are no cylinder.
+TEST(Features, OfAPrismAreAllItsEdges) {
+  for (const int sides : {3, 4, 5, 6, 7})
+    EXPECT_EQ(sharp_in(test::cylinder(sides, 2, 1, true)), 3u * static_cast<unsigned>(sides));
+}
+
+// A wall round a rectangle of 3 by 2 with rounded corners of four facets each, its plane sides in
+// so many pieces.
+MeshData wall(int pieces) {
+  test::Profile around;
+  const glm::dvec2 middles[] = {{1.3, 0.8}, {-1.3, 0.8}, {-1.3, -0.8}, {1.3, -0.8}};
+  for (int k = 0; k < 4; ++k) {
+    const test::Profile round = test::arc(middles[k].x, middles[k].y, 0.2, 90 * k, 90 * k + 90, 4);
+    const glm::dvec2 from = around.empty() ? round.front() : around.back();
+    for (int i = 1; i < pieces && k > 0; ++i)
+      around.push_back(from + i / static_cast<double>(pieces) * (round.front() - from));
+    around.insert(around.end(), round.begin(), round.end());
+  }
+  return test::extruded(around, {0, 0}, 1, std::vector<int>(around.size(), 10), 12);
+}
+
+// On a mesh that is cut finely all over, the steps of a small round are curves like others: they
+// cost little there, and hold what would be lost without them.
+TEST(Features, OfAFineMeshAreTheStepsOfItsSmallRounds) {
+  EXPECT_EQ(features_of(wall(1)).count.steps, 4u * 3 * 12);
+  EXPECT_EQ(features_of(wall(40)).count.steps, 0u);
+}
+
+TEST(Features, StepsAreNoModelEdges) {
+  Mesh mesh(test::together({test::sphere(12, 6), test::sphere(10, 8)}));
+  const ClassifyResult r = classify(mesh, {.keep_present = false});
+  EXPECT_EQ(r.model_vertices, 0);
+  EXPECT_EQ(r.model_edges, 0);
+  EXPECT_EQ(r.model_faces, 2);
+}
+
+TEST(Features, AtAnyAngleOfASphereAreNone) {
+  for (const double angle : {5.0, 10.0, 15.0, 30.0})
+    EXPECT_EQ(features_of(test::sphere(16, 8), angle).count.sharp, 0u) << angle;
+}
+
+// What parts from elsewhere keep: sharp edges that are features, roughness, steps.
+TEST(Features, OfPartsFromElsewhere) {
+  const std::filesystem::path folder = AOMD_SHARED_DATA;
+  if (!exists(folder)) GTEST_SKIP() << "no shared data";
+  const auto check = [&](const char* file, std::uint32_t sharp, std::uint32_t steps) {
+    MeshData data = io::read(folder / file).mesh;
+    const FeatureCount count = features_of(data).count;
+    EXPECT_EQ(count.sharp, sharp) << file;
+    EXPECT_EQ(count.steps, steps) << file;
+  };
+  check("fandisk.off", 876, 0);
+  check("featuretype.stl", 1435, 0);
+  check("fixed_top.ply", 2366, 0);
+  check("tray_bottom.stl", 1900, 0);
+  check("turbine.off", 1588, 0);
+  check("bunny.ply", 0, 0);
+}
+
+}  // namespace
+}  // namespace aomd
