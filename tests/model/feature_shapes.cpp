@@ -207,6 +207,8 @@ void add_rough(Shapes& all) {
                  roughened(cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {1, 1, 1}, 4), 0.01)});
   all.push_back({"cylinder 12, rough", roughened(cylinder(12, 3, 6, false), 0.02)});
   all.push_back({"cylinder 14, rough", roughened(cylinder(14, 4, 9, false), 0.015)});
+  all.push_back({"cylinder 12, each face cut 2, rough",
+                 roughened(flat_subdivided(cylinder(12, 2, 1, false), 2), 0.001)});
   all.push_back({"plate with hole, rough", roughened(plate(16, 1, 0.4), 0.01)});
   all.push_back({"sphere, rough", roughened(sphere(16, 8), 0.02)});
   all.push_back({"icosphere, rough", roughened(icosphere(2), 0.015)});

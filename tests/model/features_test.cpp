@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -137,6 +139,42 @@ MeshData wall(int pieces) {
 TEST(Features, OfAFineMeshAreTheStepsOfItsSmallRounds) {
   EXPECT_EQ(features_of(wall(1)).count.steps, 4u * 3 * 12);
   EXPECT_EQ(features_of(wall(40)).count.steps, 0u);
+}
+
+// A sheet of 24 by 6 squares, bent down along its middle line; height(x, y) for x >= 0.
+template <typename Height>
+MeshData bent_sheet(const Height& height) {
+  test::Builder b;
+  for (int y = 0; y <= 24; ++y)
+    for (int x = -3; x <= 3; ++x) b.point({x, y, -height(std::abs(x), y)});
+  for (std::uint32_t y = 0; y < 24; ++y)
+    for (std::uint32_t x = 0; x < 6; ++x) {
+      const std::uint32_t v = 7 * y + x;
+      b.quad(v, v + 1, v + 8, v + 7, 1);
+    }
+  return b.data;
+}
+
+// On a stretch of its way the surface beside a crease turns so much that the crease looks like a
+// step there.
+TEST(Features, ACreaseIsCarriedOnOverWhatLooksLikeSteps) {
+  const double slope[] = {std::tan(M_PI / 12), std::tan(M_PI / 5.3)};
+  const FeatureCount count =
+      features_of(bent_sheet([&](int x, int y) {
+        const bool round = y >= 10 && y <= 14;
+        return slope[0] * std::min(x, 1) + slope[round ? 1 : 0] * std::max(x - 1, 0);
+      })).count;
+  EXPECT_EQ(count.sharp, 24u);
+  EXPECT_EQ(count.steps, 0u);
+}
+
+// A crease of 90 degrees that fades out within six edges: an open chain, but no roughness where
+// the other sharp edges are steps.
+TEST(Features, AFadingCreaseIsKeptBesideSteps) {
+  const MeshData fading = bent_sheet([](int x, int y) { return x * std::max(0.0, 1 - y / 6.0); });
+  const FeatureCount count = features_of(test::together({fading, test::sphere(12, 6)})).count;
+  EXPECT_EQ(count.sharp, 5u);
+  EXPECT_EQ(count.steps, 108u);
 }
 
 TEST(Features, StepsAreNoModelEdges) {
