@@ -14,6 +14,7 @@
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
+#include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
 #include "tools/aomd/command.h"
@@ -26,6 +27,12 @@
 
 namespace aomd::cli {
 namespace {
+
+std::string dear_features(int model_vertices, std::uint32_t faces) {
+  return std::to_string(model_vertices) + " model vertices would take more than half of " +
+         counted(faces, "face") +
+         ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
+}
 
 /// One run, stage by stage; each fills its part of the report.
 class Run {
@@ -81,7 +88,7 @@ class Run {
 
   void classify_mesh() {
     progress_.show("classifying");
-    classify(mesh_, how_);
+    classify_by_angle();
     if (!options_.paper() && !model_ && !options_.snaps())
       mesh_.keep_model_edges_only();  // models look at all edges
     if (!options_.journal.empty()) {
@@ -96,6 +103,18 @@ class Run {
     stop_if_interrupted();
     input_ = measure::count_entities(mesh_);
     watch_.lap();
+  }
+
+  // What the angle finds is classified without edges that would cost too much of the target.
+  void classify_by_angle() {
+    const ClassifyResult found = classify(mesh_, how_);
+    const bool free = !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
+    if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
+    how_.feature_angle_deg = FacetJudge::corner_deg;
+    mesh_ = Mesh(original_);
+    classify(mesh_, how_);
+    if (!options_.quiet)
+      print_notes(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
   // Classification by the model is a step of the journal, so that a replay needs no model.
@@ -182,11 +201,18 @@ class Run {
     return steps_.target_faces > 0 && output_.faces <= steps_.target_faces;
   }
 
+  [[nodiscard]] Json options_json() const {
+    Json options = options_.json();
+    options["feature_angle_deg"] =
+        how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr);
+    return options;
+  }
+
   [[nodiscard]] Json report_json() const {
     return {{"schema", 1},
             {"input", counts_json(options_.input, input_)},
             {"output", counts_json(options_.output, output_)},
-            {"options", options_.json()},
+            {"options", options_json()},
             {"repair", options_.repair ? Json{{"done", items_json(repaired_.done)},
                                               {"left", items_json(repaired_.left)}}
                                        : Json(nullptr)},
