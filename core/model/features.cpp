@@ -62,7 +62,6 @@ class FeatureFinder {
     for (const Edge e : steps) mark_[e] = Step;
     for (const Edge e : steps)
       for (const Vertex v : mesh_.edge_vertices(e)) carry_on(v);
-    steps_dropped_ = true;
     drop_roughness();
   }
 
@@ -83,12 +82,19 @@ class FeatureFinder {
                        [&](Face f) { return mesh_.classification(f) == first; });
   }
 
-  // Without the steps that joined them, curves between rounds may be short or have open ends.
+  bool meets_step(Edge e) const {
+    for (const Vertex v : mesh_.edge_vertices(e))
+      for (const Edge other : mesh_.row<1>(v))
+        if (mark_[other] == Step) return true;
+    return false;
+  }
+
+  // Without the steps that joined them, curves beside a round may be short or have open ends.
   bool stands_by_itself(const std::vector<Edge>& edges) const {
-    if (!steps_dropped_) return false;
     const auto corner = [&](Edge e) { return past(e, corner_); };
     const auto corners = std::count_if(edges.begin(), edges.end(), corner);
-    return 2 * static_cast<std::size_t>(corners) > edges.size();
+    return 2 * static_cast<std::size_t>(corners) > edges.size() &&
+           std::any_of(edges.begin(), edges.end(), [&](Edge e) { return meets_step(e); });
   }
 
   bool in_set(Edge e) const { return mark_[e] == Sharp || mark_[e] == Hair; }
@@ -222,7 +228,6 @@ class FeatureFinder {
   Column<Face, glm::dvec3> normals_;
   std::vector<Edge> sharp_, chain_, set_;
   double diagonal_ = -1;
-  bool steps_dropped_ = false;
 };
 
 }  // namespace
