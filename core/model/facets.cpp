@@ -27,7 +27,7 @@ std::size_t side_of(Row<1> edges, Edge e) { return edges[0] == e ? 0 : edges[1] 
 struct FacetJudge::Walk {
   Face face;
   std::size_t side;              // of the face, through which it came
-  glm::dvec3 at, direction, up;  // `up` is where it came from the surface turns away from
+  glm::dvec3 at, direction, up;  // `up` is the side from which the surface of the edge turns away
   double height = 0;             // of the first face
   double length = 0, turned = 0, last_turn = 0;
 };
@@ -38,6 +38,21 @@ struct FacetJudge::Beyond {
   double turn = 0;       // by how much till half a width behind that
   double more = 0;       // the same a width further
   bool blocked = false;  // before that, by a border or by a corner
+
+  [[nodiscard]] bool goes_on(double angle) const { return turn >= similar * angle; }
+
+  // Whether a round comes from here and ends at an edge, beyond which lies the other.
+  [[nodiscard]] bool ends_before(const Beyond& other, double angle) const {
+    const bool round = goes_on(angle) && more >= turn + similar * angle;
+    if (!round || width > widest * other.width) return false;
+    const bool turns_back = other.width <= widest * width && angle <= uneven * turn;
+    return other.blocked || turns_back || angle <= end_of_round * turn;
+  }
+
+  [[nodiscard]] bool is_like(const Beyond& other, double angle) const {
+    return goes_on(angle) && other.goes_on(angle) &&
+           std::max(width, other.width) <= widest * std::min(width, other.width);
+  }
 };
 
 // From the line of a side, at right angles, to the corner opposite.
@@ -91,7 +106,7 @@ bool FacetJudge::go(Walk& w) const {
 }
 
 FacetJudge::Beyond FacetJudge::look(Walk w, double angle) const {
-  Beyond b{w.height};
+  Beyond b;
   bool met = false;
   for (int i = 0; i < most_faces; ++i) {
     const bool on = go(w);
@@ -149,19 +164,9 @@ bool FacetJudge::is_step(Edge e) const {
   const Walk &here = (*walks)[0], &there = (*walks)[1];
   const double angle = std::acos(std::clamp(-glm::dot(here.direction, there.direction), -1.0, 1.0));
   if (angle >= corner) return false;
-  const Beyond b[2] = {look(here, angle), look(there, angle)};
-  const auto goes_on = [&](const Beyond& x) { return x.turn >= similar * angle; };
-  const auto ends_here = [&](const Beyond& x, const Beyond& y) {
-    if (!goes_on(x) || x.more < x.turn + similar * angle || x.width > widest * y.width)
-      return false;
-    return y.blocked || angle <= end_of_round * x.turn ||
-           (angle <= uneven * x.turn && y.width <= widest * x.width);
-  };
-  const double least = std::min(b[0].width, b[1].width), most = std::max(b[0].width, b[1].width);
-  const bool within = goes_on(b[0]) && goes_on(b[1]) && most <= widest * least;
-  if (!within && !ends_here(b[0], b[1]) && !ends_here(b[1], b[0])) return false;
-  return !comes_to_fine_plane(here, angle, b[0].width) &&
-         !comes_to_fine_plane(there, angle, b[1].width);
+  const Beyond a = look(here, angle), b = look(there, angle);
+  if (!a.is_like(b, angle) && !a.ends_before(b, angle) && !b.ends_before(a, angle)) return false;
+  return !comes_to_fine_plane(here, angle, a.width) && !comes_to_fine_plane(there, angle, b.width);
 }
 
 }  // namespace aomd
