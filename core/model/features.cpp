@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "core/mesh/geometry.h"
+#include "core/model/facets.h"
 
 namespace aomd {
 namespace {
@@ -16,8 +17,9 @@ constexpr std::size_t smallest_set = 6;
 constexpr double smallest_extent = 0.02;
 constexpr double most_hair = 0.15;
 constexpr double most_rough = 2.0 / 3.0;
+constexpr double sharp_on_coarse = 0.1;
 
-enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3 };
+enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3, Step = 4 };
 
 class FeatureFinder {
  public:
@@ -43,7 +45,24 @@ class FeatureFinder {
       normals_[f] = area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
     }
     for (const Edge e : mesh_.edges())
-      if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit)) mark_[e] = Sharp;
+      if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit))
+        mark_[e] = Sharp, sharp_.push_back(e);
+  }
+
+  // The steps of rounds make real curves look hairy: without them all others are judged again. A
+  // fine mesh that was taken for a scan stays one.
+  void drop_steps() {
+    if (is_scan()) return;
+    const FacetJudge judge(mesh_);
+    std::vector<Edge> steps;
+    for (const Edge e : sharp_)
+      if (judge.is_step(e)) steps.push_back(e);
+    if (steps.empty()) return;
+    for (const Edge e : sharp_) mark_[e] = Sharp, seen_[e] = 0;
+    for (const Edge e : steps) mark_[e] = Step;
+    for (const Edge e : steps)
+      for (const Vertex v : mesh_.edge_vertices(e)) carry_on(v);
+    drop_roughness();
   }
 
   // Hairs first, all of them, so that shaving one may bare the next; then each set by its share of
@@ -51,7 +70,7 @@ class FeatureFinder {
   void drop_roughness() {
     for (const Vertex v : mesh_.vertices()) shave(v);
     for (const Edge e : mesh_.edges())
-      if (mark_[e] >= Sharp && !seen_[e]) judge_set(e);
+      if (in_set(e) && !seen_[e]) judge_set(e);
     drop_all_on_scans();
   }
 
@@ -61,6 +80,29 @@ class FeatureFinder {
     const ModelRef first = mesh_.classification(faces[0]);
     return std::all_of(faces.begin(), faces.end(),
                        [&](Face f) { return mesh_.classification(f) == first; });
+  }
+
+  bool meets_step(Edge e) const {
+    for (const Vertex v : mesh_.edge_vertices(e))
+      for (const Edge other : mesh_.row<1>(v))
+        if (mark_[other] == Step) return true;
+    return false;
+  }
+
+  // Without the steps that joined them, curves beside a round may be short or have open ends.
+  bool stands_by_itself(const std::vector<Edge>& edges) const {
+    const auto corner = [&](Edge e) { return past(e, corner_); };
+    const auto corners = std::count_if(edges.begin(), edges.end(), corner);
+    return 2 * static_cast<std::size_t>(corners) > edges.size() &&
+           std::any_of(edges.begin(), edges.end(), [&](Edge e) { return meets_step(e); });
+  }
+
+  bool in_set(Edge e) const { return mark_[e] == Sharp || mark_[e] == Hair; }
+
+  bool is_scan() const {
+    const auto sharp = [&](Edge e) { return mark_[e] == Sharp; };
+    return std::none_of(sharp_.begin(), sharp_.end(), sharp) &&
+           static_cast<double>(sharp_.size()) < sharp_on_coarse * mesh_.count(1);
   }
 
   bool past(Edge e, const TurnLimit& limit) const {
@@ -83,21 +125,57 @@ class FeatureFinder {
     return count;
   }
 
-  // Follows an open chain from its tip; shorter than a curve, it is a hair.
-  void shave(Vertex tip) {
+  // Fills chain_ with an open chain from its tip, or as much of it as makes a curve. Returns where
+  // that ends.
+  Vertex follow(Vertex tip) {
     Edge next;
     Vertex at = tip;
     chain_.clear();
-    if (meeting(at, {}, next) != 1) return;
+    if (meeting(at, {}, next) != 1) return tip;
     while (mark_[next] == Sharp && chain_.size() < shortest_open_chain) {
       const Edge e = next;
       chain_.push_back(e);
       at = mesh_.other_end(e, at);
       if (meeting(at, e, next) != 2) break;
     }
-    if (chain_.size() >= shortest_open_chain) return;
+    return at;
+  }
+
+  // An open chain that is shorter than a curve is a hair.
+  void shave(Vertex tip) {
+    const Vertex at = follow(tip);
+    if (chain_.size() >= shortest_open_chain || stands_by_itself(chain_)) return;
     for (const Edge e : chain_) mark_[e] = Hair;
     if (!chain_.empty() && at != tip) shave(at);
+  }
+
+  // A curve that breaks off and goes on behind a few steps in line with it is joined.
+  void carry_on(Vertex tip) {
+    follow(tip);
+    if (chain_.size() < shortest_open_chain) return;
+    Edge last = chain_.front(), other;
+    Vertex at = tip;
+    chain_.clear();
+    do {
+      last = straight_on(at, last);
+      if (!last.valid() || chain_.size() == shortest_open_chain) return;
+      chain_.push_back(last);
+      at = mesh_.other_end(last, at);
+    } while (meeting(at, {}, other) == 0);
+    for (const Edge e : chain_) mark_[e] = Sharp;
+  }
+
+  // The step that turns least from an edge, by less than 45 degrees; none: invalid.
+  Edge straight_on(Vertex at, Edge from) const {
+    const glm::dvec3 p = mesh_.position(at), in = p - mesh_.position(mesh_.other_end(from, at));
+    Edge best;
+    double most = std::sqrt(0.5);
+    for (const Edge e : mesh_.row<1>(at)) {
+      if (mark_[e] != Step) continue;
+      const double cosine = cosine_between(in, mesh_.position(mesh_.other_end(e, at)) - p);
+      if (cosine > most) most = cosine, best = e;
+    }
+    return best;
   }
 
   void judge_set(Edge seed) {
@@ -111,14 +189,14 @@ class FeatureFinder {
         low = glm::min(low, mesh_.position(v));
         high = glm::max(high, mesh_.position(v));
         for (const Edge e : mesh_.row<1>(v))
-          if (mark_[e] >= Sharp && !seen_[e]) seen_[e] = 1, set_.push_back(e);
+          if (in_set(e) && !seen_[e]) seen_[e] = 1, set_.push_back(e);
       }
     }
     const bool tiny =
         set_.size() < smallest_set && glm::length(high - low) < smallest_extent * diagonal();
     const bool rough =
         tiny || static_cast<double>(hairs) > most_hair * static_cast<double>(set_.size());
-    if (!rough) return;
+    if (!rough || stands_by_itself(set_)) return;
     for (const Edge e : set_) mark_[e] = Hair;
   }
 
@@ -145,9 +223,10 @@ class FeatureFinder {
 
   const Mesh& mesh_;
   Column<Edge, std::uint8_t>& mark_;
+  const TurnLimit corner_{FacetJudge::corner_deg};
   Column<Edge, std::uint8_t> seen_;
   Column<Face, glm::dvec3> normals_;
-  std::vector<Edge> chain_, set_;
+  std::vector<Edge> sharp_, chain_, set_;
   double diagonal_ = -1;
 };
 
@@ -161,12 +240,14 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
   if (options.angle_deg) {
     finder.mark_sharp(*options.angle_deg);
     finder.drop_roughness();
+    finder.drop_steps();
   }
   FeatureCount count;
   for (const Edge e : mesh.edges()) {
     count.borders += feature[e] == Border;
     count.sharp += feature[e] == Sharp;
     count.rough += feature[e] == Hair;
+    count.steps += feature[e] == Step;
     feature[e] = feature[e] == Border || feature[e] == Sharp;
   }
   return count;

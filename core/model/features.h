@@ -15,6 +15,7 @@ struct FeatureCount {
       0;  ///< boundary and non-manifold edges, borders between model faces, edges given as features
   std::uint32_t sharp = 0;  ///< edges past the angle that were kept
   std::uint32_t rough = 0;  ///< edges past the angle that were taken for roughness
+  std::uint32_t steps = 0;  ///< edges past the angle that are steps of a round drawn in facets
 };
 
 struct FeatureOptions {
@@ -24,14 +25,30 @@ struct FeatureOptions {
 };
 
 /// Marks the edges that lie on model edges. Besides borders these are the edges whose faces meet at
-/// more than the angle, except where such edges are roughness: on a scan many edges are past any
-/// useful angle but lead nowhere. A connected set of sharp edges is roughness when more than 15 %
-/// of it are hairs (open chains of fewer than 8 edges), or when it has fewer than 6 edges and spans
-/// less than 2 % of the mesh's diagonal. Hairs of the sets that stay are dropped too. Where more
-/// than two thirds of the sharp edges fell so, the mesh is a scan and the rest falls as well.
+/// more than the angle, except roughness and the steps of rounds.
+///
+/// Roughness: on a scan many edges are past any useful angle but lead nowhere. A connected set of
+/// sharp edges is roughness when more than 15 % of it are hairs (open chains of fewer than 8
+/// edges), or when it has fewer than 6 edges and spans less than 2 % of the mesh's diagonal. Hairs
+/// of the sets that stay are dropped too. Where more than two thirds of the sharp edges fell so,
+/// the mesh is a scan and the rest falls as well.
+///
+/// Steps: between facets that stand for a smooth surface every edge is sharp (see FacetJudge).
+/// Where there are some, roughness is judged again without them, and a curve of at least 8 edges
+/// that breaks off at steps in line with it is carried on over at most 8 of them. A fine mesh (less
+/// than a tenth of its edges sharp) that was taken for a scan stays one.
+///
 /// docs/CLASSIFICATION.md has the measurements behind the numbers. The mesh must store T(0,1),
 /// T(1,2), T(2,0), T(2,1). O(entities).
 FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature);
+
+/// False where the model vertices that the angle led to would take more than half of the faces
+/// wanted: each stays, and two faces with it. What is left for the rest then comes out worse than
+/// it would without them.
+[[nodiscard]] inline bool features_pay(const FeatureCount& found, int model_vertices,
+                                       std::uint32_t faces) {
+  return found.sharp == 0 || 4 * static_cast<std::int64_t>(model_vertices) <= faces;
+}
 
 }  // namespace aomd

@@ -38,7 +38,8 @@ int run(const Options& options) {
   stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
                          << result.model_edges << " model edges, " << result.model_faces
                          << " model faces; sharp edges: " << result.features.sharp << " features, "
-                         << result.features.rough << " roughness\n";
+                         << result.features.rough << " roughness, "
+ << result.features.steps << " steps of rounds\n";
   return done;
 }
 

@@ -16,6 +16,7 @@
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
+#include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
 #include "tools/aomd/command.h"
@@ -29,6 +30,12 @@
 
 namespace aomd::cli {
 namespace {
+
+std::string dear_features(int model_vertices, std::uint32_t faces) {
+  return std::to_string(model_vertices) + " model vertices would take more than half of " +
+         counted(faces, "face") +
+         ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
+}
 
 /// One run, stage by stage; each fills its part of the report.
 class Run {
@@ -84,7 +91,7 @@ class Run {
 
   void classify_mesh() {
     progress_.show("classifying");
-    classify(mesh_, how_);
+    classify_by_angle();
     if (const auto finding = first_misclassified(mesh_)) refuse(*finding);
     if (!options_.paper() && !model_ && !options_.snaps())
       mesh_.keep_model_edges_only();  // models look at all edges
@@ -113,6 +120,18 @@ class Run {
       throw io::ReadError(options_.input, {}, std::string("--snap model: ") + e.what());
     }
     steps_.model = model_.get();
+  }
+
+  // What the angle finds is classified without edges that would cost too much of the target.
+  void classify_by_angle() {
+    const ClassifyResult found = classify(mesh_, how_);
+    const bool free = !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
+    if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
+    how_.feature_angle_deg = FacetJudge::corner_deg;
+    mesh_ = Mesh(original_);
+    classify(mesh_, how_);
+    if (!options_.quiet)
+      print_notes(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
   // Classification by the model is a step of the journal, so that a replay needs no model.
@@ -219,11 +238,18 @@ class Run {
             {"would_help", helps ? Json(missed_->would_help) : Json(nullptr)}};
   }
 
+  [[nodiscard]] Json options_json() const {
+    Json options = options_.json(steps_);
+    options["feature_angle_deg"] =
+        how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr);
+    return options;
+  }
+
   [[nodiscard]] Json report_json() const {
     return {{"schema", 1},
             {"input", counts_json(options_.input, input_)},
             {"output", counts_json(options_.output, output_)},
-            {"options", options_.json(steps_)},
+            {"options", options_json()},
             {"repair", options_.repair ? Json{{"done", items_json(repaired_.done)},
                                               {"left", items_json(repaired_.left)}}
                                        : Json(nullptr)},

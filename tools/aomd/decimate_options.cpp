@@ -100,10 +100,12 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       command.add_option("--regularity", o.decimation.regularity,
                          "For quality: 0 accuracy first .. 1 regular faces first");
   regularity->type_name("W")->check(between(0, 1))->capture_default_str();
-  CLI::Option* features =
-      command.add_option("--feature-angle", o.feature_angle,
-                         "Edges whose faces meet at more than this become model edges");
+  CLI::Option* features = command.add_option(
+      "--feature-angle", o.feature_angle,
+      "Edges whose faces meet at more than this become model edges; where that\nwould cost more "
+      "than half of --target-faces, only from 50 degrees on unless\nit is given");
   features->type_name("DEG|off")->check(angle_or_off())->capture_default_str();
+  features->each([&o](const std::string&) { o.feature_angle_given = true; });
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
