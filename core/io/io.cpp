@@ -11,6 +11,7 @@
 
 #include "core/base/text.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/text_cursor.h"
 
 namespace aomd::io {
@@ -18,15 +19,18 @@ namespace {
 
 using detail::Source;
 
-constexpr std::array<std::pair<std::string_view, Format>, 9> extensions{{{".obj", Format::Obj},
-                                                                         {".ply", Format::Ply},
-                                                                         {".off", Format::Off},
-                                                                         {".stl", Format::Stl},
-                                                                         {".msh", Format::Msh},
-                                                                         {".mesh", Format::Medit},
-                                                                         {".vtk", Format::Vtk},
-                                                                         {".vtu", Format::Vtu},
-                                                                         {".su2", Format::Su2}}};
+/// First those that name one format each, in its order.
+constexpr std::array<std::pair<std::string_view, Format>, 10> extensions{
+    {{".obj", Format::Obj},
+     {".ply", Format::Ply},
+     {".off", Format::Off},
+     {".stl", Format::Stl},
+     {".msh", Format::Msh},
+     {".mesh", Format::Medit},
+     {".vtk", Format::Vtk},
+     {".vtu", Format::Vtu},
+     {".su2", Format::Su2},
+     {".meshb", Format::Medit}}};
 
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
@@ -56,7 +60,7 @@ std::optional<Format> format_of_content(const Source& source) {
   if (detail::is_binary_medit(source.bytes)) return Format::Medit;
   const std::string_view word = first_word(source);
   if (word == "ply") return Format::Ply;
-  if (word.starts_with("$MeshFormat")) return Format::Msh;
+  if (word.starts_with("$MeshFormat") || word == "$Comments") return Format::Msh;
   if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
   if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
   if (word.starts_with("NDIME") || word.starts_with("NZONE")) return Format::Su2;
@@ -108,6 +112,7 @@ ReadResult read_source(const Source& source) {
   const auto found = format_of_content(source);
   if (!found && !named) source.fail("is in no format that is known here");
   ReadResult result = read_as(found ? *found : *named, source);
+  detail::rename_repeated(result.mesh.attributes, result.notes);
   if (found && named && *found != *named) {
     result.notes.push_back("read as " + std::string(extension_of(*found)) +
                            ", which is what the content is");
@@ -115,9 +120,13 @@ ReadResult read_source(const Source& source) {
   return result;
 }
 
-bool binary_by_default(Format format, const MeshData& mesh) {
+bool writes_binary(const std::filesystem::path& path, Format format, const MeshData& mesh,
+                   const WriteOptions& options) {
+  // Programs tell binary Medit from text by the extension alone.
+  if (format == Format::Medit) return lower(path.extension().string()) == ".meshb";
   // Binary STL has no solids, and few programs read binary OFF.
-  return format == Format::Ply || (format == Format::Stl && mesh.faces.classes.empty());
+  return options.binary.value_or(format == Format::Ply ||
+                                 (format == Format::Stl && mesh.faces.classes.empty()));
 }
 
 /// Why the format cannot hold what the mesh is made of, or an empty string.
@@ -177,12 +186,13 @@ Format format_for_writing(const std::filesystem::path& path) {
   if (const auto format = format_of_name(path)) return *format;
   throw WriteError(
       path.string(), {},
-      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
+      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .meshb, .vtk, .vtu or "
+      ".su2");
 }
 
 void write(const std::filesystem::path& path, const MeshData& mesh, const WriteOptions& options) {
   const Format format = format_for_writing(path);
-  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
+  const bool binary = writes_binary(path, format, mesh, options);
   check_writable(path, mesh, binary && (format == Format::Stl || format == Format::Off));
   switch (format) {
     case Format::Obj:
@@ -196,7 +206,7 @@ void write(const std::filesystem::path& path, const MeshData& mesh, const WriteO
     case Format::Msh:
       return write_file(path, detail::write_msh(mesh, binary, options.msh2));
     case Format::Medit:
-      return write_file(path, detail::write_medit(mesh));
+      return write_file(path, detail::write_medit(mesh, binary));
     case Format::Vtk:
       return write_file(path, detail::write_vtk(mesh, binary));
     case Format::Vtu:

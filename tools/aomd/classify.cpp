@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/io/left_out.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/interrupt.h"
@@ -25,7 +26,10 @@ int run(const Options& options) {
   how.keep_present = !options.replace;
   const ClassifyResult result = classify(mesh, how);
   stop_if_interrupted();
-  io::write(options.output, to_data(mesh));
+  MeshData classified = to_data(mesh);
+  const std::vector<std::string> left_out = io::leave_out_unfollowed(read.mesh, classified);
+  if (!options.quiet) print_notes(options.output, left_out);
+  write_mesh(options.output, classified, options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "core/io/left_out.h"
 #include "tools/aomd/interrupt.h"
 
 namespace aomd::cli {
@@ -16,6 +17,13 @@ io::ReadResult read_mesh(const std::string& file, bool quiet) {
   if (!quiet) print_notes(file, result.notes);
   stop_if_interrupted();
   return result;
+}
+
+void write_mesh(const std::string& file, const MeshData& mesh, bool quiet,
+                const io::WriteOptions& how) {
+  const std::vector<std::string> left_out = io::leaves_out(file, mesh);
+  io::write(file, mesh, how);
+  if (!quiet) print_notes(file, left_out);
 }
 
 std::optional<double> parse_number(const std::string& text) {

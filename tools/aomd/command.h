@@ -55,6 +55,10 @@ void print_notes(const std::string& file, const std::vector<std::string>& notes)
 /// Reads a mesh; what the reader had to do goes to standard error as notes unless `quiet`.
 [[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
 
+/// Writes a mesh; what the format does not hold goes to standard error as a note unless `quiet`.
+void write_mesh(const std::string& file, const MeshData& mesh, bool quiet = false,
+                const io::WriteOptions& how = {});
+
 /// The whole text as a number, or nothing.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);
 

@@ -21,7 +21,7 @@ int run(const Options& options) {
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
   stop_if_interrupted();
-  io::write(options.output, read.mesh, how);
+  write_mesh(options.output, read.mesh, false, how);
   return done;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/io/journal_file.h"
+#include "core/io/left_out.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
@@ -16,6 +17,7 @@
 #include "core/model/discrete_model.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
+#include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_options.h"
 #include "tools/aomd/given_classes.h"
@@ -26,6 +28,9 @@
 
 namespace aomd::cli {
 namespace {
+
+constexpr const char* quads_obstacle =
+    "Only triangles can be decimated, and there are quads: --triangulate cuts them";
 
 /// One run, stage by stage; each fills its part of the report.
 class Run {
@@ -59,12 +64,19 @@ class Run {
     stop_if_interrupted();
     original_ = std::move(read.mesh);
     seconds_["read"] = watch_.lap();
+    if (options_.triangulate) cut_quads();
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_))
-      throw io::LimitError(options_.input, {}, obstacle);
+      throw io::LimitError(options_.input, {}, mesh_.count(3) > 0 ? obstacle : quads_obstacle);
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+  }
+
+  void cut_quads() {
+    const std::size_t quads = triangulate_quads(original_);
+    if (quads > 0 && !options_.quiet)
+      print_notes(options_.input, {counted(quads, "quad") + " cut into triangles"});
   }
 
   void repair_mesh() {
@@ -116,6 +128,10 @@ class Run {
       steps_.max_distance = options_.max_distance_pct / 100 *
                             TriangleTree(triangles_of(original_).corners).box().diagonal();
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
+    std::size_t required = 0;
+    steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
+    if (required > 0 && !options_.quiet)
+      print_notes(options_.input, {counted(required, "required vertex") + " kept where they are"});
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -164,8 +180,10 @@ class Run {
     progress_.show("writing");
     MeshData result = to_data(mesh_);
     GivenClasses(original_).apply(result);
+    const std::vector<std::string> left_out = io::leave_out_unfollowed(original_, result);
+    if (!options_.quiet) print_notes(options_.output, left_out);
     stop_if_interrupted();
-    io::write(options_.output, result);
+    write_mesh(options_.output, result, options_.quiet);
     if (!options_.journal.empty()) io::write_journal(options_.journal, record_);
     seconds_["write"] = watch_.lap();
   }

@@ -34,7 +34,7 @@ int run(const Options& options) {
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
   stop_if_interrupted();
-  io::write(options.output, read.mesh);
+  write_mesh(options.output, read.mesh, options.quiet || options.json);
   if (options.json) {
     std::cout << text_of(
         {{"schema", 1},
