@@ -59,6 +59,10 @@ class Loop {
     if (!sweeps_.empty()) sweeps_.back().faces = mesh_.count(2);
     sweeps_.emplace_back();
   }
+  /// Whether a swap would change a face that stays.
+  [[nodiscard]] bool keeps_face_of(const EdgePair& e) const {
+    return options_.kept(e.a, e.b, e.c) || options_.kept(e.b, e.a, e.d);
+  }
   /// Counts an operation that was judged and made.
   void made(StepKind kind, EntityRef entity) {
     SweepStatistics& s = sweeps_.back();

@@ -66,7 +66,8 @@ struct DecimationOptions {
   bool smooth = true;
   int threads =
       1;  ///< Quality: used wherever there is something to share out; the result is the same
-  /// Vertices (nonzero) that stay where they are; none: all may go.
+  /// Vertices (nonzero) that stay where they are, and so do faces between three of them; none: all
+  /// may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
   /// mesh lies on (check_against) and outlive the decimation.
@@ -77,6 +78,9 @@ struct DecimationOptions {
   [[nodiscard]] bool has(Idea idea) const { return !(without >> static_cast<int>(idea) & 1u); }
   [[nodiscard]] bool kept(Vertex v) const {
     return keep && v.index < keep->size() && (*keep)[v] != 0;
+  }
+  [[nodiscard]] bool kept(Vertex a, Vertex b, Vertex c) const {
+    return kept(a) && kept(b) && kept(c);
   }
 };
 

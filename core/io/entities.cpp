@@ -25,6 +25,18 @@ std::int64_t repeated(std::span<const std::int64_t> vertices) {
   return twin == sorted.end() ? none : *twin;
 }
 
+/// Closes the gaps that marked vertices leave among values, so many for each vertex.
+template <class Value>
+void drop_values(std::vector<Value>& values, const std::vector<std::uint8_t>& marks,
+                 std::size_t components) {
+  std::size_t to = 0;
+  for (std::size_t v = 0; v < marks.size(); ++v) {
+    if (marks[v] != 0) continue;
+    for (std::size_t c = 0; c < components; ++c) values[to++] = values[v * components + c];
+  }
+  values.resize(to);
+}
+
 }  // namespace
 
 std::string out_of_range(std::int64_t index, std::uint64_t vertex_count, int first) {
@@ -93,6 +105,23 @@ void trim_walk(std::vector<std::int64_t>& polygon) {
 void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertices) {
   list.shapes.push_back(shape);
   for (const std::int64_t v : vertices) list.vertices.push_back(static_cast<std::uint32_t>(v));
+}
+
+void drop_vertices(MeshData& mesh, const std::vector<std::uint8_t>& marks) {
+  std::vector<std::uint32_t> place(marks.size());
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < marks.size(); ++v) {
+    place[v] = kept;
+    kept += marks[v] == 0;
+  }
+  drop_values(mesh.positions, marks, 1);
+  if (!mesh.vertex_classes.empty()) drop_values(mesh.vertex_classes, marks, 1);
+  for (Attribute& a : mesh.attributes) {
+    if (a.dimension == 0) drop_values(a.values, marks, static_cast<std::size_t>(a.components));
+  }
+  for (int d = 1; d <= 3; ++d) {
+    for (std::uint32_t& v : mesh.list(d).vertices) v = place[v];
+  }
 }
 
 std::vector<ModelRef> lowest_classes(const MeshData& mesh) {

@@ -47,6 +47,10 @@ void trim_walk(std::vector<std::int64_t>& polygon);
 /// Appends a checked entity of shape.vertex_count vertices. Its class, if any, is the caller's.
 void append(EntityList& list, Shape shape, std::span<const std::int64_t> vertices);
 
+/// Takes out the vertices whose mark is not 0, with their classes and values; nothing may use them.
+/// Linear.
+void drop_vertices(MeshData& mesh, const std::vector<std::uint8_t>& marks);
+
 /// The class of each vertex, where a file gives none: that of the lowest-dimensional classified
 /// entity that uses the vertex, the smallest where there are several. Unclassified where there is
 /// none. Linear.

@@ -16,7 +16,7 @@ namespace aomd::io::detail {
 [[nodiscard]] ReadResult read_stl(const Source& source, bool binary);
 /// Gmsh MSH 2.2 and 4.1, text and binary.
 [[nodiscard]] ReadResult read_msh(const Source& source);
-/// Medit .mesh, text.
+/// Medit, text (.mesh) and binary (.meshb).
 [[nodiscard]] ReadResult read_medit(const Source& source);
 /// Legacy VTK, text and binary.
 [[nodiscard]] ReadResult read_vtk(const Source& source);
@@ -41,7 +41,7 @@ namespace aomd::io::detail {
 [[nodiscard]] std::string write_off(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_stl(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_msh(const MeshData& mesh, bool binary, bool msh2);
-[[nodiscard]] std::string write_medit(const MeshData& mesh);
+[[nodiscard]] std::string write_medit(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_vtk(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_vtu(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_su2(const MeshData& mesh);

@@ -12,6 +12,7 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/losses.h"
+#include "core/io/notes.h"
 #include "core/io/text_cursor.h"
 
 namespace aomd::io {
@@ -19,15 +20,18 @@ namespace {
 
 using detail::Source;
 
-constexpr std::array<std::pair<std::string_view, Format>, 9> extensions{{{".obj", Format::Obj},
-                                                                         {".ply", Format::Ply},
-                                                                         {".off", Format::Off},
-                                                                         {".stl", Format::Stl},
-                                                                         {".msh", Format::Msh},
-                                                                         {".mesh", Format::Medit},
-                                                                         {".vtk", Format::Vtk},
-                                                                         {".vtu", Format::Vtu},
-                                                                         {".su2", Format::Su2}}};
+/// First those that name one format each, in its order.
+constexpr std::array<std::pair<std::string_view, Format>, 10> extensions{
+    {{".obj", Format::Obj},
+     {".ply", Format::Ply},
+     {".off", Format::Off},
+     {".stl", Format::Stl},
+     {".msh", Format::Msh},
+     {".mesh", Format::Medit},
+     {".vtk", Format::Vtk},
+     {".vtu", Format::Vtu},
+     {".su2", Format::Su2},
+     {".meshb", Format::Medit}}};
 
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
@@ -54,7 +58,7 @@ std::optional<Format> format_of_content(const Source& source) {
   if (detail::is_binary_medit(source.bytes)) return Format::Medit;
   const std::string_view word = first_word(source);
   if (word == "ply") return Format::Ply;
-  if (word.starts_with("$MeshFormat")) return Format::Msh;
+  if (word.starts_with("$MeshFormat") || word == "$Comments") return Format::Msh;
   if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
   if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
   if (word.starts_with("NDIME") || word.starts_with("NZONE")) return Format::Su2;
@@ -133,6 +137,7 @@ ReadResult read_source(const Source& source) {
         "is in no format that is known here: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, "
         ".vtu or .su2");
   ReadResult result = read_as(found ? *found : *named, source);
+  detail::rename_repeated(result.mesh.attributes, result.notes);
   if (found && named && *found != *named) {
     result.notes.push_back("read as " + std::string(extension_of(*found)) +
                            ", which is what the content is");
@@ -149,9 +154,13 @@ Source without_mark(const std::string& name, std::string_view bytes) {
   return {name, bytes.substr(mark.size()), mark.size()};
 }
 
-bool binary_by_default(Format format, const MeshData& mesh) {
+bool writes_binary(const std::filesystem::path& path, Format format, const MeshData& mesh,
+                   const WriteOptions& options) {
+  // Programs tell binary Medit from text by the extension alone.
+  if (format == Format::Medit) return lower(path.extension().string()) == ".meshb";
   // Binary STL has no solids, and few programs read binary OFF.
-  return format == Format::Ply || (format == Format::Stl && mesh.faces.classes.empty());
+  return options.binary.value_or(format == Format::Ply ||
+                                 (format == Format::Stl && mesh.faces.classes.empty()));
 }
 
 /// Why the format cannot hold what the mesh is made of, or an empty string.
@@ -204,7 +213,7 @@ std::string bytes_of(Format format, bool binary, const MeshData& mesh,
     case Format::Msh:
       return detail::write_msh(mesh, binary, options.msh2);
     case Format::Medit:
-      return detail::write_medit(mesh);
+      return detail::write_medit(mesh, binary);
     case Format::Vtk:
       return detail::write_vtk(mesh, binary);
     case Format::Vtu:
@@ -238,7 +247,8 @@ Format format_for_writing(const std::filesystem::path& path) {
   if (const auto format = format_of_name(path)) return *format;
   throw WriteError(
       path.string(), {},
-      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
+      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .meshb, .vtk, .vtu or "
+      ".su2");
 }
 
 std::optional<Format> format_named(std::string_view extension) {
@@ -250,7 +260,7 @@ std::optional<Format> format_named(std::string_view extension) {
 
 EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
                      const WriteOptions& options) {
-  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
+  const bool binary = writes_binary(name, format, mesh, options);
   const bool rounds = binary && (format == Format::Stl || format == Format::Off);
   check_writable(name, format, mesh, rounds);
   EncodedMesh result;

@@ -94,7 +94,7 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
                  std::vector<std::string>& notes) {
   const Holds holds = what_holds(format);
   const bool faces_lose = format == Format::Off || (format == Format::Stl && binary);
-  LeftOut left_out;
+  ItemList left_out;
   if (!holds.edges && !mesh.edges.empty()) left_out.add(counted(mesh.edges.size(), "edge"));
   if (format == Format::Stl) {
     const std::size_t unused = unused_vertices(mesh);
@@ -107,9 +107,10 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
     if (!holds.attributes && !(format == Format::Medit && a.name.starts_with("medit:")))
       left_out.add("attribute " + shown(a.name));
   }
+  if (!mesh.periodic.empty() && format != Format::Msh) left_out.add("periodic links");
   if (!mesh.model.groups.empty() && format != Format::Msh && format != Format::Su2)
     left_out.add("names of physical groups");
-  left_out.note(notes);
+  note_left_out(notes, left_out);
 }
 
 void note_rounding(const std::filesystem::path& path, const MeshData& mesh,

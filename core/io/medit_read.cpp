@@ -1,28 +1,21 @@
-// Medit .mesh, text: versions 1 to 4 differ only in the precision they promise.
+// Medit meshes, text and binary.
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <optional>
 
 #include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/formats.h"
 #include "core/io/medit.h"
-#include "core/io/text_cursor.h"
+#include "core/io/medit_input.h"
+#include "core/io/notes.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
 
-bool same(std::string_view word, std::string_view keyword) {
-  return word.size() == keyword.size() &&
-         std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) {
-           return std::tolower(static_cast<unsigned char>(a)) ==
-                  std::tolower(static_cast<unsigned char>(b));
-         });
-}
-
-/// One list of elements as read: where it stands among those of its dimension.
+/// Where the elements of one keyword stand among those of their dimension.
 struct Part {
   bool read = false;
   std::size_t first = 0, count = 0;
@@ -41,206 +34,233 @@ struct Vectors {
   std::vector<std::pair<std::uint32_t, Mark>> uses;
 };
 
+struct MeditElements {
+  Shape shape = Shape::Point;
+  std::size_t order = 1, nodes = 0;
+};
+
+/// The number of nodes of an element whose sides have so many steps.
+std::size_t nodes_of(Shape shape, std::size_t order) {
+  const std::size_t n = order + 1;
+  switch (shape) {
+    case Shape::Point:
+      return 1;
+    case Shape::Line:
+      return n;
+    case Shape::Triangle:
+      return n * (n + 1) / 2;
+    case Shape::Quad:
+      return n * n;
+    case Shape::Tetrahedron:
+      return n * (n + 1) * (n + 2) / 6;
+    case Shape::Pyramid:
+      return n * (n + 1) * (2 * n + 1) / 6;
+    case Shape::Prism:
+      return n * n * (n + 1) / 2;
+    case Shape::Hexahedron:
+      break;
+  }
+  return n * n * n;
+}
+
+/// What a keyword in small letters lists: "triangles", "trianglesp2", "quadrilateralsq2".
+std::optional<MeditElements> medit_elements(std::string keyword) {
+  std::size_t order = 1;
+  const std::size_t n = keyword.size();
+  if (n > 2 && keyword[n - 1] >= '2' && keyword[n - 1] <= '4' &&
+      (keyword[n - 2] == 'p' || keyword[n - 2] == 'q')) {
+    order = static_cast<std::size_t>(keyword[n - 1] - '0');
+    keyword.resize(n - 2);
+  }
+  if (keyword == "pentahedra") keyword = "prisms";
+  for (const MeditList& list : medit_lists) {
+    if (keyword == lower(list.keyword))
+      return MeditElements{list.shape, order, nodes_of(list.shape, order)};
+  }
+  return {};
+}
+
+template <class Input>
 class MeditReader {
  public:
-  explicit MeditReader(const Source& source)
-      : source_(source), cursor_(source, source.bytes, 0, '#') {}
+  explicit MeditReader(const Source& source) : source_(source), input_(source) {}
 
   ReadResult read() {
-    header();
-    while (!cursor_.skip_to_content()) {
-      const TextCursor start = cursor_;
-      const std::string_view keyword = cursor_.word();
-      if (same(keyword, "End")) break;
-      section(start, keyword);
-    }
-    if (!has_vertices_) cursor_.fail("the file has no Vertices");
+    for (std::string keyword; input_.next(keyword);) section(keyword);
+    if (!has_vertices_) input_.fail("the file has no Vertices");
     classify();
     add_attributes();
     ReadResult result{std::move(mesh_), Format::Medit, {}};
     repeats_.note(result.notes);
-    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
+    if (curved_ > 0) drop_inner_nodes(result);
+    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_.text());
     return result;
   }
 
  private:
-  void header() {
-    if (is_binary_medit(source_.bytes))
-      source_.fail_at_byte(0, "binary Medit (.meshb) is not read, only text");
-    cursor_.skip_to_content();
-    const std::string_view first = cursor_.word();
-    if (!same(first, "MeshVersionFormatted"))
-      cursor_.fail("does not start with MeshVersionFormatted but with " + shown(first));
-    const std::int64_t version = integer("the version");
-    if (version < 1 || version > 4)
-      cursor_.fail("version " + std::to_string(version) + " is not read, only 1 to 4");
-  }
-
-  void expect_more(const char* what) {
-    if (cursor_.skip_to_content()) cursor_.fail(std::string("the file ends before ") + what);
-  }
-  std::int64_t integer(const char* what) {
-    expect_more(what);
-    return cursor_.integer(what);
-  }
-  double real(const char* what) {
-    expect_more(what);
-    return cursor_.real(what);
-  }
-
-  /// The number of items that take at least so many numbers each.
-  std::size_t count(std::string_view keyword, std::size_t numbers) {
-    const std::int64_t n = integer("the number of items");
-    if (n < 0) cursor_.fail("a negative number of " + std::string(keyword));
+  /// The number of items of so many numbers each.
+  std::size_t count(const std::string& keyword, std::size_t integers, std::size_t reals = 0) {
+    const std::int64_t n = input_.integer("the number of items");
+    if (n < 0) input_.fail("a negative number of " + keyword);
     if (static_cast<std::uint64_t>(n) >= no_index)
-      throw LimitError(source_.name, {}, "more than 2^32 - 2 " + std::string(keyword));
-    if (static_cast<std::uint64_t>(n) > cursor_.left() / (2 * numbers) + 1)
-      cursor_.fail("the file is too short for " + std::to_string(n) + ' ' + std::string(keyword));
+      throw LimitError(source_.name, {}, "more than 2^32 - 2 " + keyword);
+    if (!input_.has_room(static_cast<std::uint64_t>(n), integers, reals))
+      input_.fail("the file is too short for " + std::to_string(n) + ' ' + keyword);
     return static_cast<std::size_t>(n);
   }
 
-  void section(const TextCursor& start, std::string_view keyword) {
-    if (same(keyword, "Dimension")) return dimension();
-    if (same(keyword, "Vertices")) return vertices(keyword);
-    if (const MeditList* list = list_of(keyword)) return elements(start, *list);
-    if (same(keyword, "Corners")) return marks(keyword, corners_);
-    if (same(keyword, "RequiredVertices")) return marks(keyword, required_[0]);
-    if (same(keyword, "Ridges")) return marks(keyword, ridges_);
-    if (keyword.size() > 8 && same(keyword.substr(0, 8), "Required")) {
-      if (const MeditList* list = list_of(keyword.substr(8)))
-        return marks(keyword, required_[static_cast<std::size_t>(list->shape)]);
+  void section(const std::string& name) {
+    const std::string keyword = lower(name);
+    if (keyword == "dimension") return dimension();
+    if (keyword == "vertices") return vertices(name);
+    if (const auto kind = medit_elements(keyword)) return elements(name, *kind);
+    if (keyword == "corners") return marks(name, corners_);
+    if (keyword == "requiredvertices") return marks(name, required_[0]);
+    if (keyword == "ridges") return marks(name, ridges_);
+    if (keyword.starts_with("required")) {
+      if (const auto kind = medit_elements(keyword.substr(8)))
+        return marks(name, required_[static_cast<std::size_t>(kind->shape)]);
     }
-    if (same(keyword, "Normals")) return vectors(keyword, normals_);
-    if (same(keyword, "Tangents")) return vectors(keyword, tangents_);
-    if (same(keyword, "NormalAtVertices")) return vector_uses(keyword, normals_);
-    if (same(keyword, "TangentAtVertices")) return vector_uses(keyword, tangents_);
-    pass_over(start, keyword);
-  }
-
-  static const MeditList* list_of(std::string_view keyword) {
-    if (same(keyword, "Pentahedra")) keyword = "Prisms";
-    for (const MeditList& list : medit_lists) {
-      if (same(keyword, list.keyword)) return &list;
+    if (keyword == "normals") return vectors(name, normals_);
+    if (keyword == "tangents") return vectors(name, tangents_);
+    if (keyword == "normalatvertices") return vector_uses(name, normals_);
+    if (keyword == "tangentatvertices") return vector_uses(name, tangents_);
+    if (keyword.ends_with("ordering")) {
+      if (const auto kind = medit_elements(keyword.substr(0, keyword.size() - 8)))
+        return ordering(name, *kind);
     }
-    return nullptr;
-  }
-
-  /// Up to the next word that starts with a letter.
-  void pass_over(const TextCursor& start, std::string_view keyword) {
-    const auto is_keyword = [](std::string_view word) {
-      return std::isalpha(static_cast<unsigned char>(word[0])) && !is_number(word);
-    };
-    if (!is_keyword(keyword)) start.fail("expected a keyword, found " + shown(keyword));
-    passed_over_ += (passed_over_.empty() ? "" : ", ") + shown(keyword);
-    while (!cursor_.skip_to_content()) {
-      TextCursor ahead = cursor_;
-      const std::string_view word = ahead.word();
-      if (is_keyword(word)) return;
-      if (word[0] == '"') {
-        cursor_.skip_line();
-      } else {
-        cursor_ = ahead;
-      }
-    }
+    passed_over_.add(shown(name));
+    input_.pass_over();
   }
 
   void dimension() {
-    const std::int64_t d = integer("the dimension");
-    if (d != 2 && d != 3) cursor_.fail("dimension " + std::to_string(d) + "; it is 2 or 3");
+    const std::int64_t d = input_.dimension();
+    if (d != 2 && d != 3) input_.fail("dimension " + std::to_string(d) + "; it is 2 or 3");
     dimension_ = static_cast<int>(d);
   }
 
-  void vertices(std::string_view keyword) {
-    if (dimension_ == 0) cursor_.fail("Vertices before Dimension");
-    if (has_vertices_) cursor_.fail("Vertices are listed twice");
+  glm::dvec3 vector() {
+    const double x = input_.real("x"), y = input_.real("y");
+    return {x, y, dimension_ == 3 ? input_.real("z") : 0};
+  }
+
+  void vertices(const std::string& name) {
+    if (dimension_ == 0) input_.fail("Vertices before Dimension");
+    if (has_vertices_) input_.fail("Vertices are listed twice");
     has_vertices_ = true;
-    const std::size_t n = count(keyword, static_cast<std::size_t>(dimension_) + 1);
+    const std::size_t n = count(name, 1, static_cast<std::size_t>(dimension_));
     mesh_.positions.reserve(n);
     references_.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const double x = real("x"), y = real("y"), z = dimension_ == 3 ? real("z") : 0;
-      mesh_.positions.emplace_back(x, y, z);
+      mesh_.positions.push_back(vector());
       references_.push_back(reference());
     }
   }
 
   std::int32_t reference() {
-    const std::int64_t tag = integer("a reference");
+    const std::int64_t tag = input_.integer("a reference");
     if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
-      cursor_.fail("reference " + std::to_string(tag) + " is out of range");
+      input_.fail("reference " + std::to_string(tag) + " is out of range");
     return static_cast<std::int32_t>(tag);
   }
 
-  void elements(const TextCursor& start, const MeditList& kind) {
-    if (!has_vertices_) start.fail(std::string(kind.keyword) + " before Vertices");
+  /// Of elements of higher order the corners, which come first.
+  void elements(const std::string& name, const MeditElements& kind) {
+    if (!has_vertices_) input_.fail(name + " before Vertices");
     const ShapeTemplate& shape = shape_template(kind.shape);
-    Part& part = parts_[static_cast<std::size_t>(kind.shape)];
-    if (part.read) start.fail(std::string(kind.keyword) + " are listed twice");
     const auto corners = static_cast<std::size_t>(shape.vertex_count);
+    const bool curved = kind.nodes > corners;
+    Part& part = (curved ? curved_parts_ : parts_)[static_cast<std::size_t>(kind.shape)];
+    if (part.read) input_.fail(name + " are listed twice");
     EntityList& list = mesh_.list(shape.dimension);
-    part = {true, list.size(), count(kind.keyword, corners + 1)};
+    part = {true, list.size(), count(name, kind.nodes + 1)};
     list.shapes.reserve(list.size() + part.count);
     list.vertices.reserve(list.vertices.size() + corners * part.count);
     std::array<std::int64_t, 8> v{};
     const std::span<std::int64_t> used(v.data(), corners);
     for (std::size_t i = 0; i < part.count; ++i) {
-      for (std::int64_t& index : used) index = integer("a vertex index") - 1;
+      for (std::int64_t& index : used) index = input_.integer("a vertex index") - 1;
       const std::string wrong = entity_defect(kind.shape, used, mesh_.positions.size(), 1);
-      if (wrong.empty()) {
-        append(list, kind.shape, used);
-      } else if (!add_rest(kind.shape, used, list, wrong)) {
+      const bool kept = wrong.empty() || add_rest(kind.shape, used, list, wrong);
+      if (wrong.empty()) append(list, kind.shape, used);
+      for (std::size_t k = corners; k < kind.nodes; ++k) inner_node();
+      const std::int32_t tag = reference();
+      if (!kept) {
         part.dropped.push_back(i);
-        reference();
         continue;
       }
-      const std::int32_t tag = reference();
       list.classes.emplace_back(shape.dimension, tag);
       tagged_ = tagged_ || tag != 0;
     }
+    if (curved) curved_ += part.count;
   }
 
   /// Adds what is left of an edge or a face without its repeated corners; false where nothing is.
   bool add_rest(Shape shape, std::span<const std::int64_t> used, EntityList& list,
                 const std::string& wrong) {
     const auto left = without_repeats(shape, used, mesh_.positions.size(), repeats_);
-    if (!left) cursor_.fail(wrong);
+    if (!left) input_.fail(wrong);
     if (!left->empty()) append(list, Shape::Triangle, *left);
     return !left->empty();
   }
 
-  Mark number() {
-    const std::int64_t n = integer("an index");
-    return {n, cursor_.offset()};
+  void inner_node() {
+    const std::size_t v = vertex_index();
+    inner_.resize(mesh_.positions.size());
+    inner_[v] = 1;
   }
 
-  /// Marked items by their numbers; checked once all lists are there.
-  void marks(std::string_view keyword, std::vector<Mark>& into) {
-    const std::size_t n = count(keyword, 1);
-    for (std::size_t i = 0; i < n; ++i) into.push_back(number());
+  std::size_t vertex_index() {
+    const std::int64_t vertex = input_.integer("a vertex index") - 1;
+    if (outside(vertex, mesh_.positions.size()))
+      input_.fail(out_of_range(vertex, mesh_.positions.size(), 1));
+    return static_cast<std::size_t>(vertex);
   }
 
-  void vectors(std::string_view keyword, Vectors& into) {
-    if (dimension_ == 0) cursor_.fail(std::string(keyword) + " before Dimension");
-    const std::size_t n = count(keyword, static_cast<std::size_t>(dimension_));
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = real("x"), y = real("y"), z = dimension_ == 3 ? real("z") : 0;
-      into.values.emplace_back(x, y, z);
+  /// The place of each node of an element of higher order, in steps along its sides: 0 or all of
+  /// them at a corner. What does not begin with the corners would be misread.
+  void ordering(const std::string& name, const MeditElements& kind) {
+    constexpr std::size_t numbers[] = {0, 1, 3, 2, 4, 3, 4, 3};  // of a node, by shape
+    const std::size_t per_node = numbers[static_cast<std::size_t>(kind.shape)],
+                      n = count(name, per_node),
+                      corners = static_cast<std::size_t>(shape_template(kind.shape).vertex_count);
+    for (std::size_t i = 0; i < n * per_node; ++i) {
+      const std::int64_t step = input_.integer("a place");
+      if (i < corners * per_node && step != 0 && step != static_cast<std::int64_t>(kind.order))
+        input_.fail(name + " does not begin with the corners: save the mesh in the usual order");
     }
   }
 
-  void vector_uses(std::string_view keyword, Vectors& into) {
-    const std::size_t n = count(keyword, 2);
+  Mark number() {
+    const std::int64_t n = input_.integer("an index");
+    return {n, input_.offset()};
+  }
+
+  /// Marked items by their numbers; checked once all lists are there.
+  void marks(const std::string& name, std::vector<Mark>& into) {
+    const std::size_t n = count(name, 1);
+    for (std::size_t i = 0; i < n; ++i) into.push_back(number());
+  }
+
+  void vectors(const std::string& name, Vectors& into) {
+    if (dimension_ == 0) input_.fail(name + " before Dimension");
+    const std::size_t n = count(name, 0, static_cast<std::size_t>(dimension_));
+    for (std::size_t i = 0; i < n; ++i) into.values.push_back(vector());
+  }
+
+  void vector_uses(const std::string& name, Vectors& into) {
+    const std::size_t n = count(name, 2);
     for (std::size_t i = 0; i < n; ++i) {
-      const std::int64_t vertex = integer("a vertex index") - 1;
-      if (outside(vertex, mesh_.positions.size()))
-        cursor_.fail(out_of_range(vertex, mesh_.positions.size(), 1));
-      into.uses.emplace_back(static_cast<std::uint32_t>(vertex), number());
+      const auto vertex = static_cast<std::uint32_t>(vertex_index());
+      into.uses.emplace_back(vertex, number());
     }
   }
 
   /// References classify, unless there are only zeros and nothing else that tells of a model.
   void classify() {
-    if (!tagged_ && corners_.empty() && ridges_.empty()) {
+    const bool model_edges =
+        !ridges_.empty() || !required_[static_cast<std::size_t>(Shape::Line)].empty();
+    if (!tagged_ && corners_.empty() && !model_edges) {
       for (int d = 1; d <= 3; ++d) mesh_.list(d).classes.clear();
       return;
     }
@@ -259,8 +279,8 @@ class MeditReader {
   std::size_t checked(const Mark& mark, std::size_t count) const {
     if (mark.number >= 1 && static_cast<std::uint64_t>(mark.number) <= count)
       return static_cast<std::size_t>(mark.number) - 1;
-    source_.fail_at_line(mark.offset, "index " + std::to_string(mark.number) +
-                                          " is out of range (1.." + std::to_string(count) + ")");
+    input_.fail_at(mark.offset, "index " + std::to_string(mark.number) + " is out of range (1.." +
+                                    std::to_string(count) + ")");
   }
 
   void add_attributes() {
@@ -293,13 +313,18 @@ class MeditReader {
     }
   }
 
+  /// Numbers of elements of higher order count where there are no others.
+  const Part& part_of(std::size_t shape) const {
+    return parts_[shape].read ? parts_[shape] : curved_parts_[shape];
+  }
+
   void add_required(int d) {
     std::vector<double>* values = nullptr;
     for (const MeditList& list : medit_lists) {
       const auto k = static_cast<std::size_t>(list.shape);
       if (shape_template(list.shape).dimension != d || required_[k].empty()) continue;
       if (!values) values = &add(medit_required, d, 1, true, mesh_.list(d).size());
-      mark(*values, required_[k], parts_[k]);
+      mark(*values, required_[k], part_of(k));
     }
   }
 
@@ -324,19 +349,31 @@ class MeditReader {
     }
   }
 
+  /// What only elements of higher order use, other than as a corner.
+  void drop_inner_nodes(ReadResult& result) {
+    result.notes.push_back(counted(curved_, "higher-order element") + " read by the corners");
+    inner_.resize(result.mesh.positions.size());
+    for (int d = 1; d <= 3; ++d) {
+      for (const std::uint32_t v : result.mesh.list(d).vertices) inner_[v] = 0;
+    }
+    drop_vertices(result.mesh, inner_);
+  }
+
   const Source& source_;
-  TextCursor cursor_;
+  Input input_;
   MeshData mesh_;
   int dimension_ = 0;
   bool has_vertices_ = false;
   bool tagged_ = false;  ///< an element has a reference other than 0
   std::vector<std::int32_t> references_;
-  std::array<Part, builtin_shapes> parts_;
+  std::array<Part, builtin_shapes> parts_, curved_parts_;   ///< by shape; of higher order
   std::array<std::vector<Mark>, builtin_shapes> required_;  ///< by shape; vertices first
   std::vector<Mark> corners_, ridges_;
   Vectors normals_, tangents_;
   Repeats repeats_;
-  std::string passed_over_;
+  std::size_t curved_ = 0;           ///< elements of higher order
+  std::vector<std::uint8_t> inner_;  ///< not 0: a node of one of them, other than a corner
+  ItemList passed_over_;
 };
 
 }  // namespace
@@ -346,6 +383,9 @@ bool is_binary_medit(std::string_view bytes) {
   return one == std::string_view("\1\0\0\0", 4) || one == std::string_view("\0\0\0\1", 4);
 }
 
-ReadResult read_medit(const Source& source) { return MeditReader(source).read(); }
+ReadResult read_medit(const Source& source) {
+  if (is_binary_medit(source.bytes)) return MeditReader<MeditBinary>(source).read();
+  return MeditReader<MeditText>(source).read();
+}
 
 }  // namespace aomd::io::detail

@@ -91,7 +91,7 @@ class Repetitions {
 
 }  // namespace
 
-void MshMesh::finish(NodeClasses known) {
+void MshMesh::finish(NodeClasses known, bool make_table) {
   std::size_t repeated = 0;
   for (int dim = 0; dim <= 3; ++dim) {
     sort(elements_[static_cast<std::size_t>(dim)]);
@@ -104,9 +104,9 @@ void MshMesh::finish(NodeClasses known) {
   for (int dim = 1; dim <= 3; ++dim)
     mesh_.list(dim) = std::move(elements_[static_cast<std::size_t>(dim)].list);
   classify_vertices(known);
-  if (known == NodeClasses::None) make_model();
+  if (make_table) make_model();
   drop_empty_classes(mesh_);
-  if (known == NodeClasses::None) set_boxes(mesh_, mesh_.model.entities);
+  if (make_table) set_boxes(mesh_, mesh_.model.entities);
   for (std::size_t dim = 0; dim < 4; ++dim)
     element_tags_[dim].build(std::move(elements_[dim].tags));
 }

@@ -14,11 +14,24 @@ void check_version(const TextCursor& cursor, double version) {
   cursor.fail(what);
 }
 
+/// Past the comments that may stand before anything else.
+void skip_comments(TextCursor& cursor, const Source& source) {
+  constexpr std::string_view end = "$EndComments";
+  for (;;) {
+    if (cursor.skip_to_content()) cursor.fail("not an MSH file");
+    TextCursor ahead = cursor;
+    if (ahead.word() != "$Comments") return;
+    const std::size_t at = source.bytes.find(end, ahead.offset());
+    if (at == std::string_view::npos) cursor.fail("the section has no " + shown(end));
+    cursor = TextCursor(source, source.bytes, at + end.size());
+  }
+}
+
 }  // namespace
 
 MshHeader read_msh_header(const Source& source) {
   TextCursor cursor(source, source.bytes);
-  if (cursor.skip_to_content()) cursor.fail("not an MSH file");
+  skip_comments(cursor, source);
   const std::string_view word = cursor.word();
   if (word == "$NOD") cursor.fail("MSH version 1 is not read here: save it as 4.1");
   if (word != "$MeshFormat") cursor.fail("not an MSH file: it starts with " + shown(word));

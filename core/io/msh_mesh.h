@@ -71,15 +71,17 @@ class MshMesh {
   [[nodiscard]] std::string add(std::uint64_t tag, MshType type,
                                 std::span<const std::uint64_t> nodes, ModelRef model,
                                 std::int32_t physical);
+  /// An element that the mesh does not keep, though views may refer to it.
+  void drop(std::uint64_t tag) { dropped_.push_back(tag); }
   [[nodiscard]] ModelTable& model() { return mesh_.model; }
 
-  /// What a file says about where its vertices lie.
+  /// What a file says about where its vertices lie: nothing, by blocks of nodes, or for certain.
   enum class NodeClasses { None, Blocks, Entities };
   /// Sorts, drops repeated elements and nodes that only higher-order elements use, classifies the
   /// vertices: by their blocks (with a lower element's class where they contradict it), or by their
-  /// lowest element. Makes the model's table of an MSH 2 file (None) from the physical tags. Linear
-  /// but for the sorting.
-  void finish(NodeClasses known);
+  /// lowest element. Where the file has no table of the model, makes one from the physical tags
+  /// (`make_table`). Linear but for the sorting.
+  void finish(NodeClasses known, bool make_table);
 
   /// After finish(). The vertex of a node, no_index where it was dropped or (`known` false) never
   /// there.
@@ -114,7 +116,7 @@ class MshMesh {
   std::vector<std::uint32_t> new_vertices_;  ///< by node; empty where none was dropped
   std::array<Elements, 4> elements_;
   std::array<MshTags, 4> element_tags_;
-  std::vector<std::uint64_t> dropped_;  ///< tags of elements that are repeated or have no extent
+  std::vector<std::uint64_t> dropped_;  ///< tags of elements that are not kept
   std::vector<std::pair<ModelRef, std::int32_t>> further_groups_;
   std::vector<std::int64_t> vertices_;
   Repeats repeats_;

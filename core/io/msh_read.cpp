@@ -1,4 +1,4 @@
-// Gmsh MSH 2.2 and 4.1: nodes, elements, entities and physical names. Views: msh_views.h.
+// Gmsh MSH 2.2 and 4.1: nodes, elements and names; the rest: msh_{entities,views,periodic}.h.
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,9 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/msh_body.h"
+#include "core/io/msh_entities.h"
 #include "core/io/msh_mesh.h"
+#include "core/io/msh_periodic.h"
 #include "core/io/msh_views.h"
 
 namespace aomd::io::detail {
@@ -18,14 +20,16 @@ class MshReader {
   MshReader(const Source& source, const MshHeader& header)
       : source_(source),
         msh2_(header.msh2),
-        body_(source, TextCursor(source, source.bytes, header.end)) {}
+        body_(source, TextCursor(source, source.bytes, header.end)),
+        entities_(mesh_.model()) {}
 
   ReadResult read() {
     while (!at_end()) section();
     if (!has_nodes_) fail_at_end("the file has no $Nodes");
     if (!has_elements_) fail_at_end("the file has no $Elements");
-    using Known = MshMesh::NodeClasses;
-    mesh_.finish(msh2_ ? Known::None : has_entities_ ? Known::Entities : Known::Blocks);
+    mesh_.finish(node_classes(), msh2_);
+    note_parts();
+    read_periodic();
     MshViews<Body> views(source_, mesh_);
     for (const auto& [name, start] : views_) {
       body_.move_to(start);
@@ -36,17 +40,56 @@ class MshReader {
   }
 
  private:
+  [[nodiscard]] MshMesh::NodeClasses node_classes() const {
+    using Known = MshMesh::NodeClasses;
+    if (msh2_) return parametric_ ? Known::Entities : Known::None;
+    return has_entities_ ? Known::Entities : Known::Blocks;
+  }
+
+  void note_parts() {
+    if (!entities_.partitioned()) return;
+    std::string note = "parts joined to the model entities that they are parts of";
+    if (between_parts_ > 0)
+      note += ", " + counted(between_parts_, "element") + " on borders between them dropped";
+    mesh_.notes().push_back(std::move(note));
+  }
+
+  void read_periodic() {
+    MshPeriodic periodic(mesh_);
+    for (const TextCursor& start : periodic_) {
+      body_.move_to(start);
+      if (msh2_) {
+        TextCursor cursor = start;
+        periodic.read_text(cursor);
+        body_.move_to(cursor);
+      } else {
+        periodic.read(body_);
+      }
+      end_section("Periodic");
+    }
+    periodic.finish();
+  }
+
   ReadResult result(MshViews<Body>& views) {
-    ReadResult result;
-    result.format = Format::Msh;
+    ReadResult result{{}, Format::Msh, {}};
     views.finish();
     result.notes = std::move(mesh_.notes());
-    for (const auto& [name, times] : skipped_) {
-      result.notes.push_back("section $" + name + " skipped");
-      if (times > 1) result.notes.back() += ' ' + std::to_string(times) + " times";
-    }
+    note_skipped(result.notes);
     result.mesh = std::move(mesh_.mesh());
     return result;
+  }
+
+  void note_skipped(std::vector<std::string>& notes) const {
+    constexpr std::size_t most = 8;
+    std::size_t listed = 0;
+    for (const auto& [name, times] : skipped_) {
+      if (listed++ == most) break;
+      notes.push_back("section $" + name + " skipped");
+      if (times > 1) notes.back() += ' ' + std::to_string(times) + " times";
+    }
+    if (skipped_.size() > most)
+      notes.push_back("sections of " + counted(skipped_.size() - most, "further name") +
+                      " skipped");
   }
 
   [[noreturn]] void fail_at_end(const std::string& what) const {
@@ -78,9 +121,13 @@ class MshReader {
       physical_names();
     } else if (name == "Entities" && !msh2_) {
       once(has_entities_, name, start);
-      entities();
-    } else if (name == "Nodes") {
-      once(has_nodes_, name, start);
+      entities_.read(body_);
+    } else if (name == "PartitionedEntities" && !msh2_) {
+      once(has_parts_, name, start);
+      entities_.read_partitioned(body_);
+    } else if (name == "Nodes" || (name == "ParametricNodes" && msh2_)) {
+      once(has_nodes_, "Nodes", start);
+      parametric_ = name != "Nodes";
       msh2_ ? nodes2() : nodes4();
       const std::string wrong = mesh_.finish_nodes();
       if (!wrong.empty()) body_.fail_at(start, wrong);
@@ -88,9 +135,6 @@ class MshReader {
       once(has_elements_, name, start);
       if (!has_nodes_) body_.fail_at(start, "$Elements before $Nodes");
       msh2_ ? elements2() : elements4();
-    } else if (name == "ParametricNodes") {
-      body_.fail_at(start,
-                    "$ParametricNodes are not read here: save it without parameters, or as 4.1");
     } else {
       return false;
     }
@@ -120,6 +164,8 @@ class MshReader {
     if (at == std::string_view::npos) body_.fail_at(start, "the section has no " + shown(end));
     if (name == "NodeData" || name == "ElementData") {
       views_.emplace_back(name, content);
+    } else if (name == "Periodic") {
+      periodic_.push_back(content);
     } else if (name != "Comments") {
       const std::string quoted = shown(name);
       ++skipped_[quoted.substr(1, quoted.size() - 2)];
@@ -147,38 +193,6 @@ class MshReader {
           {static_cast<int>(dimension), static_cast<std::int32_t>(tag), std::string(name)});
     }
     body_.move_to(cursor);
-  }
-
-  std::vector<std::int32_t> tags(const char* what) {
-    const std::uint64_t n = body_.count(what);
-    std::vector<std::int32_t> result;
-    for (std::uint64_t i = 0; i < n; ++i) result.push_back(body_.integer("a tag"));
-    return result;
-  }
-
-  void entities() {
-    std::uint64_t counts[4];
-    for (std::uint64_t& n : counts) n = body_.count("the number of entities");
-    for (int dim = 0; dim <= 3; ++dim)
-      for (std::uint64_t i = 0; i < counts[dim]; ++i) entity(dim);
-  }
-
-  void entity(int dim) {
-    ModelEntity entity;
-    entity.ref = model_ref(dim, body_.integer("the tag of an entity"));
-    for (std::size_t k = 0; k < (dim == 0 ? 3u : 6u); ++k)
-      entity.box[k] = body_.real("the box of an entity");
-    if (dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
-    entity.groups = tags("the number of physical tags");
-    if (dim > 0) entity.boundary = tags("the number of bounding entities");
-    if (entity.ref.valid()) mesh_.model().entities.push_back(std::move(entity));
-  }
-
-  /// Tag 0 stands for no classification: our writer's word for it, and MSH 2's.
-  ModelRef model_ref(int dimension, std::int32_t tag) const {
-    if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
-      body_.fail("entity tag " + std::to_string(tag) + " is out of range");
-    return tag == 0 ? ModelRef() : ModelRef(dimension, tag);
   }
 
   int dimension() {
@@ -224,7 +238,7 @@ class MshReader {
 
   void node_block(std::uint64_t most) {
     const int dim = dimension();
-    const ModelRef model = model_ref(dim, body_.integer("an entity tag"));
+    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
     const std::int32_t parametric = body_.integer("the parametric flag");
     if (parametric != 0 && parametric != 1) body_.fail("the parametric flag is neither 0 nor 1");
     const std::uint64_t n = body_.count("the number of nodes");
@@ -242,9 +256,18 @@ class MshReader {
     check_room(n, Body::int_size + 3 * Body::real_size, "nodes");
     mesh_.reserve_nodes(static_cast<std::size_t>(n));
     for (std::uint64_t i = 0; i < n; ++i) {
-      mesh_.add_node_tag(node_tag(body_.integer("a node tag")), ModelRef());
+      const std::uint64_t tag = node_tag(body_.integer("a node tag"));
       position();
+      mesh_.add_node_tag(tag, parametric_ ? class_and_parameters() : ModelRef());
     }
+  }
+
+  /// Behind the position of a parametric node.
+  ModelRef class_and_parameters() {
+    const int dim = dimension();
+    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
+    for (int k = 0; k < dim && dim < 3; ++k) body_.value("a parameter");
+    return model;
   }
 
   /// A count that is text in binary files too.
@@ -281,7 +304,8 @@ class MshReader {
 
   std::uint64_t element_block(std::uint64_t most) {
     const int dim = dimension();
-    const ModelRef model = model_ref(dim, body_.integer("an entity tag"));
+    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
+    const bool between_parts = model.valid() && model.dimension() != dim;
     const MshType type = element_type(body_.integer("an element type"));
     if (!model.may_classify(shape_template(type.shape).dimension)) {
       body_.fail("a " + std::string(shape_template(type.shape).name) +
@@ -293,8 +317,9 @@ class MshReader {
       const std::uint64_t tag = body_.count("an element tag");
       const auto nodes = std::span(nodes_).first(static_cast<std::size_t>(type.nodes));
       for (std::uint64_t& node : nodes) node = body_.count("a node tag");
-      add(tag, type, model, 0);
+      between_parts ? mesh_.drop(tag) : add(tag, type, model, 0);
     }
+    between_parts_ += between_parts ? n : 0;
     return n;
   }
 
@@ -340,8 +365,8 @@ class MshReader {
       if (k == 0) physical = value;
       if (k == 1) elementary = value;
     }
-    const ModelRef model =
-        model_ref(shape_template(type.shape).dimension, elementary != 0 ? elementary : physical);
+    const ModelRef model = entities_.model_ref(shape_template(type.shape).dimension,
+                                               elementary != 0 ? elementary : physical, body_);
     for (int k = 0; k < type.nodes; ++k)
       nodes_[static_cast<std::size_t>(k)] = static_cast<std::uint64_t>(body_.integer("a node tag"));
     add(tag, type, model, physical);
@@ -351,8 +376,12 @@ class MshReader {
   bool msh2_;
   Body body_;
   MshMesh mesh_;
+  MshEntities<Body> entities_;
   std::array<std::uint64_t, max_msh_nodes> nodes_{};
-  bool has_nodes_ = false, has_elements_ = false, has_entities_ = false;
+  bool has_nodes_ = false, has_elements_ = false, has_entities_ = false, has_parts_ = false;
+  bool parametric_ = false;           ///< nodes tell where they lie
+  std::uint64_t between_parts_ = 0;   ///< elements
+  std::vector<TextCursor> periodic_;  ///< where the content of such sections starts
   std::vector<std::pair<std::string, TextCursor>> views_;  ///< and where their content starts
   std::map<std::string, std::size_t> skipped_;             ///< sections, and how many of each
 };

@@ -77,10 +77,12 @@ class MshWriter {
     if (msh2) {
       nodes2();
       elements2();
+      if (!mesh_.periodic.empty()) periodic2();
     } else {
       entities();
       nodes4();
       elements4();
+      if (!mesh_.periodic.empty()) periodic4();
     }
     for (const Attribute& attribute : mesh_.attributes) view(attribute);
     return out_.text().take();
@@ -296,6 +298,45 @@ class MshWriter {
     out_.integer(msh_number(shapes[i]));
     out_.integer(to - from);
     out_.integer(2);
+  }
+
+  void periodic4() {
+    out_.begin("Periodic");
+    out_.count(mesh_.periodic.size());
+    out_.end_line();
+    for (const Periodicity& link : mesh_.periodic) {
+      for (const int number : {link.entity.dimension(), link.entity.tag(), link.source.tag()})
+        out_.integer(number);
+      out_.end_line();
+      out_.count(link.transformation.size());
+      for (const double x : link.transformation) out_.real(x);
+      out_.end_line();
+      out_.count(link.pairs.size());
+      out_.end_line();
+      for (const auto& [vertex, counterpart] : link.pairs) {
+        out_.count(std::uint64_t{vertex} + 1);
+        out_.count(std::uint64_t{counterpart} + 1);
+        out_.end_line();
+      }
+    }
+    out_.end("Periodic");
+  }
+
+  /// Text in binary files too.
+  void periodic2() {
+    ByteWriter& text = out_.text();
+    text << "$Periodic\n" << mesh_.periodic.size() << '\n';
+    for (const Periodicity& link : mesh_.periodic) {
+      text << link.entity.dimension() << ' ' << link.entity.tag() << ' ' << link.source.tag()
+           << '\n';
+      if (!link.transformation.empty()) text << "Affine";
+      for (const double x : link.transformation) text << ' ' << x;
+      if (!link.transformation.empty()) text << '\n';
+      text << link.pairs.size() << '\n';
+      for (const auto& [vertex, counterpart] : link.pairs)
+        text << std::uint64_t{vertex} + 1 << ' ' << std::uint64_t{counterpart} + 1 << '\n';
+    }
+    text << "$EndPeriodic\n";
   }
 
   /// What is NaN is left out, as far as all components of an entity are.

@@ -67,7 +67,7 @@ class ObjReader {
     faces_.drop(text_.short_faces, text_.short_lines);
     faces_.finish(result.mesh, result.notes);
     classify(result);
-    text_.left_out.note(result.notes);
+    note_left_out(result.notes, text_.left_out);
     drop_empty_classes(result.mesh);
     return result;
   }

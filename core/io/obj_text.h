@@ -26,7 +26,7 @@ struct ObjText {
   std::vector<std::size_t> face_offsets;  ///< where each `f` element of 3 or more corners stands
   std::size_t short_faces = 0;            ///< `f` elements of fewer corners, which are blanked
   std::size_t short_lines = 0;            ///< `l` elements of one vertex or none
-  LeftOut left_out;                       ///< what the file holds besides
+  ItemList left_out;                      ///< what the file holds besides
   std::string cleaned;  ///< the elements that tinyobjloader is to see; offsets as in the source
 };
 

@@ -27,7 +27,7 @@ struct OffHeader {
   [[nodiscard]] std::size_t extra() const {
     return (texture ? 2u : 0u) + (colour ? 4u : 0u) + (normal ? 3u : 0u);
   }
-  void name_in(LeftOut& left_out) const {
+  void name_in(ItemList& left_out) const {
     if (texture) left_out.add("texture coordinates");
     if (colour) left_out.add("vertex colours");
     if (normal) left_out.add("normals");
@@ -86,7 +86,7 @@ class OffText {
     }
     faces.finish(result.mesh, result.notes);
     if (coloured_) left_out_.add("face colours");
-    left_out_.note(result.notes);
+    note_left_out(result.notes, left_out_);
     cursor_.skip_to_content();
     note_rest(result.notes, cursor_.rest(), "face");
     return result;
@@ -162,7 +162,7 @@ class OffText {
   const Source& source_;
   TextCursor cursor_;
   OffHeader header_;
-  LeftOut left_out_;
+  ItemList left_out_;
   bool coloured_ = false;
   std::vector<std::int64_t> polygon_;
 };
@@ -192,7 +192,7 @@ class OffBinary {
     for (std::uint32_t i = 0; i < faces; ++i) face(sink);
     sink.finish(result.mesh, result.notes);
     if (coloured_) left_out_.add("face colours");
-    left_out_.note(result.notes);
+    note_left_out(result.notes, left_out_);
     note_rest(result.notes, source_.bytes.substr(at_), "face");
     if (little_) result.notes.push_back("read as little-endian");
     return result;
@@ -277,7 +277,7 @@ class OffBinary {
   std::size_t at_;
   OffHeader header_;
   bool little_ = false, coloured_ = false;
-  LeftOut left_out_;
+  ItemList left_out_;
   std::vector<std::int64_t> polygon_;
 };
 

@@ -91,7 +91,7 @@ class PlyReader {
     ReadResult result;
     result.format = Format::Ply;
     faces_.finish(mesh_, result.notes);
-    left_out_.note(result.notes);
+    note_left_out(result.notes, left_out_);
     note_rest(result.notes, body_.rest(), "element");
     drop_empty_classes(mesh_);
     result.mesh = std::move(mesh_);
@@ -286,7 +286,7 @@ class PlyReader {
   std::vector<Role> roles_;
   bool classified_ = false;
   Record record_;
-  LeftOut left_out_;
+  ItemList left_out_;
 };
 
 }  // namespace

@@ -1,13 +1,15 @@
-// SU2's native mesh format, text: one zone, two or three dimensions.
+// SU2's native mesh format, text: two or three dimensions, one zone or several.
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/io/entities.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/text_cursor.h"
 #include "core/io/vtk_cells.h"
 #include "core/mesh/handle.h"
@@ -23,11 +25,13 @@ class Su2Reader {
   ReadResult read() {
     scan();
     while (!cursor_.skip_to_content()) section();
-    if (!has_points_) cursor_.fail("the file has no NPOIN");
-    if (!has_elements_) cursor_.fail("the file has no NELEM");
+    end_zone();
     ReadResult result{std::move(mesh_), Format::Su2, {}};
     repeats_.note(result.notes);
-    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
+    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_.text());
+    if (points_of_.size() > 1)
+      result.notes.push_back(counted(points_of_.size(), "zone") + " joined: model " +
+                             plural(dimension_ == 3 ? "region" : "face") + " 1, 2, ...");
     if (marker_points_ > 0)
       result.notes.push_back(counted(marker_points_, "vertex") + " of markers passed over");
     return result;
@@ -36,17 +40,28 @@ class Su2Reader {
  private:
   /// Elements may come before points: what their indices and corners may be is found out first.
   void scan() {
+    bool in_zone = false;
     for (TextCursor ahead = cursor_; !ahead.skip_to_content(); ahead.skip_line()) {
-      const TextCursor line = ahead;
-      TextCursor value = line;
+      TextCursor value = ahead;
       const std::string key = key_of(value);
-      if (key == "NDIME") dimension_ = number(value, "the dimension");
-      if (key == "NPOIN") points_ = number(value, "the number of points");
-      if (key == "NZONE" && number(value, "the number of zones") != 1)
-        line.fail("a mesh of several zones; only one is read");
+      if (key == "NDIME") dimension(ahead, number(value, "the dimension"));
+      if (key == "NPOIN") points_of_.back() = number(value, "the number of points");
+      if (key != "IZONE") continue;
+      if (in_zone) points_of_.push_back(0);
+      in_zone = true;
     }
-    if (dimension_ != 2 && dimension_ != 3) cursor_.fail("NDIME is missing, or neither 2 nor 3");
-    if (points_ >= no_index) throw LimitError(source_.name, {}, "more than 2^32 - 2 points");
+    if (dimension_ == 0) cursor_.fail("NDIME is missing, or neither 2 nor 3");
+    std::uint64_t sum = 0;
+    for (const std::uint64_t n : points_of_) {
+      if (n >= no_index || (sum += n) >= no_index)
+        throw LimitError(source_.name, {}, "more than 2^32 - 2 points");
+    }
+  }
+
+  void dimension(const TextCursor& line, std::uint64_t n) {
+    if (n != 2 && n != 3) line.fail("NDIME is missing, or neither 2 nor 3");
+    if (dimension_ != 0 && dimension_ != n) line.fail("zones of two and of three dimensions");
+    dimension_ = n;
   }
 
   /// The key of a line "KEY= value", and past the sign; empty where the line is none.
@@ -77,14 +92,39 @@ class Su2Reader {
     } else if (key == "NELEM") {
       if (has_elements_) start.fail("NELEM a second time");
       has_elements_ = true;
-      elements(number(cursor_, "the number of elements"), ModelRef(), false);
-    } else if (key == "NMARK") {
-      cursor_.skip_line();  // the markers are counted as they come
+      const ModelRef zone = points_of_.size() > 1 ? start_zone() : ModelRef();
+      elements(number(cursor_, "the number of elements"), zone, false);
+    } else if (key == "NMARK" || key == "NZONE") {
+      cursor_.skip_line();  // markers and zones are counted as they come
+    } else if (key == "IZONE") {
+      if (in_zone_) next_zone();
+      in_zone_ = true;
+      cursor_.skip_line();
     } else if (key == "MARKER_TAG") {
       marker();
     } else {
       pass_over(start, key);
     }
+  }
+
+  void end_zone() {
+    if (!has_points_) cursor_.fail("the file has no NPOIN");
+    if (!has_elements_) cursor_.fail("the file has no NELEM");
+  }
+
+  void next_zone() {
+    end_zone();
+    has_points_ = has_elements_ = false;
+    first_point_ += points_of_[zone_++];
+  }
+
+  /// What the elements of this one of several zones lie on.
+  ModelRef start_zone() {
+    const int d = static_cast<int>(dimension_);
+    const auto tag = static_cast<std::int32_t>(zone_) + 1;
+    mesh_.model.groups.push_back({d, tag, "zone " + std::to_string(tag)});
+    mesh_.model.entities.push_back({ModelRef(d, tag), {tag}, {}, {}});
+    return {d, tag};
   }
 
   void check_lines(std::uint64_t n) const {
@@ -101,15 +141,33 @@ class Su2Reader {
     if (has_points_) start.fail("NPOIN a second time");
     has_points_ = true;
     cursor_.skip_line();  // a second number counts the points without halo
-    check_lines(points_);
-    mesh_.positions.reserve(static_cast<std::size_t>(points_));
-    for (std::uint64_t i = 0; i < points_; ++i) {
-      expect_line(i, points_, "points");
-      const double x = cursor_.real("x"), y = cursor_.real("y"),
-                   z = dimension_ == 3 ? cursor_.real("z") : 0;
+    const std::uint64_t n = points_of_[zone_];
+    check_lines(n);
+    mesh_.positions.reserve(mesh_.positions.size() + static_cast<std::size_t>(n));
+    const bool has_z = dimension_ == 3 || has_third_coordinate();
+    for (std::uint64_t i = 0; i < n; ++i) {
+      expect_line(i, n, "points");
+      const double x = cursor_.real("x"), y = cursor_.real("y"), z = has_z ? cursor_.real("z") : 0;
       mesh_.positions.emplace_back(x, y, z);
       end_of_item();
     }
+  }
+
+  /// Whether points in the plane come with z: what stands third is no index, which counts up.
+  bool has_third_coordinate() const {
+    TextCursor line = cursor_;
+    std::optional<std::int64_t> before;
+    for (int i = 0; i < 2 && !line.skip_to_content(); ++i, line.skip_line()) {
+      (void)line.word(), (void)line.word();
+      const std::string_view third = line.word();
+      if (third.empty()) return false;
+      std::int64_t index = 0;
+      const auto [end, error] = std::from_chars(third.data(), third.data() + third.size(), index);
+      const bool whole = error == std::errc{} && end == third.data() + third.size();
+      if (!whole || (before && index != *before + 1)) return is_number(third);
+      before = index;
+    }
+    return false;
   }
 
   /// An index, which says nothing new, may follow.
@@ -145,11 +203,12 @@ class Su2Reader {
     std::array<std::int64_t, 8> v{};
     for (const std::uint8_t k : corner_order(*kind)) v[k] = cursor_.integer("a vertex index");
     const std::span<const std::int64_t> corners(v.data(), kind->nodes);
-    const std::string wrong = entity_defect(kind->shape, corners, points_);
+    const std::uint64_t points = points_of_[zone_];
+    const std::string wrong = entity_defect(kind->shape, corners, points);
     if (wrong.empty()) {
       push(kind->shape, corners, model);
     } else {
-      const auto left = without_repeats(kind->shape, corners, points_, repeats_);
+      const auto left = without_repeats(kind->shape, corners, points, repeats_);
       if (!left) cursor_.fail(wrong);
       if (!left->empty()) push(Shape::Triangle, *left, model);
     }
@@ -170,7 +229,7 @@ class Su2Reader {
       cursor_.fail("MARKER_ELEMS should follow MARKER_TAG");
     const std::uint64_t n = number(cursor_, "the number of elements");
     const int dimension = static_cast<int>(dimension_) - 1;
-    const auto tag = static_cast<std::int32_t>(mesh_.model.groups.size()) + 1;
+    const std::int32_t tag = ++markers_;
     mesh_.model.groups.push_back({dimension, tag, std::move(name)});
     mesh_.model.entities.push_back({ModelRef(dimension, tag), {tag}, {}, {}});
     elements(n, ModelRef(dimension, tag), true);
@@ -182,8 +241,7 @@ class Su2Reader {
       TextCursor line = start;
       start.fail("expected KEY= value, found " + shown(line.word()));
     }
-    if (passed_over_.find(key) == std::string::npos)
-      passed_over_ += (passed_over_.empty() ? "" : ", ") + key;
+    passed_over_.add(key);
     cursor_.skip_line();
     while (!cursor_.skip_to_content()) {
       TextCursor line = cursor_;
@@ -195,11 +253,15 @@ class Su2Reader {
   const Source& source_;
   TextCursor cursor_;
   MeshData mesh_;
-  std::uint64_t dimension_ = 0, points_ = 0;
-  bool has_points_ = false, has_elements_ = false;
+  std::uint64_t dimension_ = 0;
+  std::vector<std::uint64_t> points_of_{0};  ///< of each zone
+  std::size_t zone_ = 0;                     ///< the present one
+  std::uint64_t first_point_ = 0;            ///< of the present zone, in the mesh
+  bool in_zone_ = false, has_points_ = false, has_elements_ = false;
+  std::int32_t markers_ = 0;
   std::size_t marker_points_ = 0;
   Repeats repeats_;
-  std::string passed_over_;
+  ItemList passed_over_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // markers.
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "core/io/byte_writer.h"
@@ -55,6 +56,7 @@ class Su2Writer {
       std::size_t count = 0;
       ByteWriter elements;
     };
+    name_entities();
     std::map<std::string, Marker> markers;
     std::map<ModelRef, Marker*> of_entity;
     const EntityList& list = mesh_.list(dimension_ - 1);
@@ -84,21 +86,28 @@ class Su2Writer {
            << marker->elements.take();
   }
 
-  [[nodiscard]] std::string marker_name(ModelRef m) const {
-    const auto entity = std::find_if(mesh_.model.entities.begin(), mesh_.model.entities.end(),
-                                     [&](const ModelEntity& e) { return e.ref == m; });
-    if (entity != mesh_.model.entities.end() && !entity->groups.empty()) {
-      for (const PhysicalGroup& group : mesh_.model.groups) {
-        if (group.dimension == m.dimension() && group.tag == std::abs(entity->groups[0]) &&
-            !group.name.empty())
-          return group.name;
-      }
+  /// The name of the first group of each model entity that markers may be made of.
+  void name_entities() {
+    std::map<std::int32_t, std::string> groups;
+    for (const PhysicalGroup& group : mesh_.model.groups) {
+      if (group.dimension == dimension_ - 1 && !group.name.empty())
+        groups.emplace(group.tag, group.name);
     }
-    return "marker_" + std::to_string(m.tag());
+    for (const ModelEntity& e : mesh_.model.entities) {
+      if (e.groups.empty()) continue;
+      const auto group = groups.find(std::abs(e.groups[0]));
+      if (group != groups.end()) names_.emplace(e.ref, group->second);
+    }
+  }
+
+  [[nodiscard]] std::string marker_name(ModelRef m) const {
+    const auto name = names_.find(m);
+    return name != names_.end() ? name->second : "marker_" + std::to_string(m.tag());
   }
 
   const MeshData& mesh_;
   int dimension_;
+  std::map<ModelRef, std::string> names_;
   ByteWriter out_;
 };
 

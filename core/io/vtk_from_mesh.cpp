@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_map>
 
 #include "core/io/formats.h"
 #include "core/io/vtk_cells.h"
@@ -90,16 +91,15 @@ class MeshToGrid {
   /// The array that takes these values: one of the same kind that has none of this dimension, or a
   /// new one.
   std::size_t array_for(const Attribute& a) {
-    for (std::size_t k = 0; k < coverage_.size(); ++k) {
-      const VtkArray& array = grid_.cell_data[own_arrays_ + k];
-      const bool free = (static_cast<int>(coverage_[k]) >> a.dimension & 1) == 0;
-      if (free && array.name == a.name && array.components == a.components &&
-          array.integer == a.integer)
-        return k;
+    std::vector<std::size_t>& same =
+        arrays_[(a.integer ? 'i' : 'r') + std::to_string(a.components) + ' ' + a.name];
+    for (const std::size_t k : same) {
+      if ((static_cast<int>(coverage_[k]) >> a.dimension & 1) == 0) return k;
     }
     grid_.cell_data.push_back({a.name, a.components, a.integer, {}});
     grid_.cell_data.back().values.resize(grid_.types.size() *
                                          static_cast<std::size_t>(a.components));
+    same.push_back(coverage_.size());
     coverage_.push_back(0);
     return coverage_.size() - 1;
   }
@@ -116,6 +116,7 @@ class MeshToGrid {
   std::size_t first_cell_[4] = {};
   std::size_t own_arrays_ = 0;    ///< cell arrays before those of attributes
   std::vector<double> coverage_;  ///< of each cell array of attributes
+  std::unordered_map<std::string, std::vector<std::size_t>> arrays_;  ///< those of one kind
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Legacy VTK files: unstructured grids and polygonal data, versions 1 to 5.1, text and binary.
+// Legacy VTK files: grids of every kind and polygonal data, versions 1 to 5.1, text and binary.
 
 #include <algorithm>
 #include <array>
@@ -6,28 +6,30 @@
 
 #include "core/base/text.h"
 #include "core/io/formats.h"
+#include "core/io/vtk_arrays.h"
 #include "core/io/vtk_dataset.h"
-#include "core/io/vtk_legacy.h"
+#include "core/io/vtk_structured.h"
 
 namespace aomd::io::detail {
 namespace {
 
 /// Cells of one list of the file, and where its indices stand, for messages.
 struct CellBlock {
-  std::uint8_t type = 0;  ///< of all cells in polygonal data
+  std::uint8_t type = 0;  ///< of all cells, but in unstructured grids
   std::vector<std::int64_t> connectivity, ends;
   std::size_t offset = 0;      ///< of the first index, or the first count
   std::size_t value_size = 0;  ///< of an index in binary
   bool counts = false;         ///< the number of a cell's indices stands before them
 };
 
-class LegacyReader : LegacyInput {
+class LegacyReader : LegacyArrays {
  public:
-  explicit LegacyReader(const Source& source) : LegacyInput(source) {}
+  explicit LegacyReader(const Source& source) : LegacyArrays(source) {}
 
   ReadResult read() {
     header();
     while (!cursor_.skip_to_content()) section();
+    build_structured();
     if (!has_points_) fail("the file ends before POINTS");
     if (!has_cells_) fail("the file ends before CELLS");
     join_blocks();
@@ -39,12 +41,13 @@ class LegacyReader : LegacyInput {
         mesh_of(std::move(grid_), source_,
                 [this](std::size_t cell, const std::string& what) { fail_at_cell(cell, what); });
     result.format = Format::Vtk;
-    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
+    if (!passed_over().empty()) result.notes.push_back("passed over: " + passed_over().text());
     return result;
   }
 
  private:
   [[noreturn]] void fail_at_cell(std::size_t cell, const std::string& what) const {
+    if (structured()) source_.fail("cell " + std::to_string(cell) + ": " + what);
     std::size_t k = cell, b = 0;
     while (b + 1 < blocks_.size() && k >= cells_in_[b]) k -= cells_in_[b++];
     const CellBlock& block = blocks_[b];
@@ -66,41 +69,132 @@ class LegacyReader : LegacyInput {
     if (encoding != "ascii" && encoding != "binary")
       cursor_.fail("expected ASCII or BINARY, found " + shown(encoding));
     if (lower(word("DATASET")) != "dataset") cursor_.fail("expected DATASET");
-    const std::string kind = lower(word("the kind of dataset"));
-    if (kind != "unstructured_grid" && kind != "polydata")
-      cursor_.fail("a dataset of kind " + shown(kind) +
-                   "; only UNSTRUCTURED_GRID and POLYDATA are read");
-    polygonal_ = has_cells_ = kind == "polydata";  // where any of the lists may lack
+    kind_ = kind_of(lower(word("the kind of dataset")));
+    has_cells_ = kind_ != Kind::Unstructured;  // polygonal data may lack any of the lists
     binary_ = encoding == "binary";
   }
+
+  enum class Kind { Unstructured, Polygonal, Uniform, Rectilinear, Curvilinear };
+
+  Kind kind_of(const std::string& name) const {
+    constexpr std::pair<std::string_view, Kind> kinds[] = {
+        {"unstructured_grid", Kind::Unstructured},
+        {"polydata", Kind::Polygonal},
+        {"structured_points", Kind::Uniform},
+        {"rectilinear_grid", Kind::Rectilinear},
+        {"structured_grid", Kind::Curvilinear}};
+    for (const auto& [known, kind] : kinds) {
+      if (known == name) return kind;
+    }
+    cursor_.fail("a dataset of kind " + shown(name) +
+                 "; save it as UNSTRUCTURED_GRID or POLYDATA, which are read");
+  }
+  [[nodiscard]] bool structured() const { return kind_ > Kind::Polygonal; }
 
   void section() {
     const std::size_t start = cursor_.offset();
     const std::string_view name = cursor_.word();
     const std::string keyword = lower(name);
     if (keyword == "metadata") return skip_metadata();
-    if (keyword == "field") return fields();
+    if (keyword == "field") return fields(grid_.field_data);
     if (arrays(keyword)) return;
-    if (target_) fail_at(start, "unexpected " + shown(name) + " among the data");
+    if (data_begun()) fail_at(start, "unexpected " + shown(name) + " among the data");
     if (!geometry(keyword)) fail_at(start, "unexpected " + shown(name));
   }
 
   bool geometry(const std::string& keyword) {
-    if (keyword == "points") {
+    if (keyword == "points" && kind_ != Kind::Uniform && kind_ != Kind::Rectilinear) {
       points();
-    } else if (keyword == "cells" && !polygonal_) {
+      return true;
+    }
+    if (structured()) return structure(keyword);
+    if (kind_ == Kind::Polygonal) return polygonal_cells(keyword);
+    if (keyword == "cells") {
       cells(0);
-    } else if (keyword == "cell_types" && !polygonal_) {
+    } else if (keyword == "cell_types") {
       cell_types();
-    } else if (polygonal_) {
-      constexpr std::string_view names[] = {"vertices", "lines", "polygons", "triangle_strips"};
-      const auto found = std::find(std::begin(names), std::end(names), keyword);
-      if (found == std::end(names)) return false;
-      cells(static_cast<std::size_t>(found - std::begin(names)));
     } else {
       return false;
     }
     return true;
+  }
+
+  bool polygonal_cells(const std::string& keyword) {
+    constexpr std::string_view names[] = {"vertices", "lines", "polygons", "triangle_strips"};
+    const auto found = std::find(std::begin(names), std::end(names), keyword);
+    if (found == std::end(names)) return false;
+    cells(static_cast<std::size_t>(found - std::begin(names)));
+    return true;
+  }
+
+  /// What describes a structured grid.
+  bool structure(const std::string& keyword) {
+    constexpr std::string_view axes[] = {"x_coordinates", "y_coordinates", "z_coordinates"};
+    const auto axis = std::find(std::begin(axes), std::end(axes), keyword);
+    if (keyword == "dimensions") {
+      for (std::uint64_t& n : size_) n = count("a number of points");
+    } else if (keyword == "origin") {
+      for (double& x : origin_) x = cursor_.real("the origin");
+    } else if (keyword == "spacing" || keyword == "aspect_ratio") {
+      for (double& x : spacing_) x = cursor_.real("the spacing");
+    } else if (kind_ == Kind::Rectilinear && axis != std::end(axes)) {
+      coordinates(axes_[static_cast<std::size_t>(axis - std::begin(axes))]);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void coordinates(std::vector<double>& axis) {
+    const std::uint64_t n = count("the number of coordinates");
+    const NumberType type = number_type("the coordinates");
+    axis.clear();
+    const std::size_t start = data_start();
+    values(type, n, axis);
+    check_finite(axis, start, type);
+  }
+
+  void check_finite(const std::vector<double>& numbers, std::size_t start, NumberType type) const {
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      if (!std::isfinite(numbers[k]))
+        fail_at_value(start, k, size_of(type), "a coordinate is not a finite number");
+    }
+  }
+
+  /// Once everything that describes the grid has been read.
+  void build_structured() {
+    if (!structured() || !blocks_[0].ends.empty()) return;
+    const std::uint64_t most = (1u << 16) + 16 * std::uint64_t{source_.bytes.size()},
+                        n = points_of(size_, most);
+    if (n == 0) fail("DIMENSIONS are missing, or one of them is 0");
+    if (n > most)
+      throw LimitError(source_.name, {},
+                       "a structured grid of more points than 16 for each byte of the file: save "
+                       "it as an unstructured grid");
+    if (kind_ == Kind::Uniform) place_axes();
+    if (kind_ != Kind::Curvilinear) points_on_axes();
+    if (grid_.points.size() != n)
+      fail("DIMENSIONS ask for " + counted(n, "point") + ", and there are " +
+           std::to_string(grid_.points.size()));
+    blocks_[0].type = add_cells(size_, blocks_[0].connectivity, blocks_[0].ends);
+  }
+
+  void place_axes() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      axes_[axis].clear();
+      for (std::uint64_t i = 0; i < size_[axis]; ++i)
+        axes_[axis].push_back(origin_[axis] + static_cast<double>(i) * spacing_[axis]);
+    }
+  }
+
+  void points_on_axes() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axes_[axis].size() != size_[axis])
+        fail("DIMENSIONS ask for " + counted(size_[axis], "coordinate") +
+             " along an axis that has " + std::to_string(axes_[axis].size()));
+    }
+    grid_.points = points_on(axes_);
+    has_points_ = true;
   }
 
   void points() {
@@ -110,10 +204,7 @@ class LegacyReader : LegacyInput {
     const std::size_t start = data_start();
     std::vector<double> numbers;
     values(type, 3 * n, numbers);
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      if (!std::isfinite(numbers[k]))
-        fail_at_value(start, k, size_of(type), "a coordinate is not a finite number");
-    }
+    check_finite(numbers, start, type);
     has_points_ = true;
     grid_.points.clear();
     grid_.points.reserve(static_cast<std::size_t>(n));
@@ -201,143 +292,12 @@ class LegacyReader : LegacyInput {
   }
 
   bool arrays(const std::string& keyword) {
-    if (keyword == "point_data" || keyword == "cell_data") {
-      target_ = keyword == "point_data" ? &grid_.point_data : &grid_.cell_data;
-      tuples_ = keyword == "point_data" ? grid_.points.size() : cell_count();
-      const std::uint64_t n = count("the number of values");
-      if (n != tuples_) fail("data for " + std::to_string(n) + " of " + std::to_string(tuples_));
-      return true;
-    }
-    return target_ && attribute(keyword);
-  }
-
-  bool attribute(const std::string& keyword) {
-    if (keyword == "scalars") {
-      scalars();
-    } else if (keyword == "color_scalars") {
-      color_scalars();
-    } else if (keyword == "lookup_table") {
-      lookup_table();
-    } else if (keyword == "texture_coordinates") {
-      const std::string name = decoded(word("a name"));
-      const std::uint64_t n = count("the number of components");
-      array(*target_, name, n, tuples_);
-    } else {
-      const std::size_t n = components_of(keyword);
-      if (n == 0) return false;
-      const std::string name = decoded(word("a name"));
-      array(*target_, name, n, tuples_);
-    }
+    if (keyword != "point_data" && keyword != "cell_data") return attribute(keyword);
+    build_structured();
+    const bool of_points = keyword == "point_data";
+    begin_data(of_points ? grid_.point_data : grid_.cell_data,
+               of_points ? grid_.points.size() : cell_count());
     return true;
-  }
-
-  static std::size_t components_of(const std::string& keyword) {
-    constexpr std::pair<std::string_view, std::size_t> known[] = {
-        {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
-        {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
-    for (const auto& [name, n] : known) {
-      if (name == keyword) return n;
-    }
-    return 0;
-  }
-
-  void scalars() {
-    const std::string name = decoded(word("a name"));
-    const std::string type(word("the type of the scalars"));
-    const std::uint64_t n = cursor_.line_done() ? 1 : count("the number of components");
-    TextCursor ahead = cursor_;
-    if (!ahead.skip_to_content() && lower(ahead.word()) == "lookup_table") {
-      (void)ahead.word();  // its name
-      cursor_ = ahead;
-    }
-    array(*target_, name, n, tuples_, type);
-  }
-
-  /// 0 to 1 in text, 0 to 255 in binary.
-  void color_scalars() {
-    const std::string name = decoded(word("a name"));
-    const std::uint64_t n = count("the number of components");
-    array(*target_, name, n, tuples_, binary_ ? "unsigned_char" : "float");
-    if (!binary_ || target_->empty()) return;
-    target_->back().integer = false;
-    for (double& x : target_->back().values) x /= 255;
-  }
-
-  void lookup_table() {
-    (void)word("a name");
-    std::vector<VtkArray> colours;
-    array(colours, "", 4, count("the size of the table"), binary_ ? "unsigned_char" : "float");
-  }
-
-  void fields() {
-    (void)word("a name");
-    const std::uint64_t n = count("the number of arrays");
-    for (std::uint64_t i = 0; i < n; ++i) {
-      if (cursor_.skip_to_content())
-        fail("the file ends after " + std::to_string(i) + " of " + counted(n, "array"));
-      TextCursor ahead = cursor_;
-      if (lower(ahead.word()) == "metadata") {
-        cursor_ = ahead;
-        skip_metadata();
-      }
-      const std::string name = decoded(word("the name of an array"));
-      if (name == "NULL_ARRAY") continue;
-      const std::uint64_t components = count("the number of components"),
-                          tuples = count("the number of tuples");
-      if (target_ && tuples != tuples_)
-        fail("array " + shown(name) + " has " + std::to_string(tuples) + " tuples, not " +
-             std::to_string(tuples_));
-      array(target_ ? *target_ : grid_.field_data, name, components, tuples);
-    }
-  }
-
-  void array(std::vector<VtkArray>& into, const std::string& name, std::uint64_t components,
-             std::uint64_t tuples) {
-    array(into, name, components, tuples, word("the type of an array"));
-  }
-
-  void array(std::vector<VtkArray>& into, const std::string& name, std::uint64_t components,
-             std::uint64_t tuples, std::string_view type_name) {
-    constexpr std::uint64_t most_components = 1u << 20;
-    if (components == 0 || components > most_components)
-      fail("an array of " + counted(components, "component"));
-    check_room(tuples);
-    const std::uint64_t n = components * tuples;
-    const std::string type = lower(type_name);
-    VtkArray result{name, static_cast<int>(components), true, {}};
-    if (type == "bit") {
-      bits(n, result.values);
-    } else if (type == "string" || type == "utf8_string") {
-      return skip_strings(name, n);
-    } else if (const auto number = number_type_of_legacy(type)) {
-      result.integer = is_integer(*number);
-      values(*number, n, result.values);
-    } else {
-      fail("unknown type " + shown(type_name) + " of array " + shown(name));
-    }
-    into.push_back(std::move(result));
-  }
-
-  void bits(std::uint64_t n, std::vector<double>& out) {
-    if (!binary_) return values(NumberType::UInt8, n, out);
-    const std::string_view bytes = take((n + 7) / 8, 1);
-    for (std::uint64_t i = 0; i < n; ++i)
-      out.push_back(static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8) & 1);
-  }
-
-  /// One a line, in text.
-  void skip_strings(const std::string& name, std::uint64_t n) {
-    if (binary_) fail("binary text in array " + shown(name) + " is not read");
-    check_room(n);
-    cursor_.skip_line();
-    for (std::uint64_t i = 0; i < n; ++i) cursor_.skip_line();
-    passed_over_ += (passed_over_.empty() ? "text " : ", text ") + shown(name);
-  }
-
-  /// Up to an empty line.
-  void skip_metadata() {
-    cursor_.skip_line();
-    while (cursor_.left() > 0 && !cursor_.line_done()) cursor_.skip_line();
   }
 
   /// Polygonal data number their cells list after list.
@@ -349,18 +309,20 @@ class LegacyReader : LegacyInput {
       grid_.connectivity.insert(grid_.connectivity.end(), block.connectivity.begin(),
                                 block.connectivity.end());
       for (const std::int64_t end : block.ends) grid_.ends.push_back(base + end);
-      if (polygonal_) grid_.types.insert(grid_.types.end(), block.ends.size(), block.type);
+      if (kind_ != Kind::Unstructured)
+        grid_.types.insert(grid_.types.end(), block.ends.size(), block.type);
     }
   }
 
   int major_ = 0;
-  bool polygonal_ = false, has_points_ = false, has_cells_ = false;
+  Kind kind_ = Kind::Unstructured;
+  bool has_points_ = false, has_cells_ = false;
+  GridSize size_{};                                    ///< of structured grids, as what follows
+  std::array<double, 3> origin_{}, spacing_{1, 1, 1};  ///< uniform
+  std::array<std::vector<double>, 3> axes_;            ///< uniform and rectilinear
   VtkDataset grid_;
-  std::array<CellBlock, 4> blocks_;  ///< an unstructured grid has only the first
+  std::array<CellBlock, 4> blocks_;  ///< all but polygonal data have only the first
   std::array<std::size_t, 4> cells_in_{};
-  std::vector<VtkArray>* target_ = nullptr;  ///< what follows belongs to points or cells
-  std::uint64_t tuples_ = 0;
-  std::string passed_over_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/io/byte_writer.h"
 #include "core/io/entities.h"
 #include "core/io/face_sink.h"
+#include "core/io/notes.h"
 #include "core/io/polygon.h"
 #include "core/io/vtk_cells.h"
 #include "core/io/vtk_dataset.h"
@@ -39,6 +40,8 @@ class GridToMesh {
     mesh_.positions = std::move(grid_.points);
     classify();
     add_attributes();
+    if (!rounded_.empty())
+      notes_.push_back("whole numbers of more than 53 bits are rounded, array " + rounded_.text());
     if (curved_ > 0) drop_inner_nodes();
     drop_empty_classes(mesh_);
     note_polygons(notes_, polygons_);
@@ -198,7 +201,7 @@ class GridToMesh {
         return ModelRef(own, static_cast<std::int32_t>(labels->values[cell]));
       });
       notes_.push_back("classified by the cell array " + shown(labels->name));
-      labels_ = labels->name;
+      grid_.cell_data.erase(grid_.cell_data.begin() + (labels - grid_.cell_data.data()));
     }
   }
 
@@ -247,7 +250,7 @@ class GridToMesh {
         add_attribute(array, 0, std::move(array.values));
     }
     std::erase_if(grid_.cell_data, [&](const VtkArray& array) {
-      return array.name == dimension_name || array.name == tag_name || array.name == labels_;
+      return array.name == dimension_name || array.name == tag_name;
     });
     const VtkArray* coverage = find_array(grid_.field_data, coverage_name);
     if (!is_label(coverage) || coverage->values.size() != grid_.cell_data.size())
@@ -296,9 +299,7 @@ class GridToMesh {
   void add_attribute(const VtkArray& array, int d, std::vector<double>&& values) {
     const bool exact = std::all_of(values.begin(), values.end(),
                                    [](double x) { return std::abs(x) < largest_whole; });
-    if (array.integer && !exact)
-      notes_.push_back("whole numbers of more than 53 bits are rounded, array " +
-                       shown(array.name));
+    if (array.integer && !exact) rounded_.add(shown(array.name));
     mesh_.attributes.push_back(
         {array.name, d, array.components, array.integer && exact, std::move(values)});
   }
@@ -306,30 +307,8 @@ class GridToMesh {
   /// Nodes that only higher-order cells use, other than as a corner.
   void drop_inner_nodes() {
     notes_.push_back(counted(curved_, "higher-order cell") + " read by the corners");
-    std::vector<std::uint32_t> place(used_.size());
-    std::uint32_t kept = 0;
-    for (std::size_t v = 0; v < used_.size(); ++v) {
-      place[v] = kept;
-      if (used_[v] != Inner) ++kept;
-    }
-    keep_used(mesh_.positions, 1);
-    if (!mesh_.vertex_classes.empty()) keep_used(mesh_.vertex_classes, 1);
-    for (Attribute& a : mesh_.attributes) {
-      if (a.dimension == 0) keep_used(a.values, static_cast<std::size_t>(a.components));
-    }
-    for (int d = 1; d <= 3; ++d) {
-      for (std::uint32_t& v : mesh_.list(d).vertices) v = place[v];
-    }
-  }
-
-  template <class Value>
-  void keep_used(std::vector<Value>& values, std::size_t components) const {
-    std::size_t to = 0;
-    for (std::size_t v = 0; v < used_.size(); ++v) {
-      if (used_[v] == Inner) continue;
-      for (std::size_t c = 0; c < components; ++c) values[to++] = values[v * components + c];
-    }
-    values.resize(to);
+    for (std::uint8_t& use : used_) use = use == Inner;
+    drop_vertices(mesh_, used_);
   }
 
   VtkDataset grid_;
@@ -339,9 +318,9 @@ class GridToMesh {
   std::array<std::vector<std::uint32_t>, 4> cells_;  ///< the cell that each entity comes from
   std::vector<std::pair<std::uint32_t, std::uint32_t>> points_;  ///< vertex cells: vertex, cell
   std::vector<std::uint8_t> used_;
-  std::string labels_;  ///< the array that classified the cells
   std::vector<std::uint32_t> polygon_, triangles_;
   std::size_t polygons_ = 0, curved_ = 0;
+  ItemList rounded_;  ///< arrays
   Repeats repeats_;
   std::vector<std::int64_t> walk_;
   std::vector<std::string> notes_;

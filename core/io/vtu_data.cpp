@@ -90,31 +90,50 @@ std::vector<std::uint64_t> words(Stream& stream, std::uint64_t n, const VtuPacki
   return result;
 }
 
-/// A number of blocks, the size of each but the last, that of the last, the compressed size of
-/// each; the blocks.
-std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
+/// What stands before compressed blocks.
+struct BlockHead {
+  std::uint64_t size = 0, last = 0;   ///< unpacked: of each block but the last, and of that
+  std::vector<std::uint64_t> packed;  ///< of each block
+};
+
+/// A number of blocks, the size of each, that of the last where it is smaller (else 0; meshio
+/// repeats the size of the others), the compressed size of each.
+BlockHead block_head(Stream& stream, const VtuPacking& packing) {
   const std::vector<std::uint64_t> head = words(stream, 3, packing);
-  const std::uint64_t blocks = head[0], block_size = head[1], partial = head[2];
-  if (blocks == 0) return {};
-  const std::vector<std::uint64_t> packed = words(stream, blocks, packing);
-  // zlib never packs tighter than 1 : 1032.
-  const std::uint64_t most = 1040 * std::min<std::uint64_t>(stream.left(), UINT64_MAX / 2080);
-  if (block_size > most || partial > most || blocks * block_size > most)
-    stream.fail("the data end early: " + counted(blocks, "block") + " of " +
-                counted(block_size, "byte") + " should follow");
+  if (head[0] == 0) return {};
+  return {head[1], head[2] != 0 ? head[2] : head[1], words(stream, head[0], packing)};
+}
+
+/// The sum of the unpacked sizes. zlib never packs tighter than 1 : 1032.
+std::uint64_t unpacked_size(const BlockHead& head, const Stream& stream, std::uint64_t most) {
+  const std::uint64_t full = head.packed.size() - 1,
+                      possible = 1040 * std::min<std::uint64_t>(stream.left(), UINT64_MAX / 1040);
+  if (head.last > possible || (full > 0 && head.size > (possible - head.last) / full))
+    stream.fail("the data end early: " + counted(head.packed.size(), "block") + " of " +
+                counted(head.size, "byte") + " should follow");
+  const std::uint64_t sum = full * head.size + head.last;
+  if (sum > most)
+    stream.fail("unpacks to " + counted(sum, "byte") + ", and at most " + std::to_string(most) +
+                " belong here");
+  return sum;
+}
+
+std::string inflate_blocks(Stream& stream, const VtuPacking& packing, std::uint64_t most) {
+  const BlockHead head = block_head(stream, packing);
   std::string out;
-  for (std::size_t i = 0; i < packed.size(); ++i) {
-    const bool last = i + 1 == packed.size() && partial != 0;
-    uLongf size = static_cast<uLongf>(last ? partial : block_size);
-    const std::string bytes = stream.take(packed[i]);
-    const std::size_t start = out.size();
-    out.resize(start + size);
+  if (head.packed.empty()) return out;
+  out.resize(static_cast<std::size_t>(unpacked_size(head, stream, most)));
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < head.packed.size(); ++i) {
+    uLongf size = static_cast<uLongf>(i + 1 == head.packed.size() ? head.last : head.size);
+    const std::string bytes = stream.take(head.packed[i]);
     const uLongf expected = size;
     if (::uncompress(reinterpret_cast<Bytef*>(out.data() + start), &size,
                      reinterpret_cast<const Bytef*>(bytes.data()),
                      static_cast<uLong>(bytes.size())) != Z_OK ||
         size != expected)
       stream.fail("block " + std::to_string(i) + " of compressed data is damaged");
+    start += expected;
   }
   return out;
 }
@@ -122,9 +141,9 @@ std::string inflate_blocks(Stream& stream, const VtuPacking& packing) {
 }  // namespace
 
 Unpacked unpack(const Source& source, std::size_t offset, std::size_t end, bool base64,
-                const VtuPacking& packing) {
+                const VtuPacking& packing, std::uint64_t most) {
   Stream stream(source, offset, end, base64);
-  std::string bytes = packing.compressed ? inflate_blocks(stream, packing)
+  std::string bytes = packing.compressed ? inflate_blocks(stream, packing, most)
                                          : stream.take(words(stream, 1, packing)[0]);
   return {std::move(bytes), stream.at()};
 }

@@ -23,9 +23,9 @@ struct Unpacked {
 };
 
 /// The bytes of the array whose encoded form starts at `offset` of the source and ends at `end` at
-/// the latest. Throws ReadError with the byte where data lack, are no base64 or do not unpack;
-/// sizes that the file only promises are checked before memory is taken.
+/// the latest. Throws ReadError with the byte where data lack, are no base64, do not unpack or are
+/// more than `most` bytes; sizes that the file only promises are checked before memory is taken.
 [[nodiscard]] Unpacked unpack(const Source& source, std::size_t offset, std::size_t end,
-                              bool base64, const VtuPacking& packing);
+                              bool base64, const VtuPacking& packing, std::uint64_t most);
 
 }  // namespace aomd::io::detail

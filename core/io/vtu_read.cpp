@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include <pugixml.hpp>
 
 #include "core/base/text.h"
 #include "core/io/formats.h"
+#include "core/io/notes.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
 #include "core/io/vtu_data.h"
@@ -24,7 +26,8 @@ struct PieceEnd {
 
 class VtuReader {
  public:
-  explicit VtuReader(const Source& source) : source_(source), xml_end_(source.bytes.size()) {}
+  explicit VtuReader(const Source& source)
+      : source_(source), xml_end_(source.bytes.size()), room_(room_of(source.bytes.size())) {}
 
   ReadResult read() {
     parse();
@@ -32,19 +35,21 @@ class VtuReader {
     read_root(root);
     const pugi::xml_node grid = root.child("UnstructuredGrid");
     if (!grid) fail(root, "has no element UnstructuredGrid");
-    for (const pugi::xml_node array : grid.child("FieldData").children("DataArray")) {
-      if (const auto read = data_array(array)) grid_.field_data.push_back(*read);
-    }
+    read_coverage(grid.child("FieldData"));
     for (const pugi::xml_node piece : grid.children("Piece")) read_piece(piece);
     ReadResult result =
         mesh_of(std::move(grid_), source_,
                 [this](std::size_t cell, const std::string& what) { fail_at_cell(cell, what); });
     result.format = Format::Vtu;
-    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_);
+    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_.text());
     return result;
   }
 
  private:
+  /// The most numbers that compressed arrays may unpack to: 128 bytes for each byte of the file,
+  /// and small files may be packed tighter.
+  static std::uint64_t room_of(std::size_t bytes) { return (1u << 18) + 16 * std::uint64_t{bytes}; }
+
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const {
     source_.fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)),
                          what);
@@ -83,10 +88,12 @@ class VtuReader {
     if (std::string_view(root.name()) != "VTKFile") fail(root, "the root element is not VTKFile");
     const std::string_view type = root.attribute("type").value();
     if (type != "UnstructuredGrid")
-      fail(root, "a VTK file of type " + shown(type) + "; only UnstructuredGrid is read");
+      fail(root, "a VTK file of type " + shown(type) +
+                     "; only UnstructuredGrid is read: save it as .vtu, or as legacy .vtk");
     const std::string_view compressor = root.attribute("compressor").value();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      fail(root, "compressed by " + shown(compressor) + "; only vtkZLibDataCompressor is read");
+      fail(root, "compressed by " + shown(compressor) +
+                     "; only vtkZLibDataCompressor is read: save it with that, or uncompressed");
     packing_.compressed = !compressor.empty();
     packing_.wide = std::string_view(root.attribute("header_type").value()) == "UInt64";
     if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
@@ -96,8 +103,11 @@ class VtuReader {
   }
 
   std::uint64_t count(const pugi::xml_node& node, const char* name, std::uint64_t absent) const {
-    const std::string_view text = node.attribute(name).value();
+    constexpr std::string_view blanks = " \t\r\n";
+    std::string_view text = node.attribute(name).value();
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
     if (text.empty()) return absent;
+    text = text.substr(0, text.find_last_not_of(blanks) + 1);
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size())
@@ -122,8 +132,9 @@ class VtuReader {
     return *type;
   }
 
+  /// The numbers of an array that should have `wanted`, or not many more.
   template <class Value>
-  std::vector<Value> numbers(const pugi::xml_node& node) {
+  std::vector<Value> numbers(const pugi::xml_node& node, std::uint64_t wanted) {
     const NumberType type = number_type(node);
     const std::string_view format = node.attribute("format").value();
     std::vector<Value> out;
@@ -136,42 +147,53 @@ class VtuReader {
         read_text(cursor, all_words, out);
       }
     } else {
-      decode(bytes(node, format), type, packing_.order, out);
+      const std::uint64_t most = std::min(room_, std::max<std::uint64_t>(wanted, 1024));
+      decode(bytes(node, format, most * size_of(type)), type, packing_.order, out);
+      if (packing_.compressed) room_ -= out.size();
     }
     return out;
   }
 
-  std::string bytes(const pugi::xml_node& node, std::string_view format) {
+  std::string bytes(const pugi::xml_node& node, std::string_view format, std::uint64_t most) {
     if (format == "binary") {
       const auto [start, end] = text_of(node);
-      return start == end ? std::string() : unpack(source_, start, end, true, packing_).bytes;
+      return start == end ? std::string() : unpack(source_, start, end, true, packing_, most).bytes;
     }
     if (format != "appended") fail(node, "unknown format " + shown(format) + " of an array");
     const std::uint64_t offset = count(node, "offset", 0);
     if (!appended_ || offset > source_.bytes.size() - *appended_)
       fail(node, "offset " + std::to_string(offset) + " lies beyond the file's end");
     const std::size_t start = *appended_ + static_cast<std::size_t>(offset);
-    Unpacked data = unpack(source_, start, source_.bytes.size(), appended_base64_, packing_);
+    Unpacked data = unpack(source_, start, source_.bytes.size(), appended_base64_, packing_, most);
     used_ += data.end - start;
     if (used_ > source_.bytes.size())
       fail(node, "arrays share their data");  // memory would have no bound
     return std::move(data.bytes);
   }
 
+  /// Of what belongs to the whole, only how our own arrays are spread is of use.
+  void read_coverage(const pugi::xml_node& data) {
+    const std::string name(coverage_name);
+    const auto array = data.find_child_by_attribute("DataArray", "Name", name.c_str());
+    if (!array) return;
+    if (auto read = data_array(array, room_)) grid_.field_data.push_back(std::move(*read));
+  }
+
   /// Nothing for what is not made of numbers.
-  std::optional<VtkArray> data_array(const pugi::xml_node& node) {
+  std::optional<VtkArray> data_array(const pugi::xml_node& node, std::uint64_t tuples) {
     const std::string name = node.attribute("Name").value();
     if (std::string_view(node.attribute("type").value()) == "String") {
-      passed_over_ += (passed_over_.empty() ? "text " : ", text ") + shown(name);
+      passed_over_.add("text " + shown(name));
       return {};
     }
     const std::uint64_t components =
         std::max<std::uint64_t>(count(node, "NumberOfComponents", 1), 1);
-    VtkArray array{name, 1, is_integer(number_type(node)), numbers<double>(node)};
-    if (components > (1u << 20) || array.values.size() % components != 0)
+    if (components > (1u << 20)) fail(node, "an array of " + counted(components, "component"));
+    VtkArray array{name, static_cast<int>(components), is_integer(number_type(node)), {}};
+    array.values = numbers<double>(node, components * std::min(tuples, room_));
+    if (array.values.size() % components != 0)
       fail(node, counted(array.values.size(), "value") + " are not tuples of " +
                      std::to_string(components));
-    array.components = static_cast<int>(components);
     return array;
   }
 
@@ -191,15 +213,15 @@ class VtuReader {
     if (cells > 0) end.connectivity = read_cells(piece, points, cells, first_point);
     end.cells = grid_.types.size();
     end.points = grid_.points.size();
-    read_data(piece.child("PointData"), grid_.point_data, first_point, points);
-    read_data(piece.child("CellData"), grid_.cell_data, first_cell, cells);
+    read_data(piece.child("PointData"), point_data_, grid_.point_data, first_point, points);
+    read_data(piece.child("CellData"), cell_data_, grid_.cell_data, first_cell, cells);
     pieces_.push_back(end);
   }
 
   void read_points(const pugi::xml_node& piece, std::uint64_t n) {
     const pugi::xml_node node = piece.child("Points").child("DataArray");
     if (!node) fail(piece, "has no array of points");
-    const std::vector<double> x = numbers<double>(node);
+    const std::vector<double> x = numbers<double>(node, 3 * std::min(n, room_));
     if (x.size() % 3 != 0 || x.size() / 3 != n)
       fail(node, counted(x.size(), "coordinate") + " for " + counted(n, "point"));
     for (std::size_t k = 0; k < x.size(); k += 3) {
@@ -214,9 +236,9 @@ class VtuReader {
                             std::size_t first_point) {
     const pugi::xml_node list = array_named(piece, "connectivity"),
                          ends = array_named(piece, "offsets");
-    const std::vector<std::int64_t> types = numbers<std::int64_t>(array_named(piece, "types"));
-    const std::vector<std::int64_t> indices = numbers<std::int64_t>(list),
-                                    stops = numbers<std::int64_t>(ends);
+    const std::vector<std::int64_t> types = numbers<std::int64_t>(array_named(piece, "types"), n);
+    const std::vector<std::int64_t> indices = numbers<std::int64_t>(list, room_),
+                                    stops = numbers<std::int64_t>(ends, n);
     if (types.size() != n)
       fail(array_named(piece, "types"),
            counted(types.size(), "type") + " for " + counted(n, "cell"));
@@ -246,22 +268,32 @@ class VtuReader {
     return v + static_cast<std::int64_t>(first_point);
   }
 
+  /// Where arrays of one name and kind are: the first of them in a piece continues the first.
+  using Places = std::unordered_map<std::string, std::vector<std::size_t>>;
+
+  static std::string kind_of(const VtkArray& array) {
+    return (array.integer ? 'i' : 'r') + std::to_string(array.components) + ' ' + array.name;
+  }
+
   /// Appends the arrays of a piece, whose first element is number `first` of the grid.
-  void read_data(const pugi::xml_node& data, std::vector<VtkArray>& into, std::size_t first,
-                 std::uint64_t n) {
+  void read_data(const pugi::xml_node& data, Places& places, std::vector<VtkArray>& into,
+                 std::size_t first, std::uint64_t n) {
+    if (n == 0) return;
+    std::unordered_map<std::string, std::size_t> seen;
     for (const pugi::xml_node node : data.children("DataArray")) {
-      std::optional<VtkArray> array = data_array(node);
+      std::optional<VtkArray> array = data_array(node, n);
       if (!array) continue;
       if (array->values.size() / static_cast<std::size_t>(array->components) != n)
         fail(node, "array " + shown(array->name) + " has " +
                        counted(array->values.size(), "value") + " for " + std::to_string(n));
-      const auto same = std::find_if(into.begin(), into.end(), [&](const VtkArray& a) {
-        return a.name == array->name && a.components == array->components &&
-               a.integer == array->integer;
-      });
-      if (same != into.end()) {
-        same->values.insert(same->values.end(), array->values.begin(), array->values.end());
+      const std::string kind = kind_of(*array);
+      std::vector<std::size_t>& same = places[kind];
+      const std::size_t use = seen[kind]++;
+      if (use < same.size()) {
+        std::vector<double>& values = into[same[use]].values;
+        values.insert(values.end(), array->values.begin(), array->values.end());
       } else if (first == 0) {
+        same.push_back(into.size());
         into.push_back(std::move(*array));
       } else {
         fail(node, "array " + shown(array->name) + " is not in every piece");
@@ -282,7 +314,9 @@ class VtuReader {
   VtuPacking packing_;
   VtkDataset grid_;
   std::vector<PieceEnd> pieces_;
-  std::string passed_over_;
+  Places point_data_, cell_data_;
+  std::uint64_t room_;  ///< numbers that compressed arrays may still unpack to
+  ItemList passed_over_;
 };
 
 }  // namespace

@@ -5,18 +5,26 @@
 namespace aomd {
 
 AttachedBase* AttachedData::find(int dim, std::string_view name) const {
-  for (const auto& column : columns(dim))
-    if (column->name() == name) return column.get();
-  return nullptr;
+  const Names& names = names_[static_cast<std::size_t>(dim)];
+  const auto found = names.find(name);
+  return found == names.end() ? nullptr : found->second;
 }
 
 AttachedBase& AttachedData::add(int dim, std::unique_ptr<AttachedBase> column) {
-  return *lists_[static_cast<std::size_t>(dim)].emplace_back(std::move(column));
+  const auto d = static_cast<std::size_t>(dim);
+  AttachedBase& added = *lists_[d].emplace_back(std::move(column));
+  names_[d].emplace(added.name(), &added);
+  return added;
 }
 
 bool AttachedData::drop(int dim, std::string_view name) {
-  return std::erase_if(lists_[static_cast<std::size_t>(dim)],
-                       [&](const auto& column) { return column->name() == name; }) > 0;
+  const auto d = static_cast<std::size_t>(dim);
+  const auto found = names_[d].find(name);
+  if (found == names_[d].end()) return false;
+  const AttachedBase* column = found->second;
+  names_[d].erase(found);
+  std::erase_if(lists_[d], [&](const auto& each) { return each.get() == column; });
+  return true;
 }
 
 std::size_t AttachedData::bytes() const {

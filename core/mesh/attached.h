@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <typeindex>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -109,6 +110,7 @@ class AttachedData {
   using List = std::vector<std::unique_ptr<AttachedBase>>;
 
   [[nodiscard]] const List& columns(int dim) const { return lists_[static_cast<std::size_t>(dim)]; }
+  /// Null where there is no such column. O(1).
   [[nodiscard]] AttachedBase* find(int dim, std::string_view name) const;
   AttachedBase& add(int dim, std::unique_ptr<AttachedBase> column);
   /// False where there is no such column.
@@ -126,7 +128,11 @@ class AttachedData {
   void compact(int dim, std::span<const std::uint32_t> new_index, std::uint32_t entities);
 
  private:
+  /// By the name that the column itself holds, which stays where it is.
+  using Names = std::unordered_map<std::string_view, AttachedBase*>;
+
   std::array<List, 4> lists_;
+  std::array<Names, 4> names_;
 };
 
 }  // namespace aomd

@@ -152,17 +152,24 @@ void add_attributes(const Mesh& mesh, const Ids& ids, MeshData& data) {
   }
 }
 
+template <typename H, typename T, typename ValueAt>
+void fill_column(Mesh& mesh, const std::string& name, ValueAt&& value_at) {
+  Attached<H, T>& column = mesh.attached<H, T>(name);
+  for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i) column[H(i)] = value_at(i);
+}
+
 template <typename H>
 void take_attribute(Mesh& mesh, const Attribute& a) {
-  for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i) {
-    const double* v = a.values.data() + std::size_t{i} * static_cast<std::size_t>(a.components);
-    if (a.components == 3)
-      mesh.attached<H, glm::dvec3>(a.name)[H(i)] = {v[0], v[1], v[2]};
-    else if (a.integer)
-      mesh.attached<H, std::int64_t>(a.name)[H(i)] = static_cast<std::int64_t>(*v);
-    else
-      mesh.attached<H, double>(a.name)[H(i)] = *v;
-  }
+  const double* v = a.values.data();
+  if (a.components == 3)
+    fill_column<H, glm::dvec3>(mesh, a.name, [v](std::size_t i) {
+      return glm::dvec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+    });
+  else if (a.integer)
+    fill_column<H, std::int64_t>(mesh, a.name,
+                                 [v](std::size_t i) { return static_cast<std::int64_t>(v[i]); });
+  else
+    fill_column<H, double>(mesh, a.name, [v](std::size_t i) { return v[i]; });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // A mesh as plain arrays: what a file holds and what a generator makes, before a Mesh is built from
 // it.
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -44,6 +45,14 @@ struct Attribute {
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
+/// Vertices of one model entity that correspond to those of another: $Periodic of MSH files.
+struct Periodicity {
+  ModelRef entity, source;
+  std::vector<double> transformation;  ///< 4 by 4, row by row, from the source; or none
+  std::vector<std::array<std::uint32_t, 2>> pairs;  ///< a vertex and its counterpart of the source
+  friend bool operator==(const Periodicity&, const Periodicity&) = default;
+};
+
 /// Vertex positions and the entities that a file lists. Edges and faces are listed only where the
 /// file names them (feature lines, classified surfaces): the Mesh makes the others when its T asks
 /// for them. Indices are 0-based into `positions`. Vertices that nothing uses are kept.
@@ -55,6 +64,7 @@ struct MeshData {
   EntityList regions;
   std::vector<Attribute> attributes;
   ModelTable model;
+  std::vector<Periodicity> periodic;  ///< a Mesh does not take it: edits would make it wrong
 
   /// The list of one dimension, 1 to 3.
   [[nodiscard]] const EntityList& list(int dim) const {

@@ -29,6 +29,7 @@ class Repair {
     if (options_.min_piece_pct > 0) small_pieces();
     surface_.finish();
     if (options_.drop_unused) unused();
+    if (!report_.done.empty()) periodic();
     return std::move(report_);
   }
 
@@ -101,6 +102,14 @@ class Repair {
     const Tally dropped = drop_unused_vertices(data_);
     tell(report_.done, dropped, 0, "unused vertices",
          counted(dropped.count(), "vertex") + " that nothing uses dropped");
+  }
+
+  /// Links name vertices, which have changed.
+  void periodic() {
+    if (data_.periodic.empty()) return;
+    const std::size_t n = data_.periodic.size();
+    report_.done.push_back({"periodic links", counted(n, "periodic link") + " dropped", n, 2, {}});
+    data_.periodic.clear();
   }
 
   Surface surface_;

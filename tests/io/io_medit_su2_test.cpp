@@ -46,12 +46,47 @@ TEST(Medit, ReadsAndWritesEverything) {
     test::expect_same(test::written_and_read(name, mesh).mesh, mesh);
 }
 
+/// Corners come first; what only elements of higher order use goes, with its values.
+TEST(Medit, ElementsOfHigherOrderAreReadByTheirCorners) {
+  const io::ReadResult result = medit(
+      "Vertices 8\n0 0 0 1\n2 0 0 2\n0 2 0 3\n1 0 0 4\n1 1 0 5\n0 1 0 6\n0 0 2 7\n9 9 9 8\n"
+      "EdgesP2 1\n1 2 4 9\nTrianglesP2 1\n1 2 3 4 5 6 3\nTriangles 1\n1 5 7 0\n"
+      "RequiredVertices 1 5\nTrianglesP2Ordering 6\n2 0 0 0 2 0 0 0 2 1 1 0 0 1 1 1 0 1\n");
+  const MeshData& mesh = result.mesh;
+  EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{
+                                {0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1, 0}, {0, 0, 2}, {9, 9, 9}}));
+  EXPECT_EQ(mesh.edges.vertices, (Indices{0, 1}));
+  EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 0, 3, 4}));
+  EXPECT_EQ(mesh.faces.classes, (std::vector<ModelRef>{{2, 3}, {2, 0}}));
+  EXPECT_EQ(mesh.attributes,
+            (std::vector<Attribute>{{"medit:reference", 0, 1, true, {1, 2, 3, 5, 7, 8}},
+                                    {"medit:required", 0, 1, true, {0, 0, 0, 1, 0, 0}}}));
+  EXPECT_EQ(result.notes, std::vector<std::string>{"2 higher-order elements read by the corners"});
+  const std::string nodes =
+      "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27";
+  std::string vertices = "Vertices 27\n";
+  for (int i = 0; i < 27; ++i) vertices += std::to_string(i) + " 0 0 0\n";
+  for (const auto& [keyword, n] : {std::pair{"TetrahedraP2", 10},
+                                   {"HexahedraQ2", 27},
+                                   {"PrismsP2", 18},
+                                   {"PyramidsP2", 14},
+                                   {"TetrahedraP3", 20}}) {
+    std::string list = nodes.substr(0, nodes.find(' ' + std::to_string(n + 1) + ' '));
+    EXPECT_EQ(medit(vertices + keyword + " 1\n" + list + " 5\n").mesh.regions.classes,
+              std::vector<ModelRef>(1, {3, 5}))
+        << keyword;
+  }
+}
+
 TEST(Medit, OnlyZerosDoNotClassify) {
   EXPECT_FALSE(medit(three + "Triangles 1\n1 2 3 0\n").mesh.classified());
   EXPECT_EQ(medit(three + "Triangles 1\n1 2 3 0\nCorners 1 1\n").mesh.faces.classes[0],
             ModelRef(2, 0));
   EXPECT_EQ(medit(three + "Triangles 1\n1 2 3 0\nEdges 1 1 2 5\n").mesh.faces.classes[0],
             ModelRef(2, 0));
+  EXPECT_EQ(medit(three + "Triangles 1\n1 2 3 0\nEdges 1 1 2 0\nRequiredEdges 1 1\n")
+                .mesh.edges.classes[0],
+            ModelRef(1, 0));
 }
 
 TEST(Medit, InThePlane) {
@@ -97,6 +132,8 @@ TEST(Medit, BadFilesSayTheLine) {
   bad(three + "Normals\n1\n0 0 1\nNormalAtVertices\n1\n1 2\n",
       {"a.mesh:13: ", "index 2 is out of range (1..1)"});
   bad(three + "7\n", {"a.mesh:8: ", "\"7\""});
+  bad(three + "EdgesP2\n1\n1 2 4 0\n", {"a.mesh:10: ", "index 4 is out of range (1..3)"});
+  bad(three + "EdgesP2Ordering\n3\n0\n1\n2\n", {"a.mesh:11: ", "save the mesh in the usual order"});
 }
 
 const std::string plane =
@@ -120,6 +157,38 @@ TEST(Su2, InThePlane) {
   test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
 }
 
+/// What stands third is z, unless it counts the points.
+TEST(Su2, PointsInThePlaneMayHaveThreeCoordinates) {
+  const auto read = [](const std::string& points) {
+    return io::read_bytes("a.su2", "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n" + points)
+        .mesh.positions;
+  };
+  const std::vector<glm::dvec3> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  for (const char* points : {"0 0\n1 0\n0 1\n", "0 0 0\n1 0 1\n0 1 2\n", "0 0 1\n1 0 2\n0 1 3\n",
+                             "0 0 0 0\n1 0 0 1\n0 1 0 2\n", "0 0 0.0\n1 0 0.0\n0 1 0\n",
+                             "0 0 0.0 0\n1 0 0.0 1\n0 1 0.0 2\n", "0 0 0 7\n1 0 1 8\n0 1 2 9\n"})
+    EXPECT_EQ(read(points), flat) << points;
+  EXPECT_EQ(read("0 0 0.5\n1 0 1e0\n0 1 2\n"),
+            (std::vector<glm::dvec3>{{0, 0, 0.5}, {1, 0, 1}, {0, 1, 2}}));
+}
+
+/// Each zone counts its points from 0, and may list its elements first.
+TEST(Su2, ZonesAreJoined) {
+  const std::string zone = "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 1\n";
+  const io::ReadResult result = io::read_bytes(
+      "a.su2", "NZONE= 2\nIZONE= 1\n" + zone + "MARKER_TAG= a\nMARKER_ELEMS= 1\n3 0 1\nIZONE= 2\n" +
+                   zone + "MARKER_TAG= b\nMARKER_ELEMS= 1\n3 1 2\n");
+  const MeshData& mesh = result.mesh;
+  EXPECT_EQ(mesh.positions.size(), 6u);
+  EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(mesh.faces.classes, (std::vector<ModelRef>{{2, 1}, {2, 2}}));
+  EXPECT_EQ(mesh.edges.vertices, (Indices{0, 1, 4, 5}));
+  EXPECT_EQ(mesh.edges.classes, (std::vector<ModelRef>{{1, 1}, {1, 2}}));
+  EXPECT_EQ(mesh.model.groups, (std::vector<PhysicalGroup>{
+                                   {2, 1, "zone 1"}, {1, 1, "a"}, {2, 2, "zone 2"}, {1, 2, "b"}}));
+  EXPECT_EQ(result.notes, std::vector<std::string>{"2 zones joined: model faces 1, 2, ..."});
+}
+
 /// Model faces of one physical group are one marker.
 TEST(Su2, GroupsBecomeMarkers) {
   MeshData mesh = test::one_of_each();
@@ -136,7 +205,8 @@ TEST(Su2, BadFilesSayTheLine) {
   };
   bad("NELEM= 0\n", {"NDIME is missing"});
   bad("NDIME= 4\n", {"neither 2 nor 3"});
-  bad("NZONE= 2\nNDIME= 2\n", {"a.su2:1: ", "several zones"});
+  bad("NZONE= 2\nIZONE= 1\nNDIME= 2\nIZONE= 2\nNDIME= 3\n", {"a.su2:5: ", "of two and of three"});
+  bad("NZONE= 2\nIZONE= 1\nNDIME= 2\nNELEM= 0\nIZONE= 2\n", {"a.su2:5: ", "no NPOIN"});
   bad("NDIME= 2\nNELEM= 0\n", {"no NPOIN"});
   bad("NDIME= 2\nNPOIN= 0\n", {"no NELEM"});
   bad("NDIME= 2\nNPOIN= 9999999\n0 0\n", {"a.su2:3: ", "too short"});

@@ -101,13 +101,13 @@ TEST(Msh, ReadsSparseTagsInAnyOrderAndSortsByThem) {
 
 TEST(Msh, SkipsParametersUnknownSectionsAndLineEnds) {
   std::string text =
-      format4 + section("Comments", "$ anything\n") + section("Periodic", "1\n0 1 2\n") +
+      format4 + section("Comments", "$ anything\n") + section("Curious", "1\n0 1 2\n") +
       section("Nodes",
               "3 4 1 4\n1 3 1 1\n1\n0 0 0 0.5\n2 4 1 2\n2 3\n1 0 0 0.5 0.5\n0 1 0 1 1\n3 9 1 "
               "1\n4 0 0 1 .1 .2 .3\n") +
       section("Elements", "1 1 1 1\n2 4 2 1\n1 1 2 3\n");
   const io::ReadResult result = read(text);
-  EXPECT_EQ(result.notes, std::vector<std::string>{"section $Periodic skipped"});
+  EXPECT_EQ(result.notes, std::vector<std::string>{"section $Curious skipped"});
   EXPECT_EQ(result.mesh.positions[3], glm::dvec3(0, 0, 1));
   std::string windows;
   for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);

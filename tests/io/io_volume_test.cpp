@@ -177,6 +177,7 @@ TEST(Volumes, OneOfEachThroughEveryFormat) {
       mesh, [](Shape shape, double volume) { EXPECT_GT(volume, 0) << shape_template(shape).name; });
   expect_vtk_round_trips(mesh);
   test::expect_same(test::written_and_read("a.mesh", mesh).mesh, mesh);
+  test::expect_same(test::written_and_read("a.meshb", mesh).mesh, mesh);
 
   MeshData faces_only = mesh;  // SU2: markers, without edges, vertex classes and classes of regions
   faces_only.edges = {};
@@ -241,7 +242,7 @@ TEST(Volumes, SurfaceFormatsWriteQuads) {
       EXPECT_EQ(again.faces.shapes, std::vector<Shape>(2, Shape::Triangle)) << name;
     }
   }
-  for (const char* name : {"a.vtk", "a.vtu", "a.mesh", "a.su2"})
+  for (const char* name : {"a.vtk", "a.vtu", "a.mesh", "a.meshb", "a.su2"})
     EXPECT_TRUE(test::written_and_read(name, mesh).mesh == mesh) << name;
 }
 
@@ -255,7 +256,7 @@ TEST(Volumes, ContentDecides) {
             io::Format::Vtk);
   EXPECT_EQ(format("<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid/></VTKFile>"),
             io::Format::Vtu);
-  test::expect_error("a.meshb", std::string("\1\0\0\0\2\0\0\0", 8), {"byte 0", "binary Medit"});
+  test::expect_error("a.meshb", std::string("\1\0\0\0\5\0\0\0", 8), {"byte 4", "version 5"});
   test::expect_error("a.mesh", "MFEM mesh v1.0\n", {"a.mesh:1: ", "\"MFEM\""});
 }
 

@@ -160,9 +160,8 @@ TEST(Vtk, BadTextSaysTheLine) {
   const std::string one = "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n";  // lines 9 to 11
   expect_error("a.vtk", "# vtk DataFile Version 9.0\n", {"a.vtk:1: ", "\"9.0\""});
   expect_error("a.vtk", "# vtk DataFile Version 3.0\nt\nEBCDIC\n", {"a.vtk:3: ", "\"ebcdic\""});
-  expect_error("a.vtk", header("STRUCTURED_POINTS"), {"a.vtk:4: ", "structured_points"});
-  expect_error("a.vtk", header("RECTILINEAR_GRID"), {"rectilinear_grid"});
-  expect_error("a.vtk", header("STRUCTURED_GRID"), {"structured_grid"});
+  expect_error("a.vtk", header("HYPER_TREE_GRID"),
+               {"a.vtk:4: ", "\"hyper_tree_grid\"", "save it as"});
   bad("POINTS 4 float\n0 0 0 1 x 0\n", {"a.vtk:6: ", "\"x\""});
   bad("POINTS 4 float\n0 0 0 1 0 0\n1 nan 0 0 1 0\n", {"a.vtk:7: ", "not a finite number"});
   bad("POINTS 4 float\n0 0 0 1 0 0\n1 1 0 0 1\n", {"a.vtk:8: ", "ends after 11 of 12 values"});
@@ -264,9 +263,10 @@ TEST(Vtu, BadFilesSayTheLine) {
   bad({points, cell, "4", "10 10"}, {"a.vtu:10: ", "2 types for 1 cell"});
   expect_error("a.vtu", "<?xml version=\"1.0\"?>\n<x>\n</y>\n", {"a.vtu:3: ", "XML"});
   expect_error("a.vtu", "<?xml version=\"1.0\"?>\n<COLLADA/>\n", {"a.vtu:2: ", "not VTKFile"});
-  expect_error("a.vtu", "<VTKFile type=\"PolyData\"/>", {"\"PolyData\"", "only UnstructuredGrid"});
+  expect_error("a.vtu", "<VTKFile type=\"PolyData\"/>",
+               {"\"PolyData\"", "only UnstructuredGrid", "save it as .vtu"});
   expect_error("a.vtu", test::vtu_file("", "compressor=\"vtkLZ4DataCompressor\""),
-               {"vtkLZ4DataCompressor"});
+               {"vtkLZ4DataCompressor", "save it with that, or uncompressed"});
 }
 
 TEST(Vtu, BadPackingsSayTheByte) {
@@ -293,14 +293,17 @@ TEST(Vtu, SharedDataAreRefused) {
   const auto file = [](int arrays) {
     std::string text;
     for (int i = 0; i < arrays; ++i)
-      text += test::vtu_array("UInt8", std::to_string(i), "format=\"appended\" offset=\"0\"", "");
+      text += test::vtu_array("UInt8", std::to_string(i),
+                              "format=\"appended\" offset=\"0\" NumberOfComponents=\"2500\"", "");
     const std::uint32_t size = 10'000;
-    return test::vtu_file("<FieldData>" + text + "</FieldData>\n", "",
+    return test::vtu_file(test::vtu_piece(test::vtu_text, "format=\"ascii\"",
+                                          "<PointData>" + text + "</PointData>\n"),
+                          "",
                           "<AppendedData encoding=\"raw\">_" + raw(size) + std::string(size, 'x') +
                               "</AppendedData>");
   };
-  EXPECT_TRUE(vtu(file(1)).positions.empty());
-  expect_error("a.vtu", file(20), {"a.vtu:5: ", "arrays share their data"});
+  EXPECT_EQ(vtu(file(1)).attributes[0].components, 2500);
+  expect_error("a.vtu", file(20), {"a.vtu:13: ", "arrays share their data"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/io/left_out.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
@@ -30,7 +31,10 @@ int run(const Options& options) {
   const ClassifyResult result = classify(mesh, how);
   if (const auto findings = verify(mesh); !findings.empty())
     throw io::ReadError(options.input, {}, "cannot be classified: " + findings.front().text);
-  write_mesh(options.output, format, to_data(mesh), options.quiet);
+  MeshData classified = to_data(mesh);
+  const std::vector<std::string> left_out = io::leave_out_unfollowed(read.mesh, classified);
+  if (!options.quiet) print_notes(options.output, left_out);
+  write_mesh(options.output, format, classified, options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     std::cerr << "aomd: note: " << options.input
@@ -38,8 +42,8 @@ int run(const Options& options) {
   stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
                          << result.model_edges << " model edges, " << result.model_faces
                          << " model faces; sharp edges: " << result.features.sharp << " features, "
-                         << result.features.rough << " roughness, "
- << result.features.steps << " steps of rounds\n";
+                         << result.features.rough << " roughness, " << result.features.steps
+                         << " steps of rounds\n";
   return done;
 }
 

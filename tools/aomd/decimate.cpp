@@ -10,6 +10,7 @@
 
 #include "core/base/text.h"
 #include "core/io/journal_file.h"
+#include "core/io/left_out.h"
 #include "core/io/output_files.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
@@ -19,6 +20,7 @@
 #include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
+#include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_options.h"
 #include "tools/aomd/given_classes.h"
@@ -30,6 +32,9 @@
 
 namespace aomd::cli {
 namespace {
+
+constexpr const char* quads_obstacle =
+    "Only triangles can be decimated, and there are quads: --triangulate cuts them";
 
 std::string dear_features(int model_vertices, std::uint32_t faces) {
   return std::to_string(model_vertices) + " model vertices would take more than half of " +
@@ -69,13 +74,20 @@ class Run {
     if (!options_.quiet) print_notes(options_.input, read.notes);
     original_ = std::move(read.mesh);
     seconds_["read"] = watch_.lap();
+    if (options_.triangulate) cut_quads();
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_))
-      throw io::LimitError(options_.input, {}, obstacle);
+      throw io::LimitError(options_.input, {}, mesh_.count(3) > 0 ? obstacle : quads_obstacle);
     steps_.target_faces = options_.target_faces(mesh_.count(2));
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+  }
+
+  void cut_quads() {
+    const std::size_t quads = triangulate_quads(original_);
+    if (quads > 0 && !options_.quiet)
+      print_notes(options_.input, {counted(quads, "quad") + " cut into triangles"});
   }
 
   void repair_mesh() {
@@ -152,6 +164,10 @@ class Run {
       steps_.max_distance = options_.max_distance_pct / 100 *
                             TriangleTree(triangles_of(original_).corners).box().diagonal();
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
+    std::size_t required = 0;
+    steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
+    if (required > 0 && !options_.quiet)
+      print_notes(options_.input, {counted(required, "required vertex") + " kept where they are"});
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -214,6 +230,8 @@ class Run {
     progress_.show("writing");
     MeshData result = to_data(mesh_);
     GivenClasses(original_).apply(result);
+    const std::vector<std::string> left_out = io::leave_out_unfollowed(original_, result);
+    if (!options_.quiet) print_notes(options_.output, left_out);
     io::OutputFiles files;
     const auto path = output_path(options_.output);
     io::EncodedMesh encoded = io::to_bytes(path, format_, result);

@@ -127,13 +127,15 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   model->type_name("FILE")->check(not_empty());
   CLI::Option* repair =
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
+  CLI::Option* triangulate = command.add_flag("--triangulate", o.triangulate,
+                                              "First cuts quads along the shorter diagonal");
   CLI::Option* without = command.add_option(
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
-                   model, repair, without, add_threads(command, o.threads)});
+                   model, triangulate, repair, without, add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -258,6 +260,7 @@ Json DecimateOptions::json(const DecimationOptions& steps) const {
           {"keep", or_null(keep)},
           {"snap", snap},
           {"model", or_null(model)},
+          {"triangulate", triangulate},
           {"repair", repair},
           {"journal", or_null(journal)}};
 }

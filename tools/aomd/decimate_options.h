@@ -24,7 +24,8 @@ struct DecimateOptions {
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
   std::string strategy = "quality", feature_angle = "20", snap = "none", model;
-  bool feature_angle_given = false, no_swap = false, no_smooth = false, repair = false;
+  bool feature_angle_given = false, no_swap = false, no_smooth = false, repair = false,
+       triangulate = false;
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/text.h"
+#include "core/io/medit.h"
 #include "core/io/source.h"
 #include "core/io/text_cursor.h"
 #include "core/model/model.h"
@@ -104,7 +105,37 @@ class KeepFile {
   std::map<ModelRef, Entry> classes_;
 };
 
+/// Marks the vertices of what has the mark of Medit.
+template <class H>
+void mark_required(const Mesh& mesh, Kept& required) {
+  const auto* marks = mesh.find_column<H, std::int64_t>(io::detail::medit_required);
+  for (std::uint32_t id = 0; marks && id < mesh.capacity(H::dimension); ++id) {
+    if (!mesh.alive({H::dimension, id}) || (*marks)[H(id)] == 0) continue;
+    if constexpr (H::dimension == 0) {
+      required[Vertex(id)] = 1;
+    } else {
+      VertexBuffer buffer;
+      for (const std::uint32_t v : mesh.vertices_of({H::dimension, id}, buffer))
+        required[Vertex(v)] = 1;
+    }
+  }
+}
+
 }  // namespace
+
+std::shared_ptr<const Kept> keep_required(const Mesh& mesh, std::shared_ptr<const Kept> keep,
+                                          std::size_t& required) {
+  Kept kept(mesh.capacity(0), 0);
+  mark_required<Vertex>(mesh, kept);
+  mark_required<Edge>(mesh, kept);
+  mark_required<Face>(mesh, kept);
+  required = 0;
+  for (std::uint32_t id = 0; id < mesh.capacity(0); ++id) {
+    required += kept[Vertex(id)];
+    if (keep && (*keep)[Vertex(id)] != 0) kept[Vertex(id)] = 1;
+  }
+  return required == 0 ? keep : std::make_shared<const Kept>(std::move(kept));
+}
 
 std::shared_ptr<const Kept> read_keep_file(const std::filesystem::path& file, const Mesh& mesh) {
   const io::detail::FileBytes bytes(file);

@@ -5,9 +5,11 @@
 
 #include "core/base/text.h"
 #include "core/io/journal_file.h"
+#include "core/io/left_out.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/repair/repair.h"
+#include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/outputs.h"
@@ -19,7 +21,7 @@ namespace {
 struct Options {
   std::string model, journal, output, format;
   std::optional<std::size_t> step;
-  bool repair = false, quiet = false;
+  bool triangulate = false, repair = false, quiet = false;
 };
 
 std::size_t last_step(const Options& options, const Journal& journal) {
@@ -37,6 +39,7 @@ int run(const Options& options) {
   io::JournalFile file = io::read_journal(options.journal);
   const std::size_t step = last_step(options, file.journal);
   io::ReadResult read = read_mesh(options.model, options.quiet);
+  if (options.triangulate) triangulate_quads(read.mesh);
   if (options.repair && read.mesh.regions.empty()) repair(read.mesh);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
@@ -49,6 +52,8 @@ int run(const Options& options) {
                         "the journal leads to a broken mesh: " + findings.front().text);
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
+  const std::vector<std::string> left_out = io::leave_out_unfollowed(read.mesh, result);
+  if (!options.quiet) print_notes(options.output, left_out);
   write_mesh(options.output, format, result, options.quiet);
   if (!options.quiet)
     stream_beside(outputs) << options.output << ": " << counted(step, "step") << " of "
@@ -76,6 +81,8 @@ void add_replay(CLI::App& app, Action& action) {
   command->add_option("--step", options->step, "Stops after so many operations")
       ->type_name("N")
       ->transform(whole_number(0, std::uint64_t{1} << 32));
+  command->add_flag("--triangulate", options->triangulate,
+                    "First cuts quads, as aomd decimate --triangulate did");
   command->add_flag("--repair", options->repair,
                     "First mends the mesh, as aomd decimate --repair did");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/io/io.h"
+#include "core/io/left_out.h"
 #include "core/samples/samples.h"
 #include "viewer/scene/command_groups.h"
 #include "viewer/scene/text.h"
@@ -50,13 +51,25 @@ void model(Session& session, Arguments& arguments) {
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
+/// Takes from the present mesh what its operations do not follow; says what that was.
+std::string leave_out_unfollowed(Document& document, MeshData& data) {
+  if (document.journal().cursor() == 0 || data.attributes.empty()) return {};
+  const MeshData loaded =
+      document.can_look_back() ? to_data(document.as_loaded().mesh()) : MeshData();
+  std::string text;
+  for (const std::string& note : io::leave_out_unfollowed(loaded, data)) text += "; " + note;
+  return text;
+}
+
 void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
-  const std::vector<std::string> notes = io::write(file, to_data(session.document.mesh()));
+  MeshData data = to_data(session.document.mesh());
+  const std::string left_out = leave_out_unfollowed(session.document, data);
+  const std::vector<std::string> notes = io::write(file, data);
   session.document.mark_saved(file);
   session.view.dialog = Dialog::None;
-  session.status = "Saved " + printable(file.string());
+  session.status = "Saved " + printable(file.string()) + left_out;
   for (const std::string& note : notes) session.status += ", " + note;
   // The question about unsaved work, if there was one, is answered.
   if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});

@@ -177,6 +177,7 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
 Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
   hold(false);
   const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, pair);
+  if (verdict.accepted() && keeps_face_of(pair)) return {Reason::Kept, pair.a};
   return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
 }
 

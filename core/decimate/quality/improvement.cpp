@@ -74,7 +74,8 @@ bool QualityLoop::still_refused(const SwapBatch& batch) const {
 
 bool QualityLoop::try_swap(Vertex a, Vertex b) {
   EdgePair pair;
-  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || !guards_.judge(mesh_, pair).accepted())
+  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || keeps_face_of(pair) ||
+      !guards_.judge(mesh_, pair).accepted())
     return false;
   fitter_.swapped(pair);
   apply_swap(mesh_, pair);

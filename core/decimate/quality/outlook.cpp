@@ -68,6 +68,7 @@ std::optional<SwapOutlook> QualityLoop::swap_outlook(Edge edge) {
   const auto [a, b] = mesh_.edge_vertices(edge);
   SwapOutlook o;
   o.verdict = fitter_.judge_swap(a, b, fit_, o.pair);
+  if (o.verdict.accepted() && keeps_face_of(o.pair)) o.verdict = {Reason::Kept, a};
   if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, o.pair);
   o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;

@@ -1,0 +1,117 @@
+#include "core/io/left_out.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <unordered_set>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/io/formats.h"
+#include "core/io/medit.h"
+#include "core/io/notes.h"
+
+namespace aomd::io {
+namespace {
+
+using detail::for_each_entity;
+
+bool same_entities(const MeshData& a, const MeshData& b, int dim) {
+  return dim == 0 ? a.positions == b.positions : a.list(dim).vertices == b.list(dim).vertices;
+}
+
+bool unchanged(const MeshData& original, const MeshData& result) {
+  return same_entities(original, result, 0) && same_entities(original, result, 2) &&
+         same_entities(original, result, 3);
+}
+
+/// The arrays of a mesh by dimension and name.
+class Held {
+ public:
+  explicit Held(const MeshData& mesh) {
+    for (const Attribute& a : mesh.attributes)
+      names_[static_cast<std::size_t>(a.dimension)].insert(a.name);
+  }
+  [[nodiscard]] bool has(const Attribute& a) const {
+    return names_[static_cast<std::size_t>(a.dimension)].count(a.name) != 0;
+  }
+
+ private:
+  std::array<std::unordered_set<std::string>, 4> names_;
+};
+
+bool is_mark(const Attribute& a) {
+  return a.name == detail::medit_required || a.name == detail::medit_ridge ||
+         a.name == detail::medit_reference;
+}
+
+/// An entity by where its vertices are, in any order.
+using Place = std::vector<std::array<double, 3>>;
+
+template <class Visit>
+void each_place(const MeshData& mesh, int dim, Visit&& visit) {
+  const auto place_of = [&](auto vertices) {
+    Place place;
+    for (const std::uint32_t v : vertices) {
+      const glm::dvec3& p = mesh.positions[v];
+      place.push_back({p.x, p.y, p.z});
+    }
+    std::sort(place.begin(), place.end());
+    return place;
+  };
+  std::size_t i = 0;
+  if (dim > 0)
+    return for_each_entity(mesh.list(dim),
+                           [&](auto vertices, ModelRef) { visit(i++, place_of(vertices)); });
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    visit(v, place_of(std::array<std::uint32_t, 1>{v}));
+}
+
+/// Takes the marks from what is not where it was. Returns whether there was any such.
+bool unmark_moved(const MeshData& original, const MeshData& result, Attribute& marks) {
+  std::set<Place> required;
+  for (const Attribute& a : original.attributes) {
+    if (a.dimension != marks.dimension || a.name != marks.name || a.components != 1) continue;
+    each_place(original, a.dimension, [&](std::size_t i, Place place) {
+      if (a.values[i] != 0) required.insert(std::move(place));
+    });
+  }
+  bool moved = false;
+  each_place(result, marks.dimension, [&](std::size_t i, const Place& place) {
+    if (marks.values[i] == 0 || required.count(place) != 0) return;
+    marks.values[i] = 0;
+    moved = true;
+  });
+  return moved;
+}
+
+/// Gives back what a Mesh does not hold.
+void restore(const MeshData& original, MeshData& result) {
+  const Held held(result);
+  for (const Attribute& a : original.attributes)
+    if (same_entities(original, result, a.dimension) && !held.has(a))
+      result.attributes.push_back(a);
+  result.periodic = original.periodic;
+}
+
+}  // namespace
+
+std::vector<std::string> leave_out_unfollowed(const MeshData& original, MeshData& result) {
+  detail::ItemList gone;
+  if (unchanged(original, result)) {
+    restore(original, result);
+  } else {
+    std::erase_if(result.attributes, [](const Attribute& a) { return !is_mark(a); });
+    for (Attribute& a : result.attributes)
+      if (a.name == detail::medit_required && unmark_moved(original, result, a))
+        gone.add(shown(a.name));
+    if (!original.periodic.empty()) gone.add("periodic links");
+  }
+  const Held held(result);
+  for (const Attribute& a : original.attributes)
+    if (!held.has(a)) gone.add(shown(a.name));
+  if (gone.empty()) return {};
+  return {"left out, as it does not follow the operations: " + gone.text()};
+}
+
+}  // namespace aomd::io

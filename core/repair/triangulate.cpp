@@ -1,0 +1,45 @@
+#include "core/repair/triangulate.h"
+
+#include <algorithm>
+
+#include "core/io/formats.h"
+#include "core/io/polygon.h"
+
+namespace aomd {
+namespace {
+
+/// Values of the faces, as those of the triangles that come from each.
+void spread(Attribute& a, const std::vector<std::uint32_t>& from) {
+  const auto n = static_cast<std::size_t>(a.components);
+  std::vector<double> values;
+  values.reserve(n * from.size());
+  for (const std::uint32_t f : from) {
+    const auto first = a.values.begin() + static_cast<std::ptrdiff_t>(n * f);
+    values.insert(values.end(), first, first + a.components);
+  }
+  a.values = std::move(values);
+}
+
+}  // namespace
+
+std::size_t triangulate_quads(MeshData& mesh) {
+  const auto quads = std::count(mesh.faces.shapes.begin(), mesh.faces.shapes.end(), Shape::Quad);
+  if (quads == 0 || !mesh.regions.empty()) return 0;
+  EntityList triangles;
+  std::vector<std::uint32_t> from;
+  std::uint32_t face = 0;
+  io::detail::for_each_entity(mesh.faces, [&](auto vertices, ModelRef model) {
+    io::detail::triangulate(mesh.positions, vertices, triangles.vertices);
+    for (; 3 * from.size() < triangles.vertices.size(); from.push_back(face)) {
+      triangles.shapes.push_back(Shape::Triangle);
+      if (!mesh.faces.classes.empty()) triangles.classes.push_back(model);
+    }
+    ++face;
+  });
+  mesh.faces = std::move(triangles);
+  for (Attribute& a : mesh.attributes)
+    if (a.dimension == 2) spread(a, from);
+  return static_cast<std::size_t>(quads);
+}
+
+}  // namespace aomd

@@ -1,0 +1,152 @@
+// aomd decimate, replay and classify on meshes that carry arrays, marks of what is required, quads.
+
+#include <set>
+
+#include "core/samples/samples.h"
+#include "tests/support/cli_helpers.h"
+#include "tests/support/volume_helpers.h"
+
+namespace aomd::test {
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point point(const MeshData& mesh, std::uint32_t v) {
+  const glm::dvec3& p = mesh.positions[v];
+  return {p.x, p.y, p.z};
+}
+
+/// What is marked, by the places of its vertices.
+std::set<std::set<Point>> required(const MeshData& mesh, int dim) {
+  std::set<std::set<Point>> places;
+  for (const Attribute& a : mesh.attributes) {
+    if (a.name != "medit:required" || a.dimension != dim) continue;
+    for (std::uint32_t v = 0; dim == 0 && v < mesh.positions.size(); ++v)
+      if (a.values[v] != 0) places.insert({point(mesh, v)});
+    std::size_t i = 0;
+    if (dim == 0) continue;
+    io::detail::for_each_entity(mesh.list(dim), [&](auto vertices, ModelRef) {
+      std::set<Point> place;
+      for (const std::uint32_t v : vertices) place.insert(point(mesh, v));
+      if (a.values[i++] != 0) places.insert(place);
+    });
+  }
+  return places;
+}
+
+class FieldsCommand : public CommandLine {
+ protected:
+  /// A bumpy surface with arrays of every kind.
+  static MeshData surface() {
+    MeshData mesh = make_sample("scan", 1000);
+    const std::size_t n = mesh.positions.size(), m = mesh.faces.size();
+    Attribute x{"x", 0, 1, false, {}};
+    for (const glm::dvec3& p : mesh.positions) x.values.push_back(p.x);
+    mesh.attributes = {x,
+                       {"uv", 0, 2, false, std::vector<double>(2 * n, 0.5)},
+                       {"id", 2, 1, true, std::vector<double>(m, 3)},
+                       {"stress", 2, 9, false, std::vector<double>(9 * m, 0.25)}};
+    return mesh;
+  }
+  MeshData read(const char* name) const { return io::read(at(name)).mesh; }
+};
+
+constexpr const char* all_left_out =
+    "left out, as it does not follow the operations: \"x\", \"uv\", \"id\", \"stress\"\n";
+
+TEST_F(FieldsCommand, DecimateLeavesOutArraysThatDoNotFollow) {
+  io::write(at("in.vtu"), surface());
+  const Outcome run = aomd("decimate in.vtu out.vtu --target-faces 100 --journal j");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err.find(std::string("aomd: note: out.vtu: ") + all_left_out), 0u) << run.err;
+  EXPECT_TRUE(read("out.vtu").attributes.empty());
+  const Outcome replay = aomd("replay in.vtu j again.vtu");
+  EXPECT_EQ(replay.err, std::string("aomd: note: again.vtu: ") + all_left_out);
+  EXPECT_EQ(text("again.vtu"), text("out.vtu"));
+}
+
+TEST_F(FieldsCommand, WhereNothingMovesAllArraysStay) {
+  const MeshData mesh = surface();
+  io::write(at("in.vtu"), mesh);
+  const std::string target = std::to_string(mesh.faces.size());
+  const std::string nothing = " --no-swap --no-smooth --journal j --target-faces " + target;
+  EXPECT_EQ(aomd("decimate in.vtu out.vtu" + nothing).err, "");
+  EXPECT_EQ(aomd("replay in.vtu j again.vtu").err, "");
+  EXPECT_EQ(aomd("repair in.vtu mended.vtu").err, "");
+  EXPECT_EQ(aomd("classify in.vtu classified.vtu").err, "");
+  for (const char* name : {"out.vtu", "again.vtu", "mended.vtu", "classified.vtu"}) {
+    const MeshData result = read(name);
+    for (const Attribute& a : mesh.attributes)
+      EXPECT_EQ(std::count(result.attributes.begin(), result.attributes.end(), a), 1)
+          << name << ' ' << a.name;
+  }
+}
+
+TEST_F(FieldsCommand, WhatAFormatDoesNotHoldIsSaid) {
+  MeshData mesh = surface();
+  mesh.attributes.push_back(
+      {"medit:reference", 0, 1, true, std::vector<double>(mesh.positions.size(), 4)});
+  io::write(at("in.vtu"), mesh);
+  for (const char* name : {"o.ply", "o.obj", "o.off", "o.stl"}) {
+    const std::string end = std::string(name).substr(1);
+    EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err,
+              std::string("aomd: note: ") + name + ": left out, as " + end +
+                  " does not hold it: \"x\", \"uv\", \"medit:reference\", \"id\", \"stress\"\n");
+  }
+  EXPECT_EQ(aomd("repair in.vtu o.mesh").err,
+            "aomd: note: o.mesh: left out, as .mesh does not hold it: \"x\", \"uv\", \"id\", "
+            "\"stress\"\n");
+  for (const char* name : {"o.vtk", "o.vtu", "o.msh"})
+    EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err, "");
+}
+
+TEST_F(FieldsCommand, WhatIsRequiredStaysAndIsWrittenAgain) {
+  MeshData mesh = surface();
+  mesh.attributes = {{"medit:required", 0, 1, true, std::vector<double>(mesh.positions.size())},
+                     {"medit:required", 2, 1, true, std::vector<double>(mesh.faces.size())}};
+  for (const std::size_t v : {45u, 46u, 190u}) mesh.attributes[0].values[v] = 1;
+  for (const std::size_t f : {100u, 101u, 377u, 500u}) mesh.attributes[1].values[f] = 1;
+  const std::uint32_t* v = mesh.faces.vertices.data() + 3 * 600;
+  mesh.edges.add(Shape::Line, {v[0], v[1]}, ModelRef(1, 0));
+  mesh.edges.add(Shape::Line, {v[1], v[2]}, ModelRef(1, 0));
+  mesh.attributes.push_back({"medit:required", 1, 1, true, {1, 1}});
+  io::write(at("in.mesh"), mesh);
+  const MeshData before = read("in.mesh");
+  for (const char* how :
+       {"--strategy quality", "--strategy paper", "--strategy paper --improve 9"}) {
+    const Outcome run = aomd(std::string("decimate in.mesh out.mesh --target-faces 60 ") + how);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("required vertices kept where they are\n"), std::string::npos);
+    const MeshData after = read("out.mesh");
+    EXPECT_LT(after.faces.size(), 300u);  // of about 1000
+    EXPECT_EQ(required(before, 0).size(), 3u);
+    EXPECT_EQ(required(before, 1).size(), 2u);
+    EXPECT_EQ(required(before, 2).size(), 4u);
+    for (int dim = 0; dim <= 2; ++dim)
+      EXPECT_EQ(required(after, dim), required(before, dim)) << how;
+  }
+}
+
+TEST_F(FieldsCommand, QuadsAreCutWhereThatIsAskedFor) {
+  MeshData mesh;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) mesh.positions.emplace_back(i, j, 0);
+  for (std::uint32_t j = 0; j < 3; ++j)
+    for (std::uint32_t i = 0; i < 3; ++i)
+      mesh.faces.add(Shape::Quad, {4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4},
+                     ModelRef(2, i < 2 ? 5 : 6));
+  io::write(at("q.msh"), mesh);
+  expect_failure("decimate q.msh o.msh --target-faces 4", 5, "there are quads: --triangulate");
+  const Outcome run = aomd("decimate q.msh o.msh --target-faces 18 --triangulate --journal j");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err.find("aomd: note: q.msh: 9 quads cut into triangles\n"), 0u) << run.err;
+  const MeshData result = read("o.msh");
+  EXPECT_EQ(result.faces.shapes, std::vector<Shape>(18, Shape::Triangle));
+  EXPECT_EQ(std::count(result.faces.classes.begin(), result.faces.classes.end(), ModelRef(2, 5)),
+            12);
+  EXPECT_EQ(aomd("replay q.msh j o2.msh --triangulate").code, 0);
+  EXPECT_EQ(text("o2.msh"), text("o.msh"));
+}
+
+}  // namespace
+}  // namespace aomd::test
