@@ -65,8 +65,9 @@ struct Counts {
 class OffText {
  public:
   OffText(const Source& source, const TextCursor& cursor, const OffHeader& header)
-      : source_(source), cursor_(cursor), header_(header) {
+      : source_(source), cursor_(cursor), header_(header), extra_(header.extra()) {
     header_.name_in(left_out_);
+    cursor_.join_lines();
   }
 
   ReadResult read() {
@@ -99,9 +100,9 @@ class OffText {
       cursor_.fail("the file ends before the numbers of vertices and faces");
     const std::int64_t vertices = cursor_.integer("the number of vertices");
     const bool line_each = cursor_.line_done();
-    const std::int64_t faces = integer("the number of faces");
+    const std::int64_t faces = cursor_.integer("the number of faces");
     if (vertices < 0 || faces < 0) cursor_.fail("a negative number of vertices or faces");
-    if (line_each || !cursor_.line_done()) integer("the number of edges");
+    if (line_each || !cursor_.line_done()) cursor_.integer("the number of edges");
     cursor_.end_line();
     return {static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(faces)};
   }
@@ -121,21 +122,12 @@ class OffText {
     }
   }
 
-  double real(const char* what) {
-    if (cursor_.line_done()) cursor_.skip_to_content();
-    return cursor_.real(what);
-  }
-  std::int64_t integer(const char* what) {
-    if (cursor_.line_done()) cursor_.skip_to_content();
-    return cursor_.integer(what);
-  }
-
   glm::dvec3 vertex() {
-    const double x = real("x"), y = real("y"), z = real("z");
+    const double x = cursor_.real("x"), y = cursor_.real("y"), z = cursor_.real("z");
     glm::dvec3 p(x, y, z);
-    if (header_.weight && !divide(p, real("the fourth coordinate")))
+    if (header_.weight && !divide(p, cursor_.real("the fourth coordinate")))
       cursor_.fail("a vertex at infinity");
-    for (std::size_t i = 0; i < header_.extra() && !cursor_.line_done(); ++i) pass_over_number();
+    for (std::size_t i = 0; i < extra_ && !cursor_.line_done(); ++i) pass_over_number();
     cursor_.end_line();
     return p;
   }
@@ -146,7 +138,7 @@ class OffText {
       cursor_.fail("a face cannot have " + std::to_string(n) + " vertices");
     }
     polygon_.resize(static_cast<std::size_t>(n));
-    for (std::int64_t& index : polygon_) index = integer("a vertex index");
+    for (std::int64_t& index : polygon_) index = cursor_.integer("a vertex index");
     const std::string wrong = faces.add(polygon_);
     if (!wrong.empty()) cursor_.fail(wrong);
     coloured_ = coloured_ || !cursor_.line_done();
@@ -162,6 +154,7 @@ class OffText {
   const Source& source_;
   TextCursor cursor_;
   OffHeader header_;
+  std::size_t extra_;
   LeftOut left_out_;
   bool coloured_ = false;
   std::vector<std::int64_t> polygon_;
