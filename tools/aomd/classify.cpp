@@ -28,8 +28,7 @@ int run(const Options& options) {
   write_mesh(options.output, to_data(mesh), options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
-    std::cerr << "aomd: note: " << options.input
-              << ": its own classification was kept; --replace derives all anew\n";
+    print_notes(options.input, {"its own classification was kept; --replace derives all anew"});
   std::cout << options.output << ": " << result.model_vertices << " model vertices, "
             << result.model_edges << " model edges, " << result.model_faces
             << " model faces; sharp edges: " << result.features.sharp << " features, "
