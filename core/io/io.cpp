@@ -179,9 +179,9 @@ std::string_view misfit(Format format, const MeshData& mesh) {
   return {};
 }
 
-void check_writable(const std::filesystem::path& path, const MeshData& mesh,
+void check_writable(const std::filesystem::path& path, Format format, const MeshData& mesh,
                     bool single_precision) {
-  const std::string_view why = misfit(format_for_writing(path), mesh);
+  const std::string_view why = misfit(format, mesh);
   if (!why.empty()) throw WriteError(path.string(), {}, std::string(why));
   const double limit =
       single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
@@ -193,31 +193,12 @@ void check_writable(const std::filesystem::path& path, const MeshData& mesh,
                                         : "a coordinate is not a finite number");
     }
   }
+  const std::string lost = single_precision ? detail::rounding_defect(mesh) : std::string();
+  if (!lost.empty()) throw WriteError(path.string(), {}, lost);
 }
 
-std::string bytes_of(Format format, bool binary, const MeshData& mesh,
-                     const WriteOptions& options) {
-  switch (format) {
-    case Format::Obj:
-      return detail::write_obj(mesh);
-    case Format::Ply:
-      return detail::write_ply(mesh, binary);
-    case Format::Off:
-      return detail::write_off(mesh, binary);
-    case Format::Msh:
-      return detail::write_msh(mesh, binary, options.msh2);
-    case Format::Medit:
-      return detail::write_medit(mesh);
-    case Format::Vtk:
-      return detail::write_vtk(mesh, binary);
-    case Format::Vtu:
-      return detail::write_vtu(mesh, binary);
-    case Format::Su2:
-      return detail::write_su2(mesh);
-    case Format::Stl:
-      break;
-  }
-  return detail::write_stl(mesh, binary);
+bool rounds(Format format, bool binary) {
+  return binary && (format == Format::Stl || format == Format::Off);
 }
 
 }  // namespace
@@ -244,18 +225,46 @@ Format format_for_writing(const std::filesystem::path& path) {
       "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, .vtu or .su2");
 }
 
+std::string to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
+                     const WriteOptions& options) {
+  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
+  check_writable(name, format, mesh, rounds(format, binary));
+  switch (format) {
+    case Format::Obj:
+      return detail::write_obj(mesh);
+    case Format::Ply:
+      return detail::write_ply(mesh, binary);
+    case Format::Off:
+      return detail::write_off(mesh, binary);
+    case Format::Stl:
+      return detail::write_stl(mesh, binary);
+    case Format::Msh:
+      return detail::write_msh(mesh, binary, options.msh2);
+    case Format::Medit:
+      return detail::write_medit(mesh);
+    case Format::Vtk:
+      return detail::write_vtk(mesh, binary);
+    case Format::Vtu:
+      return detail::write_vtu(mesh, binary);
+    case Format::Su2:
+      break;
+  }
+  return detail::write_su2(mesh);
+}
+
+std::vector<std::string> losses(Format format, const MeshData& mesh, const WriteOptions& options) {
+  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
+  std::vector<std::string> notes;
+  detail::note_losses(format, binary, mesh, notes);
+  if (rounds(format, binary)) detail::note_rounding(mesh, notes);
+  return limited_lines(std::move(notes));
+}
+
 WriteResult write(const std::filesystem::path& path, const MeshData& mesh,
                   const WriteOptions& options) {
   const Format format = format_for_writing(path);
-  const bool binary = options.binary.value_or(binary_by_default(format, mesh));
-  const bool rounds = binary && (format == Format::Stl || format == Format::Off);
-  check_writable(path, mesh, rounds);
-  WriteResult result;
-  detail::note_losses(format, binary, mesh, result.notes);
-  if (rounds) detail::note_rounding(path, mesh, result.notes);
-  write_file(path, bytes_of(format, binary, mesh, options));
-  result.notes = limited_lines(std::move(result.notes));
-  return result;
+  write_file(path, to_bytes(path, format, mesh, options));
+  return {losses(format, mesh, options)};
 }
 
 namespace detail {

@@ -88,6 +88,15 @@ struct WriteResult {
 WriteResult write(const std::filesystem::path& path, const MeshData& mesh,
                   const WriteOptions& options = {});
 
+/// The bytes that write() puts into a file, in a format of the caller's choice. `name` stands in
+/// messages.
+[[nodiscard]] std::string to_bytes(const std::filesystem::path& name, Format format,
+                                   const MeshData& mesh, const WriteOptions& options = {});
+
+/// The notes of write(), for those who write to_bytes() themselves.
+[[nodiscard]] std::vector<std::string> losses(Format format, const MeshData& mesh,
+                                              const WriteOptions& options = {});
+
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);
 

@@ -1,5 +1,5 @@
-// OFF: [ST][C][N][4]OFF in text and binary. Colours, normals and texture coordinates are passed
-// over.
+// OFF: [ST][C][N][4]OFF, with the prefixes in any order, in text and binary. Colours, normals and
+// texture coordinates are passed over.
 
 #include <algorithm>
 #include <bit>
@@ -34,18 +34,17 @@ struct OffHeader {
   }
 };
 
-/// Nothing where the word is none of ours.
+/// Nothing where the word is none of ours. Not all programs keep to one order of the prefixes.
 std::optional<OffHeader> header_of(std::string_view word) {
-  const auto take = [&](std::string_view prefix) {
-    const bool there = word.starts_with(prefix);
-    if (there) word.remove_prefix(prefix.size());
-    return there;
-  };
   OffHeader header;
-  header.texture = take("ST");
-  header.colour = take("C");
-  header.normal = take("N");
-  header.weight = take("4");
+  const auto take = [&](std::string_view prefix, bool& there) {
+    if (there || !word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return there = true;
+  };
+  while (take("ST", header.texture) || take("C", header.colour) || take("N", header.normal) ||
+         take("4", header.weight)) {
+  }
   if (word != "OFF") return {};
   return header;
 }
