@@ -69,6 +69,10 @@ TEST(Off, TellsByteOrdersApart) {
   }
 }
 
+TEST(Off, BigEndianWinsWhereBothMakeSense) {
+  EXPECT_TRUE(io::read_bytes("a.off", "OFF BINARY\n" + std::string(12, '\0')).notes.empty());
+}
+
 TEST(Off, NamesWhatItLeavesOut) {
   EXPECT_EQ(io::read_bytes("a.off", "STCNOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n").notes,
             std::vector<std::string>{
