@@ -199,6 +199,8 @@ void check_writable(const std::filesystem::path& path, Format format, const Mesh
                                         : "a coordinate is not a finite number");
     }
   }
+  const std::string lost = single_precision ? detail::rounding_defect(mesh) : std::string();
+  if (!lost.empty()) throw WriteError(path.string(), {}, lost);
 }
 
 std::string bytes_of(Format format, bool binary, const MeshData& mesh,
@@ -265,7 +267,7 @@ EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const Mes
   check_writable(name, format, mesh, rounds);
   EncodedMesh result;
   detail::note_losses(format, binary, mesh, result.notes);
-  if (rounds) detail::note_rounding(name, mesh, result.notes);
+  if (rounds) detail::note_rounding(mesh, result.notes);
   result.notes = limited_lines(std::move(result.notes));
   result.bytes = bytes_of(format, binary, mesh, options);
   return result;

@@ -113,23 +113,23 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
   note_left_out(notes, left_out);
 }
 
-void note_rounding(const std::filesystem::path& path, const MeshData& mesh,
-                   std::vector<std::string>& notes) {
+void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
   Box box;
   for (const glm::dvec3& p : mesh.positions) box.add(p);
   const double move = largest_move(mesh);
   const std::size_t lost = collapsing_faces(mesh);
-  if (100 * lost > mesh.faces.size()) {
-    throw WriteError(
-        path.string(), {},
-        counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
-            " would collapse, since coordinates are rounded to 32-bit floats by up to " +
-            short_number(move) + ": write text, or move the mesh to the origin");
-  }
   if (lost == 0 && move <= 1e-6 * box.diagonal()) return;
   std::string note = "coordinates rounded to 32-bit floats by up to " + short_number(move);
   if (lost > 0) note += "; " + counted(lost, "face") + " collapse" + (lost == 1 ? "s" : "");
   notes.push_back(note + "; text keeps them");
+}
+
+std::string rounding_defect(const MeshData& mesh) {
+  const std::size_t lost = collapsing_faces(mesh);
+  if (100 * lost <= mesh.faces.size()) return {};
+  return counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
+         " would collapse, since coordinates are rounded to 32-bit floats by up to " +
+         short_number(largest_move(mesh)) + ": write text, or move the mesh to the origin";
 }
 
 }  // namespace aomd::io::detail

@@ -1,7 +1,6 @@
 #pragma once
 // What a mesh loses in a file.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,11 @@ namespace aomd::io::detail {
 /// Names what the mesh has and the format, as text or `binary`, does not hold.
 void note_losses(Format format, bool binary, const MeshData& mesh, std::vector<std::string>& notes);
 
-/// Says what rounding to 32-bit floats does to the mesh. Throws WriteError where more than one face
-/// in a hundred would have fewer than 3 different corners.
-void note_rounding(const std::filesystem::path& path, const MeshData& mesh,
-                   std::vector<std::string>& notes);
+/// Says what rounding to 32-bit floats does to the mesh.
+void note_rounding(const MeshData& mesh, std::vector<std::string>& notes);
+
+/// Why the mesh should not be rounded so: more than one face in a hundred would have fewer than 3
+/// different corners. Else an empty string.
+[[nodiscard]] std::string rounding_defect(const MeshData& mesh);
 
 }  // namespace aomd::io::detail

@@ -78,41 +78,52 @@ std::uint64_t repeated_node(std::span<const std::uint64_t> nodes) {
 std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::uint64_t> nodes,
                          ModelRef model, std::int32_t physical) {
   const auto corners = static_cast<std::size_t>(shape_template(type.shape).vertex_count);
-  vertices_.clear();
+  Elements& elements = elements_[static_cast<std::size_t>(shape_template(type.shape).dimension)];
+  std::vector<std::uint32_t>& vertices = elements.list.vertices;
+  const std::size_t start = vertices.size();
+  bool repeats = false;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::uint32_t v = nodes_.find(nodes[i]);
     if (v == no_index)
       return "element " + std::to_string(tag) + " refers to node " +
              std::to_string(static_cast<std::int64_t>(nodes[i])) + ", which is not there";
     (i < corners ? corner_ : inner_)[v] = true;
-    if (i < corners) vertices_.push_back(v);
+    if (i >= corners) continue;
+    const auto first = vertices.begin() + static_cast<std::ptrdiff_t>(start);
+    repeats = repeats || std::find(first, vertices.end(), v) != vertices.end();
+    vertices.push_back(v);
   }
-  higher_order_ += nodes.size() > corners;
-  if (!repeats_vertex(vertices_)) {
-    push(tag, type.shape, vertices_, model, physical);
-    return {};
-  }
-  const auto left = without_repeats(type.shape, vertices_, corner_.size(), repeats_);
-  if (!left) {
-    return "element " + std::to_string(tag) + " repeats node " +
-           std::to_string(static_cast<std::int64_t>(repeated_node(nodes.first(corners)))) +
-           ": a region that collapses must be listed as what it becomes";
-  }
-  if (left->empty()) {
-    dropped_.push_back(tag);
-  } else {
-    push(tag, Shape::Triangle, *left, model, physical);
-  }
-  return {};
-}
-
-void MshMesh::push(std::uint64_t tag, Shape shape, std::span<const std::int64_t> vertices,
-                   ModelRef model, std::int32_t physical) {
-  Elements& elements = elements_[static_cast<std::size_t>(shape_template(shape).dimension)];
-  append(elements.list, shape, vertices);
+  elements.list.shapes.push_back(type.shape);
   elements.list.classes.push_back(model);
   elements.tags.push_back(tag);
   elements.physical.push_back(physical);
+  higher_order_ += nodes.size() > corners;
+  return repeats ? mend_last(elements, nodes.first(corners)) : std::string();
+}
+
+/// Cuts the repeated corners out of the element added last, or takes it away.
+std::string MshMesh::mend_last(Elements& elements, std::span<const std::uint64_t> nodes) {
+  EntityList& list = elements.list;
+  const std::size_t start = list.vertices.size() - nodes.size();
+  const std::vector<std::int64_t> vertices(
+      list.vertices.begin() + static_cast<std::ptrdiff_t>(start), list.vertices.end());
+  const auto left = without_repeats(list.shapes.back(), vertices, corner_.size(), repeats_);
+  if (!left) {
+    return "element " + std::to_string(elements.tags.back()) + " repeats node " +
+           std::to_string(static_cast<std::int64_t>(repeated_node(nodes))) +
+           ": a region that collapses must be listed as what it becomes";
+  }
+  list.vertices.resize(start);
+  list.shapes.pop_back();
+  if (!left->empty()) {
+    append(list, Shape::Triangle, *left);
+    return {};
+  }
+  dropped_.push_back(elements.tags.back());
+  list.classes.pop_back();
+  elements.tags.pop_back();
+  elements.physical.pop_back();
+  return {};
 }
 
 std::uint32_t MshMesh::vertex(std::uint64_t tag, bool& known) const {

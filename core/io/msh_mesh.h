@@ -100,8 +100,7 @@ class MshMesh {
     std::vector<std::int32_t> physical;
   };
 
-  void push(std::uint64_t tag, Shape shape, std::span<const std::int64_t> vertices, ModelRef model,
-            std::int32_t physical);
+  std::string mend_last(Elements& elements, std::span<const std::uint64_t> nodes);
   void sort(Elements& elements) const;
   std::size_t drop_repeated(int dim);
   void drop_unused_nodes();
@@ -118,7 +117,6 @@ class MshMesh {
   std::array<MshTags, 4> element_tags_;
   std::vector<std::uint64_t> dropped_;  ///< tags of elements that are not kept
   std::vector<std::pair<ModelRef, std::int32_t>> further_groups_;
-  std::vector<std::int64_t> vertices_;
   Repeats repeats_;
   std::size_t higher_order_ = 0;
   std::vector<std::string> notes_;

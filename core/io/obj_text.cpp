@@ -60,11 +60,12 @@ class ObjScanner {
   /// Names count; of all else we say that it is there.
   void other(TextCursor& cursor, std::string_view keyword, std::size_t start) {
     const bool name = keyword == "g" || keyword == "o" || keyword == "usemtl";
-    if (!name) tidy(cursor.offset());
+    if (!name && !keyword.starts_with('#')) tidy(cursor.offset());
     TextCursor ahead = cursor;
     const std::string_view value = ahead.word();
-    const bool none = keyword == "s" && (value == "off" || value == "0");
-    if (!none && keyword != "g" && keyword != "o") leave_out(keyword);
+    const bool nothing = keyword.starts_with('#') || keyword == "g" || keyword == "o" ||
+                         (keyword == "s" && (value == "off" || value == "0"));
+    if (!nothing) leave_out(keyword);
     cursor.skip_line();
     if (!name) blank(start, cursor.offset());
   }

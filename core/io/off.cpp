@@ -1,5 +1,5 @@
-// OFF: [ST][C][N][4]OFF in text and binary. Colours, normals and texture coordinates are passed
-// over.
+// OFF: [ST][C][N][4]OFF, with the prefixes in any order, in text and binary. Colours, normals and
+// texture coordinates are passed over.
 
 #include <algorithm>
 #include <bit>
@@ -34,18 +34,17 @@ struct OffHeader {
   }
 };
 
-/// Nothing where the word is none of ours.
+/// Nothing where the word is none of ours. Not all programs keep to one order of the prefixes.
 std::optional<OffHeader> header_of(std::string_view word) {
-  const auto take = [&](std::string_view prefix) {
-    const bool there = word.starts_with(prefix);
-    if (there) word.remove_prefix(prefix.size());
-    return there;
-  };
   OffHeader header;
-  header.texture = take("ST");
-  header.colour = take("C");
-  header.normal = take("N");
-  header.weight = take("4");
+  const auto take = [&](std::string_view prefix, bool& there) {
+    if (there || !word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return there = true;
+  };
+  while (take("ST", header.texture) || take("C", header.colour) || take("N", header.normal) ||
+         take("4", header.weight)) {
+  }
   if (word != "OFF") return {};
   return header;
 }
@@ -65,8 +64,9 @@ struct Counts {
 class OffText {
  public:
   OffText(const Source& source, const TextCursor& cursor, const OffHeader& header)
-      : source_(source), cursor_(cursor), header_(header) {
+      : source_(source), cursor_(cursor), header_(header), extra_(header.extra()) {
     header_.name_in(left_out_);
+    cursor_.join_lines();
   }
 
   ReadResult read() {
@@ -99,9 +99,9 @@ class OffText {
       cursor_.fail("the file ends before the numbers of vertices and faces");
     const std::int64_t vertices = cursor_.integer("the number of vertices");
     const bool line_each = cursor_.line_done();
-    const std::int64_t faces = integer("the number of faces");
+    const std::int64_t faces = cursor_.integer("the number of faces");
     if (vertices < 0 || faces < 0) cursor_.fail("a negative number of vertices or faces");
-    if (line_each || !cursor_.line_done()) integer("the number of edges");
+    if (line_each || !cursor_.line_done()) cursor_.integer("the number of edges");
     cursor_.end_line();
     return {static_cast<std::uint64_t>(vertices), static_cast<std::uint64_t>(faces)};
   }
@@ -121,21 +121,12 @@ class OffText {
     }
   }
 
-  double real(const char* what) {
-    if (cursor_.line_done()) cursor_.skip_to_content();
-    return cursor_.real(what);
-  }
-  std::int64_t integer(const char* what) {
-    if (cursor_.line_done()) cursor_.skip_to_content();
-    return cursor_.integer(what);
-  }
-
   glm::dvec3 vertex() {
-    const double x = real("x"), y = real("y"), z = real("z");
+    const double x = cursor_.real("x"), y = cursor_.real("y"), z = cursor_.real("z");
     glm::dvec3 p(x, y, z);
-    if (header_.weight && !divide(p, real("the fourth coordinate")))
+    if (header_.weight && !divide(p, cursor_.real("the fourth coordinate")))
       cursor_.fail("a vertex at infinity");
-    for (std::size_t i = 0; i < header_.extra() && !cursor_.line_done(); ++i) pass_over_number();
+    for (std::size_t i = 0; i < extra_ && !cursor_.line_done(); ++i) pass_over_number();
     cursor_.end_line();
     return p;
   }
@@ -146,7 +137,7 @@ class OffText {
       cursor_.fail("a face cannot have " + std::to_string(n) + " vertices");
     }
     polygon_.resize(static_cast<std::size_t>(n));
-    for (std::int64_t& index : polygon_) index = integer("a vertex index");
+    for (std::int64_t& index : polygon_) index = cursor_.integer("a vertex index");
     const std::string wrong = faces.add(polygon_);
     if (!wrong.empty()) cursor_.fail(wrong);
     coloured_ = coloured_ || !cursor_.line_done();
@@ -162,6 +153,7 @@ class OffText {
   const Source& source_;
   TextCursor cursor_;
   OffHeader header_;
+  std::size_t extra_;
   ItemList left_out_;
   bool coloured_ = false;
   std::vector<std::int64_t> polygon_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -90,7 +91,10 @@ class StlText {
 
  private:
   static bool same(std::string_view word, std::string_view keyword) {
-    return word.size() == keyword.size() && lower(word) == keyword;
+    return word.size() == keyword.size() &&
+           std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) {
+             return std::tolower(static_cast<unsigned char>(a)) == b;
+           });
   }
 
   /// True where what follows the solids is none, nor a part of one.
@@ -113,18 +117,16 @@ class StlText {
   /// "endfacet", or "end facet" as some programs write.
   static bool ends(TextCursor& cursor, std::string_view what) {
     const std::string_view word = cursor.word();
-    if (same(word, "end")) return same(cursor.word(), what);
-    return same(word.substr(0, 3), "end") &&
-           same(word.substr(std::min<std::size_t>(3, word.size())), what);
+    if (word.size() < 3 || !same(word.substr(0, 3), "end")) return false;
+    return same(word.size() == 3 ? cursor.word() : word.substr(3), what);
   }
 
   void expect_end(std::string_view what) {
-    const std::string keyword = "end" + std::string(what);
     if (cursor_.skip_to_content())
-      cursor_.fail("the file ends where \"" + keyword + "\" should follow");
+      cursor_.fail("the file ends where \"end" + std::string(what) + "\" should follow");
     TextCursor ahead = cursor_;
     if (!ends(ahead, what))
-      cursor_.fail("expected \"" + keyword + "\", found " + shown(cursor_.word()));
+      cursor_.fail("expected \"end" + std::string(what) + "\", found " + shown(cursor_.word()));
     cursor_ = ahead;
   }
 

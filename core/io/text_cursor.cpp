@@ -47,6 +47,7 @@ std::string_view TextCursor::word() {
 }
 
 double TextCursor::unusual_real(const char* what) {
+  if (find_in_next_line()) return real(what);
   const std::string text(word());
   if (text.empty()) fail(std::string("the line ends before ") + what);
   if (!is_number(text))
@@ -58,7 +59,8 @@ double TextCursor::unusual_real(const char* what) {
   return value;
 }
 
-void TextCursor::fail_integer(const char* what) {
+std::int64_t TextCursor::unusual_integer(const char* what) {
+  if (find_in_next_line()) return integer(what);
   const std::string_view text = word();
   if (text.empty()) fail(std::string("the line ends before ") + what);
   fail(std::string("expected a whole number for ") + what + ", found " + shown(text));

@@ -46,6 +46,8 @@ class TextCursor {
 
   /// The next word on this line; empty when there is none.
   std::string_view word();
+  /// From now on real() and integer() go on in the next line where this one holds nothing more.
+  void join_lines() { joins_lines_ = true; }
   /// The next word on this line as a finite number; `what` names it in errors.
   double real(const char* what);
   /// The next word on this line as a whole number.
@@ -61,13 +63,15 @@ class TextCursor {
     while (p_ != end_ && is_blank(*p_)) ++p_;
   }
   double unusual_real(const char* what);
-  [[noreturn]] void fail_integer(const char* what);
+  std::int64_t unusual_integer(const char* what);
+  bool find_in_next_line() { return joins_lines_ && line_done() && !skip_to_content(); }
 
   const Source* source_;
   const char* start_;
   const char* p_;
   const char* end_;
   char comment_;  ///< '\n' where the format has no comments
+  bool joins_lines_ = false;
 };
 
 inline double TextCursor::real(const char* what) {
@@ -84,7 +88,7 @@ inline std::int64_t TextCursor::integer(const char* what) {
   skip_blanks();
   std::int64_t value = 0;
   const auto [next, error] = std::from_chars(p_, end_, value);
-  if (error != std::errc{} || !at_word_end(next)) fail_integer(what);
+  if (error != std::errc{} || !at_word_end(next)) return unusual_integer(what);
   p_ = next;
   return value;
 }

@@ -40,6 +40,32 @@ TEST_F(CommandLineTest, BadInputIsCode3WithPlace) {
   EXPECT_FALSE(exists("out.ply"));
 }
 
+TEST_F(CommandLineTest, NamesAndNotesAreOneLineEach) {
+  expect_failure("info 'a\nb\x1b.ply'", 3, "aomd: a\\nb\\x1b.ply: cannot be opened");
+  put("a\nb.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n\x1b[2J\nf 1 2 3\nf 1 1 2\n");
+  EXPECT_EQ(aomd("convert 'a\nb.obj' o.ply").err,
+            "aomd: note: a\\nb.obj: 1 face of fewer than 3 different corners dropped\n"
+            "aomd: note: a\\nb.obj: left out: \"\\x1b[2J\" lines\n");
+}
+
+TEST_F(CommandLineTest, WhatAFileCannotHoldIsSaid) {
+  put("far.off",
+      "OFF\n4 2 0\n4194304 0 0\n4194304.125 1 0\n4194305 1 0\n4194305 0 0\n3 0 1 2\n"
+      "3 0 2 3\n");
+  const Outcome run = aomd("convert far.off far.stl");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err,
+            "aomd: note: far.stl: coordinates rounded to 32-bit floats by up to 0.125; text keeps "
+            "them\n");
+  EXPECT_EQ(aomd("repair far.off far.stl --quiet").err, "");
+  EXPECT_EQ(aomd("convert far.off far.stl --ascii").err, "");
+  put("line.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+  EXPECT_EQ(aomd("convert line.obj o.off").err, "aomd: note: o.off: left out: 1 edge\n");
+  put("flat.off", "OFF\n3 1 0\n4194304 0 0\n4194304.125 0 0\n4194305 1 0\n3 0 1 2\n");
+  expect_failure("convert flat.off flat.stl", 4, "1 face of 1 would collapse");
+  EXPECT_FALSE(exists("flat.stl"));
+}
+
 TEST_F(CommandLineTest, UnwritableOutputIsCode4) {
   sample("box", "box.ply", 2);
   expect_failure("convert box.ply out.xyz", 4, "out.xyz");

@@ -106,8 +106,8 @@ TEST(Obj, NamesWhatItLeavesOut) {
             std::vector<std::string>{"left out: materials, vertex colours, texture coordinates, "
                                      "normals, smoothing groups, points, free-form geometry, "
                                      "\"shadow_obj\" lines"});
-  EXPECT_TRUE(
-      io::read_bytes("a.obj", "s off\n" + square + "s 0\nv 1 1 1 1\nf 1 2 3\n").notes.empty());
+  EXPECT_TRUE(io::read_bytes("a.obj", "# c\n#c\ns off\n" + square + "s 0\nv 1 1 1 1\nf 1 2 3\n")
+                  .notes.empty());
 }
 
 TEST(Obj, GroupsThenObjectsThenMaterialsClassify) {

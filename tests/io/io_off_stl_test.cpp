@@ -23,6 +23,7 @@ TEST(Off, ReadsItsVariants) {
         "4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
         "COFF\n4 2 0\n0 0 0 1 1 1 1\n1 0 0 255 0 0\n1 1 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n3 0 2 "
         "3\n",
+        "NCOFF\n4 2 0\n0 0 0 0 0 1 9 9 9 9\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
         "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n3 0 2 3\n",
         "OFF\n4\n2\n5\n0 0 0\n1 0\n0\n1\n1 0\n0 1 0\n3 0 # c\n# c\n1\n2\n3\n0 2 3 9 9 9\n",
         "OFF\n4\n2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0 1 2\n3 0 2 3",
@@ -66,6 +67,10 @@ TEST(Off, TellsByteOrdersApart) {
     EXPECT_EQ(mesh.positions[65535].z, 196607);
     EXPECT_EQ(mesh.faces.size(), 65536u);
   }
+}
+
+TEST(Off, BigEndianWinsWhereBothMakeSense) {
+  EXPECT_TRUE(io::read_bytes("a.off", "OFF BINARY\n" + std::string(12, '\0')).notes.empty());
 }
 
 TEST(Off, NamesWhatItLeavesOut) {

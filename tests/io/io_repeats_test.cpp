@@ -110,7 +110,7 @@ TEST(Repeats, MarksOfMeditKeepTheirElements) {
           "a.mesh",
           "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n1 1 0 0\n"
           "0 1 0 0\nTriangles 4\n1 2 2 5\n1 2 3 6\n3 3 3 7\n1 3 4 8\nEdges 3\n1 2 1\n2 2 2\n"
-          "2 3 3\nRequiredTriangles 2\n3 4\nRidges 2\n2 3\nEnd\n")
+          "2 3 3\nRequiredTriangles 2\n1 4\nRidges 2\n2 3\nEnd\n")
           .mesh;
   EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(mesh.faces.classes, (std::vector<ModelRef>{{2, 6}, {2, 8}}));
@@ -118,6 +118,18 @@ TEST(Repeats, MarksOfMeditKeepTheirElements) {
   ASSERT_EQ(mesh.attributes.size(), 2u);
   EXPECT_EQ(mesh.attributes[0], (Attribute{"medit:ridge", 1, 1, true, {0, 1}}));
   EXPECT_EQ(mesh.attributes[1], (Attribute{"medit:required", 2, 1, true, {0, 1}}));
+}
+
+TEST(Repeats, LinesAndStripsOfVtkMayBeTooShort) {
+  const io::ReadResult result = io::read_bytes(
+      "a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n" +
+                   points +
+                   "CELLS 5 15\n1 0\n3 0 1 1\n2 0 1\n3 0 1 2\n1 3\n"
+                   "CELL_TYPES 5\n4 4 6 6 6\n");
+  EXPECT_EQ(result.mesh.edges.vertices, (Indices{0, 1}));
+  EXPECT_EQ(result.mesh.faces.vertices, (Indices{0, 1, 2}));
+  EXPECT_EQ(result.notes, (Notes{"2 faces of fewer than 3 different corners dropped",
+                                 "2 edges of fewer than 2 different ends dropped"}));
 }
 
 /// Values of a dropped element go with it.
@@ -207,6 +219,19 @@ TEST(Repeats, LoopsAtOneVertexAreCut) {
   const Cut bow_tie = cut(p, {0, 1, 2, 0, 3, 4});
   EXPECT_EQ(bow_tie.triangles, 2u);
   EXPECT_DOUBLE_EQ(bow_tie.area, 4);
+}
+
+/// Two loops at one vertex have fewer triangles than their corners promise.
+TEST(Repeats, LoopsOfAFileLeaveNoEmptyFaces) {
+  const io::ReadResult result = io::read_bytes(
+      "a.off",
+      "OFF\n5 3 0\n0 0 0\n2 -1 0\n2 1 0\n-2 1 0\n-2 -1 0\n3 0 1 2\n6 0 1 2 0 3 4\n3 0 3 4\n");
+  EXPECT_EQ(result.mesh.faces.size(), 4u);
+  EXPECT_EQ(result.mesh.faces.vertices.size(), 12u);
+  for (std::size_t i = 0; i < 12; i += 3)
+    EXPECT_NE(result.mesh.faces.vertices[i], result.mesh.faces.vertices[i + 1]) << i;
+  EXPECT_EQ(result.mesh.faces.vertices[9], 0u);
+  EXPECT_EQ(result.mesh.faces.vertices[10], 3u);
 }
 
 TEST(Repeats, ABridgedFaceOfAFileKeepsItsPlaceAndClass) {

@@ -37,8 +37,7 @@ int run(const Options& options) {
   write_mesh(options.output, format, classified, options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
-    std::cerr << "aomd: note: " << options.input
-              << ": its own classification was kept; --replace derives all anew\n";
+    print_notes(options.input, {"its own classification was kept; --replace derives all anew"});
   stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
                          << result.model_edges << " model edges, " << result.model_faces
                          << " model faces; sharp edges: " << result.features.sharp << " features, "

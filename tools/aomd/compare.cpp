@@ -47,9 +47,9 @@ struct Comparison {
   }
 };
 
-Side read_side(const std::string& file, Progress& progress, int threads) {
+Side read_side(const std::string& file, bool quiet, Progress& progress, int threads) {
   progress.show("reading " + file);
-  Side side{file, Mesh(read_mesh(file).mesh), {}, {}, 0};
+  Side side{file, Mesh(read_mesh(file, quiet).mesh), {}, {}, 0};
   if (side.mesh.count(2) == 0) throw io::ReadError(file, {}, "has no faces to compare");
   progress.show("measuring " + file);
   side.counts = measure::count_entities(side.mesh);
@@ -61,8 +61,8 @@ Side read_side(const std::string& file, Progress& progress, int threads) {
 Comparison compare(const Options& options) {
   Progress progress(false);
   const int threads = thread_count(options.threads);
-  Comparison c{read_side(options.original, progress, threads),
-               read_side(options.result, progress, threads),
+  Comparison c{read_side(options.original, options.json, progress, threads),
+               read_side(options.result, options.json, progress, threads),
                0,
                {},
                {}};

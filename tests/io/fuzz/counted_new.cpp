@@ -7,17 +7,19 @@
 
 namespace aomd::test {
 
-std::atomic<std::size_t> live_bytes{0}, peak_bytes{0};
+std::atomic<std::size_t> live_bytes{0}, peak_bytes{0}, total_bytes{0};
 
 }  // namespace aomd::test
 
 using aomd::test::live_bytes;
 using aomd::test::peak_bytes;
+using aomd::test::total_bytes;
 
 void* operator new(std::size_t size) {
   void* p = std::malloc(size);
   if (!p) throw std::bad_alloc();
-  const std::size_t now = live_bytes += malloc_usable_size(p);
+  const std::size_t usable = malloc_usable_size(p), now = live_bytes += usable;
+  total_bytes += usable;
   if (now > peak_bytes) peak_bytes = now;
   return p;
 }
