@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 
 #include "core/decimate/paper/paper_loop.h"
@@ -34,6 +35,33 @@ const char* decimation_obstacle(const Mesh& mesh) {
 }
 
 namespace {
+
+std::uint64_t key_of(Vertex a, Vertex b) {
+  return std::uint64_t{std::min(a, b).index} << 32 | std::max(a, b).index;
+}
+
+bool may_have_no_face(const Mesh& mesh, Edge e) {
+  return !mesh.classification(e).valid() || mesh.classification(e).dimension() <= 1;
+}
+
+// Without T(1,2), which would cost more than what is let go of.
+bool has_edges_without_face(const Mesh& mesh) {
+  std::unordered_set<std::uint64_t> bare;
+  Column<Vertex, std::uint8_t> ends(mesh.capacity(0), 0);
+  for (const Edge e : mesh.edges()) {
+    if (!may_have_no_face(mesh, e)) continue;
+    const auto [a, b] = mesh.edge_vertices(e);
+    bare.insert(key_of(a, b));
+    ends[a] = ends[b] = 1;
+  }
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Vertex a = t[k], b = t[(k + 1) % 3]; ends[a] != 0 && ends[b] != 0)
+        bare.erase(key_of(a, b));
+  }
+  return !bare.empty();
+}
 
 Mesh& decimable(Mesh& mesh) {
   if (const char* obstacle = decimation_obstacle(mesh)) throw std::invalid_argument(obstacle);
@@ -77,6 +105,12 @@ Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on,
 }
 
 }  // namespace
+
+void keep_edges_for_quality(Mesh& mesh) {
+  bool any_goes = false;
+  for (const Edge e : mesh.edges()) any_goes = any_goes || !may_have_no_face(mesh, e);
+  if (any_goes && !has_edges_without_face(mesh)) mesh.keep_model_edges_only();
+}
 
 Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(decimable(mesh)) {
   begin(options);

@@ -134,6 +134,24 @@ TEST_F(DecimateCommand, ReplayGivesTheSameBytes) {
   }
 }
 
+// Where an edge has no face, and where all edges are model edges, a decimation keeps all edges.
+TEST_F(DecimateCommand, ReplayGivesTheSameBytesWhateverEdgesThereAre) {
+  sample("sphere", "s.obj", 8);
+  put("wires.obj", text("s.obj") + "l 1 200\nl 5 300\n");
+  // Two slivers: each of their middle vertices lies on a border that is nearly straight.
+  put("all.off",
+      "OFF\n7 2 0\n0 0 0\n1 0.001 0\n2 0 0\n5 0 0\n6 0.001 0\n7 0 0\n9 9 9\n3 0 2 1\n3 3 5 4\n");
+  for (const char* in : {"wires.obj", "all.off"})
+    for (const char* options : {"--factor 3", "--factor 3 --strategy paper",
+                                "--coarsest --angle 90", "--coarsest --topology paper"}) {
+      const std::string file = in;
+      ASSERT_EQ(aomd("decimate " + file + " o.ply --journal j " + options).code, 0) << options;
+      const Outcome replay = aomd("replay " + file + " j o2.ply");
+      ASSERT_EQ(replay.code, 0) << in << ' ' << options << ": " << replay.err;
+      EXPECT_EQ(text("o.ply"), text("o2.ply")) << in << ' ' << options;
+    }
+}
+
 TEST_F(DecimateCommand, ReplayStopsAtAStep) {
   sample("torus", "t.ply", 16);
   ASSERT_EQ(aomd("decimate t.ply o.ply --journal j --coarsest --no-swap --no-smooth --angle 60 "

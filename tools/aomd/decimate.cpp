@@ -87,7 +87,7 @@ class Run {
     classify(mesh_, how_);
     if (const auto finding = first_misclassified(mesh_)) refuse(*finding);
     if (!options_.paper() && !model_ && !options_.snaps())
-      mesh_.keep_model_edges_only();  // models look at all edges
+      keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);

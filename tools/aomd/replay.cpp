@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/text.h"
+#include "core/decimate/decimation.h"
 #include "core/io/journal_file.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -41,7 +42,7 @@ int run(const Options& options) {
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
   if (file.start.counts[1] < mesh.count(1))
-    mesh.keep_model_edges_only();  // as the strategy quality records it
+    keep_edges_for_quality(mesh);  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);
   file.journal.seek(mesh, step);
   if (const auto findings = verify(mesh); !findings.empty())
