@@ -55,6 +55,20 @@ TEST_F(DecimateCommand, VolumesAndQuadsAreRefusedWithASentence) {
   EXPECT_FALSE(exists("o.msh"));
 }
 
+TEST_F(DecimateCommand, SizesThatQualityCannotComputeWithAreRefused) {
+  for (const char* size : {"1e20", "1e25", "1e-19", "1e-30"}) {
+    const std::string n = size;
+    put("t.off", "OFF\n4 4 0\n0 0 0\n" + n + " 0 0\n0 " + n + " 0\n0 0 " + n +
+                     "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    expect_failure("decimate t.off o.off", 5,
+                   " across, and --strategy quality takes from 1e-18 to");
+    EXPECT_EQ(aomd("decimate t.off p.off --strategy paper").code, 0) << size;
+  }
+  EXPECT_FALSE(exists("o.off"));
+  put("flat.off", "OFF\n3 1 0\n5 5 5\n5 5 5\n5 5 5\n3 0 1 2\n");
+  EXPECT_EQ(aomd("decimate flat.off o.off").code, 0) << "a point has no size";
+}
+
 TEST_F(DecimateCommand, ReportHasEveryKey) {
   sample("scan", "s.ply", 3000);
   const Outcome run = aomd("decimate s.ply o.ply --factor 2 --report r.json --journal j");

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
@@ -33,10 +34,10 @@ int run(const Options& options) {
   write_mesh(options.output, format, to_data(mesh));
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
-    std::cerr << "aomd: note: " << options.input
-              << ": its own classification was kept; --replace derives all anew\n";
-  stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
-                         << result.model_edges << " model edges, " << result.model_faces
+    print_notes(options.input, {"its own classification was kept; --replace derives all anew"});
+  stream_beside(outputs) << on_one_line(options.output) << ": " << result.model_vertices
+                         << " model vertices, " << result.model_edges << " model edges, "
+                         << result.model_faces
                          << " model faces; sharp edges: " << result.features.sharp << " features, "
                          << result.features.rough << " roughness\n";
   return done;

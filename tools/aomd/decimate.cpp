@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/box.h"
 #include "core/base/text.h"
+#include "core/decimate/spacing/spacing_expression.h"
 #include "core/io/journal_file.h"
 #include "core/io/output_files.h"
 #include "core/measure/intersections.h"
@@ -29,6 +31,13 @@
 
 namespace aomd::cli {
 namespace {
+
+/// The box of what faces use.
+Box box_of(const MeshData& mesh) {
+  Box box;
+  for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
+  return box;
+}
 
 /// One run, stage by stage; each fills its part of the report.
 class Run {
@@ -66,9 +75,21 @@ class Run {
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
+    if (!options_.paper()) require_usual_size();
     steps_.target_faces = options_.target_faces(mesh_.count(2));
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+  }
+
+  /// Fourth powers of lengths are summed in single precision.
+  void require_usual_size() const {
+    constexpr double smallest = 1e-18, largest = 1e19;
+    const double size = box_of(original_).diagonal();
+    if (size == 0 || (size >= smallest && size <= largest)) return;
+    throw io::LimitError(options_.input, {},
+                         "is " + number_text(size) + " across, and --strategy quality takes from " +
+                             number_text(smallest) + " to " + number_text(largest) +
+                             ": other units would help, or --strategy paper");
   }
 
   void repair_mesh() {
@@ -130,8 +151,7 @@ class Run {
   /// What the decimation is told that needs the mesh.
   void add_what_needs_the_mesh() {
     if (options_.max_distance_pct > 0)
-      steps_.max_distance = options_.max_distance_pct / 100 *
-                            TriangleTree(triangles_of(original_).corners).box().diagonal();
+      steps_.max_distance = options_.max_distance_pct / 100 * box_of(original_).diagonal();
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     const auto source = options_.spacing_source();
     if (!source) return;
@@ -236,8 +256,8 @@ class Run {
   void print_summary() const {
     const bool kept = input_.euler == output_.euler;
     stream_beside(options_.outputs())
-        << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
-        << ", Euler number " << input_.euler
+        << on_one_line(options_.input) << ": " << counted(input_.faces, "face") << " -> "
+        << output_.faces << ", Euler number " << input_.euler
         << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
         << counted(self_intersections_, "self-intersection") << ", "
         << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())

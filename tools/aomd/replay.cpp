@@ -52,7 +52,7 @@ int run(const Options& options) {
   GivenClasses(read.mesh).apply(result);
   write_mesh(options.output, format, result);
   if (!options.quiet)
-    stream_beside(outputs) << options.output << ": " << counted(step, "step") << " of "
+    stream_beside(outputs) << on_one_line(options.output) << ": " << counted(step, "step") << " of "
                            << file.journal.size() << " replayed, " << counted(mesh.count(2), "face")
                            << '\n';
   return done;
