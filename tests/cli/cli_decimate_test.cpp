@@ -69,6 +69,32 @@ TEST_F(DecimateCommand, SizesThatQualityCannotComputeWithAreRefused) {
   EXPECT_EQ(aomd("decimate flat.off o.off").code, 0) << "a point has no size";
 }
 
+// A square of 2 x 2 cells whose file puts all vertices on the model face, the border's too: it is
+// refused, or its border is found; no result is ever at odds with verify.
+TEST_F(DecimateCommand, NothingIsWrittenThatCheckFindsFaultWith) {
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n9\n";
+  for (int v = 0; v < 9; ++v)
+    text += std::to_string(v % 3) + ' ' + std::to_string(v / 3) + " 0 5\n";
+  text += "Triangles\n8\n";
+  for (const int v : {1, 2, 4, 5})
+    for (const auto& t : {std::array{0, 1, 4}, {0, 4, 3}})
+      text += std::to_string(v + t[0]) + ' ' + std::to_string(v + t[1]) + ' ' +
+              std::to_string(v + t[2]) + " 5\n";
+  put("grid.mesh", text + "End\n");
+  for (const char* command :
+       {"decimate grid.mesh o.ply --coarsest",
+        "decimate grid.mesh o.ply --coarsest --strategy paper",
+        "decimate grid.mesh o.ply --target-faces 2", "classify grid.mesh o.ply"}) {
+    std::filesystem::remove(at("o.ply"));
+    const Outcome run = aomd(command);
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << command << ": " << run.err;
+    EXPECT_EQ(exists("o.ply"), run.code == 0) << command;
+    if (run.code == 0) {
+      EXPECT_EQ(aomd("check o.ply").code, 0) << command;
+    }
+  }
+}
+
 TEST_F(DecimateCommand, ReportHasEveryKey) {
   sample("scan", "s.ply", 3000);
   const Outcome run = aomd("decimate s.ply o.ply --factor 2 --report r.json --journal j");
