@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 
 #include "core/base/box.h"
 #include "core/decimate/paper/paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
-#include "core/model/class_rules.h"
+#include "core/mesh/verify.h"
 
 namespace aomd {
 namespace {
@@ -18,7 +19,9 @@ constexpr double smallest_extent = 1e-20, largest_extent = 1e18;
 
 double extent(const Mesh& mesh) {
   Box box;
-  for (const Vertex v : mesh.vertices()) box.add(mesh.position(v));
+  VertexBuffer buffer;
+  for (const Face f : mesh.faces())
+    for (const std::uint32_t v : mesh.vertices_of(f, buffer)) box.add(mesh.position(Vertex(v)));
   return box.diagonal();
 }
 
@@ -43,7 +46,7 @@ const char* decimation_obstacle(const Mesh& mesh) {
   if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
   for (const Face f : mesh.faces())
     if (mesh.shape(f) != Shape::Triangle)
-      return "Only triangles can be decimated, and there are quads: .ply is read as triangles.";
+      return "Only triangles can be decimated, and there are quads: --triangulate cuts them.";
   const double size = extent(mesh);
   if (size > 0 && size < smallest_extent)
     return "The mesh is less than 1e-20 across, too small to decimate: write it in a smaller unit.";
@@ -53,6 +56,33 @@ const char* decimation_obstacle(const Mesh& mesh) {
 }
 
 namespace {
+
+std::uint64_t key_of(Vertex a, Vertex b) {
+  return std::uint64_t{std::min(a, b).index} << 32 | std::max(a, b).index;
+}
+
+bool may_have_no_face(const Mesh& mesh, Edge e) {
+  return !mesh.classification(e).valid() || mesh.classification(e).dimension() <= 1;
+}
+
+// Without T(1,2), which would cost more than what is let go of.
+bool has_edges_without_face(const Mesh& mesh) {
+  std::unordered_set<std::uint64_t> bare;
+  Column<Vertex, std::uint8_t> ends(mesh.capacity(0), 0);
+  for (const Edge e : mesh.edges()) {
+    if (!may_have_no_face(mesh, e)) continue;
+    const auto [a, b] = mesh.edge_vertices(e);
+    bare.insert(key_of(a, b));
+    ends[a] = ends[b] = 1;
+  }
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Vertex a = t[k], b = t[(k + 1) % 3]; ends[a] != 0 && ends[b] != 0)
+        bare.erase(key_of(a, b));
+  }
+  return !bare.empty();
+}
 
 Mesh& decimable(Mesh& mesh) {
   if (const char* obstacle = decimation_obstacle(mesh)) throw std::invalid_argument(obstacle);
@@ -98,6 +128,12 @@ Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on,
 
 }  // namespace
 
+void keep_edges_for_quality(Mesh& mesh) {
+  bool any_goes = false;
+  for (const Edge e : mesh.edges()) any_goes = any_goes || !may_have_no_face(mesh, e);
+  if (any_goes && !has_edges_without_face(mesh)) mesh.keep_model_edges_only();
+}
+
 Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(decimable(mesh)) {
   begin(options);
 }
@@ -115,8 +151,8 @@ void Decimation::begin(const DecimationOptions& options) {
     if (paper || !lists_model_edges_only(mesh_)) need(0, 1);
   }
   needs_ = std::move(needs);
-  if (const ClassVerdict classes = judge_closure(mesh_); !classes.accepted())
-    throw std::invalid_argument(class_words(classes) + ": classify() mends that");
+  if (const auto finding = first_misclassified(mesh_))
+    throw std::invalid_argument(finding->text + ": classify() mends that");
   if (paper)
     loop_ = std::make_unique<PaperLoop>(mesh_, options);
   else

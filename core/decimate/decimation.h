@@ -20,6 +20,12 @@ namespace aomd {
 /// are triangles, and its box is between 1e-20 and 1e+18 across. O(size).
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
+/// Lets go of all edges but those on model edges (Mesh::keep_model_edges_only), which Quality needs
+/// no others than. All stay where that would gain nothing, since all are on model edges, or where a
+/// model edge has no face and could not be found any more. The number of edges that are left tells
+/// whether it did, for journals that start from there. O(entities).
+void keep_edges_for_quality(Mesh& mesh);
+
 /// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too
 /// for Paper and where the mesh has other edges than those on model edges; with
 /// DecimationOptions::exchange T(2,0), and what the present phase needs. They go with it. The mesh

@@ -155,22 +155,6 @@ std::vector<EntityRef> ClassOverlay::changed() const {
 
 ClassVerdict judge_classes(const ClassOverlay& classes) { return ClassJudge(classes).run(); }
 
-ClassVerdict judge_closure(const Mesh& mesh) {
-  const auto fault = [&](EntityRef user, auto&& vertices) -> ClassVerdict {
-    const ModelRef high = mesh.classification(user);
-    for (const Vertex v : vertices)
-      if (const ModelRef low = mesh.classification(v);
-          low.valid() && high.valid() && low.dimension() > high.dimension())
-        return {ClassRule::Closure, v, user, low, high, 0};
-    return {};
-  };
-  for (const Edge e : mesh.edges())
-    if (ClassVerdict verdict = fault(e, mesh.edge_vertices(e)); !verdict.accepted()) return verdict;
-  for (const Face f : mesh.faces())
-    if (ClassVerdict verdict = fault(f, mesh.row<0>(f)); !verdict.accepted()) return verdict;
-  return {};
-}
-
 void apply_classes(Mesh& mesh, const ClassOverlay& classes) {
   AOMD_CHECK(&mesh == &classes.mesh());
   const std::vector<EntityRef> changed = classes.changed();

@@ -58,11 +58,6 @@ class ClassOverlay {
 /// std::logic_error where T leads to none. O(changed entities and what is adjacent to them).
 [[nodiscard]] ClassVerdict judge_classes(const ClassOverlay& classes);
 
-/// Whether no vertex lies on a model entity of higher dimension than an edge or face that it
-/// bounds: what operators rely on and classify() establishes. Unclassified entities break no rule.
-/// Needs T(1,0) and T(2,0) stored. O(edges + faces).
-[[nodiscard]] ClassVerdict judge_closure(const Mesh& mesh);
-
 /// Writes them into the mesh that the overlay was made for: one step in the journal. They must be
 /// accepted.
 void apply_classes(Mesh& mesh, const ClassOverlay& classes);

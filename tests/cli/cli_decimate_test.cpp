@@ -55,6 +55,46 @@ TEST_F(DecimateCommand, VolumesAndQuadsAreRefusedWithASentence) {
   EXPECT_FALSE(exists("o.msh"));
 }
 
+TEST_F(DecimateCommand, SizesThatCannotBeComputedWithAreRefused) {
+  for (const char* size : {"1e20", "1e300", "1e-21", "1e-300"}) {
+    const std::string n = size;
+    put("t.off", "OFF\n4 4 0\n0 0 0\n" + n + " 0 0\n0 " + n + " 0\n0 0 " + n +
+                     "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    for (const char* strategy : {"quality", "paper"})
+      expect_failure(std::string("decimate t.off o.off --strategy ") + strategy, 5,
+                     n[2] == '-' ? "too small to decimate" : "too large to decimate");
+  }
+  EXPECT_FALSE(exists("o.off"));
+  put("flat.off", "OFF\n3 1 0\n5 5 5\n5 5 5\n5 5 5\n3 0 1 2\n");
+  EXPECT_EQ(aomd("decimate flat.off o.off").code, 0) << "a point has no size";
+}
+
+// A square of 2 x 2 cells whose file puts all vertices on the model face, the border's too: it is
+// refused, or its border is found; no result is ever at odds with verify.
+TEST_F(DecimateCommand, NothingIsWrittenThatCheckFindsFaultWith) {
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n9\n";
+  for (int v = 0; v < 9; ++v)
+    text += std::to_string(v % 3) + ' ' + std::to_string(v / 3) + " 0 5\n";
+  text += "Triangles\n8\n";
+  for (const int v : {1, 2, 4, 5})
+    for (const auto& t : {std::array{0, 1, 4}, {0, 4, 3}})
+      text += std::to_string(v + t[0]) + ' ' + std::to_string(v + t[1]) + ' ' +
+              std::to_string(v + t[2]) + " 5\n";
+  put("grid.mesh", text + "End\n");
+  for (const char* command :
+       {"decimate grid.mesh o.ply --coarsest",
+        "decimate grid.mesh o.ply --coarsest --strategy paper",
+        "decimate grid.mesh o.ply --target-faces 2", "classify grid.mesh o.ply"}) {
+    std::filesystem::remove(at("o.ply"));
+    const Outcome run = aomd(command);
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << command << ": " << run.err;
+    EXPECT_EQ(exists("o.ply"), run.code == 0) << command;
+    if (run.code == 0) {
+      EXPECT_EQ(aomd("check o.ply").code, 0) << command;
+    }
+  }
+}
+
 TEST_F(DecimateCommand, ReportHasEveryKey) {
   sample("scan", "s.ply", 3000);
   const Outcome run = aomd("decimate s.ply o.ply --factor 2 --report r.json --journal j");
@@ -132,6 +172,24 @@ TEST_F(DecimateCommand, ReplayGivesTheSameBytes) {
     ASSERT_EQ(replay.code, 0) << replay.err;
     EXPECT_EQ(text("o.ply"), text("o2.ply"));
   }
+}
+
+// Where an edge has no face, and where all edges are model edges, a decimation keeps all edges.
+TEST_F(DecimateCommand, ReplayGivesTheSameBytesWhateverEdgesThereAre) {
+  sample("sphere", "s.obj", 8);
+  put("wires.obj", text("s.obj") + "l 1 200\nl 5 300\n");
+  // Two slivers: each of their middle vertices lies on a border that is nearly straight.
+  put("all.off",
+      "OFF\n7 2 0\n0 0 0\n1 0.001 0\n2 0 0\n5 0 0\n6 0.001 0\n7 0 0\n9 9 9\n3 0 2 1\n3 3 5 4\n");
+  for (const char* in : {"wires.obj", "all.off"})
+    for (const char* options : {"--factor 3", "--factor 3 --strategy paper",
+                                "--coarsest --angle 90", "--coarsest --topology paper"}) {
+      const std::string file = in;
+      ASSERT_EQ(aomd("decimate " + file + " o.ply --journal j " + options).code, 0) << options;
+      const Outcome replay = aomd("replay " + file + " j o2.ply");
+      ASSERT_EQ(replay.code, 0) << in << ' ' << options << ": " << replay.err;
+      EXPECT_EQ(text("o.ply"), text("o2.ply")) << in << ' ' << options;
+    }
 }
 
 TEST_F(DecimateCommand, ReplayStopsAtAStep) {

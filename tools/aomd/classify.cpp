@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "core/io/left_out.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -38,8 +39,9 @@ int run(const Options& options) {
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)
     print_notes(options.input, {"its own classification was kept; --replace derives all anew"});
-  stream_beside(outputs) << options.output << ": " << result.model_vertices << " model vertices, "
-                         << result.model_edges << " model edges, " << result.model_faces
+  stream_beside(outputs) << printable(options.output) << ": " << result.model_vertices
+                         << " model vertices, " << result.model_edges << " model edges, "
+                         << result.model_faces
                          << " model faces; sharp edges: " << result.features.sharp << " features, "
                          << result.features.rough << " roughness, " << result.features.steps
                          << " steps of rounds\n";

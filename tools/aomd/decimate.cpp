@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/box.h"
 #include "core/base/text.h"
+#include "core/decimate/spacing/spacing_expression.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
@@ -33,13 +35,17 @@
 namespace aomd::cli {
 namespace {
 
-constexpr const char* quads_obstacle =
-    "Only triangles can be decimated, and there are quads: --triangulate cuts them";
-
 std::string dear_features(int model_vertices, std::uint32_t faces) {
   return std::to_string(model_vertices) + " model vertices would take more than half of " +
          counted(faces, "face") +
          ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
+}
+
+/// The box of what faces use.
+Box box_of(const MeshData& mesh) {
+  Box box;
+  for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
+  return box;
 }
 
 /// One run, stage by stage; each fills its part of the report.
@@ -78,7 +84,7 @@ class Run {
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
     if (const char* obstacle = decimation_obstacle(mesh_))
-      throw io::LimitError(options_.input, {}, mesh_.count(3) > 0 ? obstacle : quads_obstacle);
+      throw io::LimitError(options_.input, {}, obstacle);
     steps_.target_faces = options_.target_faces(mesh_.count(2));
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
@@ -106,7 +112,7 @@ class Run {
     classify_by_angle();
     if (const auto finding = first_misclassified(mesh_)) refuse(*finding);
     if (!options_.paper() && !model_ && !options_.snaps())
-      mesh_.keep_model_edges_only();  // models look at all edges
+      keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);
@@ -161,8 +167,7 @@ class Run {
   /// What the decimation is told that needs the mesh.
   void add_what_needs_the_mesh() {
     if (options_.max_distance_pct > 0)
-      steps_.max_distance = options_.max_distance_pct / 100 *
-                            TriangleTree(triangles_of(original_).corners).box().diagonal();
+      steps_.max_distance = options_.max_distance_pct / 100 * box_of(original_).diagonal();
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
@@ -283,8 +288,8 @@ class Run {
   void print_summary() const {
     const bool kept = input_.euler == output_.euler;
     stream_beside(options_.outputs())
-        << options_.input << ": " << counted(input_.faces, "face") << " -> " << output_.faces
-        << ", Euler number " << input_.euler
+        << printable(options_.input) << ": " << counted(input_.faces, "face") << " -> "
+        << output_.faces << ", Euler number " << input_.euler
         << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
         << counted(self_intersections_, "self-intersection") << ", "
         << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
 
@@ -23,7 +24,7 @@ void row(const char* label, const Value& value) {
 
 void print(const std::string& file, const Mesh& mesh, const measure::Counts& counts,
            const measure::Quality& quality, const measure::VolumeQuality& volume) {
-  std::cout << file << '\n' << std::fixed << std::setprecision(2);
+  std::cout << printable(file) << '\n' << std::fixed << std::setprecision(2);
   row("vertices", counts.vertices);
   row("  used by nothing", counts.unused_vertices);
   row("edges", counts.edges);

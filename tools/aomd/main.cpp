@@ -120,7 +120,6 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace aomd::cli;
-  hold_standard_descriptors();
   end_on_signals();
   name_internal_faults();
   return run([=] { return parse_and_run(argc, argv); });

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/text.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/repair_items.h"
@@ -18,7 +19,7 @@ struct Options {
 };
 
 void print(std::ostream& out, const std::string& file, const std::vector<RepairItem>& items) {
-  for (const RepairItem& item : items) out << file << ": " << line_of(item) << '\n';
+  for (const RepairItem& item : items) out << printable(file) << ": " << line_of(item) << '\n';
 }
 
 int run(const Options& options) {
@@ -48,7 +49,7 @@ int run(const Options& options) {
   } else if (!options.quiet) {
     print(out, options.output, report.done);
     print(out, options.output, report.left);
-    if (report.done.empty()) out << options.output << ": nothing to mend\n";
+    if (report.done.empty()) out << printable(options.output) << ": nothing to mend\n";
   }
   return done;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/text.h"
+#include "core/decimate/decimation.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/mesh/verify.h"
@@ -44,7 +45,7 @@ int run(const Options& options) {
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
   if (file.start.counts[1] < mesh.count(1))
-    mesh.keep_model_edges_only();  // as the strategy quality records it
+    keep_edges_for_quality(mesh);  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);
   file.journal.seek(mesh, step);
   if (const auto findings = verify(mesh); !findings.empty())
@@ -56,7 +57,7 @@ int run(const Options& options) {
   if (!options.quiet) print_notes(options.output, left_out);
   write_mesh(options.output, format, result, options.quiet);
   if (!options.quiet)
-    stream_beside(outputs) << options.output << ": " << counted(step, "step") << " of "
+    stream_beside(outputs) << printable(options.output) << ": " << counted(step, "step") << " of "
                            << file.journal.size() << " replayed, " << counted(mesh.count(2), "face")
                            << '\n';
   return done;

@@ -1,10 +1,8 @@
 #include "tools/aomd/signals.h"
 
-#include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <exception>
 #include <string>
@@ -80,13 +78,6 @@ void name_internal_faults() {
     say("aomd: " + printable(fault_words(what_of(std::current_exception()))));
     ::_exit(internal_fault);
   });
-}
-
-void hold_standard_descriptors() {
-  constexpr std::array wrong_way = {O_WRONLY, O_RDONLY, O_RDONLY};  // any use of them still fails
-  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd)
-    if (::fcntl(fd, F_GETFD) < 0)
-      static_cast<void>(::open("/dev/null", wrong_way[static_cast<std::size_t>(fd)]));
 }
 
 std::string fault_words(const std::string& what) {

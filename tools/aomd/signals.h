@@ -15,10 +15,6 @@ void end_on_signals();
 /// of internal faults, not with a signal.
 void name_internal_faults();
 
-/// Standard descriptors that the caller has closed lead nowhere from now on, so that no file that
-/// is opened later takes the place of one.
-void hold_standard_descriptors();
-
 /// "internal fault: WHAT; please report it with the input and the command line".
 [[nodiscard]] std::string fault_words(const std::string& what);
 

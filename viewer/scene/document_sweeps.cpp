@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/decimate/explain/stop_words.h"
 #include "viewer/scene/document.h"
 
 namespace aomd::scene {
