@@ -54,7 +54,7 @@ Side read_side(const std::string& file, Progress& progress, int threads) {
   progress.show("measuring " + file);
   side.counts = measure::count_entities(side.mesh);
   side.quality = measure::measure_quality(side.mesh);
-  side.self_intersections = measure::self_intersections(side.mesh, threads).size();
+  side.self_intersections = measure::count_self_intersections(side.mesh, threads).pairs;
   stop_if_interrupted();
   return side;
 }

@@ -23,6 +23,7 @@
 #include "tools/aomd/keep_file.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
@@ -69,7 +70,9 @@ class Run {
 
   void repair_mesh() {
     progress_.show("repairing");
-    repaired_ = repair(original_);
+    RepairOptions how;
+    options_.weld.apply(how, original_);
+    repaired_ = repair(original_, how);
     progress_.wipe();
     if (!options_.quiet) {
       for (const RepairItem& item : repaired_.done) print_notes(options_.input, {line_of(item)});
@@ -95,6 +98,7 @@ class Run {
     seconds_["classify"] = watch_.lap();
     stop_if_interrupted();
     input_ = measure::count_entities(mesh_);
+    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, input_, false));
     watch_.lap();
   }
 
@@ -149,7 +153,7 @@ class Run {
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
-    self_intersections_ = measure::self_intersections(mesh_, steps_.threads).size();
+    self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads).pairs;
     const TriangleTree original(triangles_of(original_).corners, steps_.threads);
     flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     verify_ = verify(mesh_).size();
@@ -210,6 +214,8 @@ class Run {
     if (steps_.target_faces > 0 && !at_target())
       std::cerr << "aomd: note: " << options_.output << ": nothing more may go above the target of "
                 << counted(steps_.target_faces, "face") << '\n';
+    if (steps_.target_faces > 0 && !at_target())
+      print_notes(options_.input, dirt_notes(original_, input_, true));
     if (verify_ > 0)
       std::cerr << "aomd: note: " << options_.output << ": " << counted(verify_, "finding")
                 << " (aomd check)\n";

@@ -121,13 +121,14 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   model->type_name("FILE");
   CLI::Option* repair =
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
+  CLI::Option* weld = add_weld(command, o.weld)->needs(repair);
   CLI::Option* without = command.add_option(
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
-                   model, repair, without, add_threads(command, o.threads)});
+                   model, repair, weld, without, add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -232,6 +233,7 @@ Json DecimateOptions::json() const {
           {"snap", snap},
           {"model", or_null(model)},
           {"repair", repair},
+          {"weld", weld.on() ? Json(weld.text) : Json(nullptr)},
           {"journal", or_null(journal)}};
 }
 

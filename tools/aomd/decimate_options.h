@@ -11,6 +11,7 @@
 #include "core/model/classify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 
@@ -23,6 +24,7 @@ struct DecimateOptions {
   // How
   std::string strategy = "quality", feature_angle = "20", snap = "none", model;
   bool no_swap = false, no_smooth = false, repair = false;
+  WeldOption weld;                   ///< with repair
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy

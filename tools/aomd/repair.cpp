@@ -6,6 +6,7 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/interrupt.h"
 #include "tools/aomd/repair_items.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 struct Options {
   std::string input, output;
   RepairOptions repair;
+  WeldOption weld;
   bool json = false, quiet = false;
 };
 
@@ -20,7 +22,7 @@ void print(const std::string& file, const std::vector<RepairItem>& items) {
   for (const RepairItem& item : items) std::cout << file << ": " << line_of(item) << '\n';
 }
 
-int run(const Options& options) {
+int run(Options& options) {
   static_cast<void>(
       io::format_for_writing(options.output));  // complain before the work, not after it
   Stopwatch watch;
@@ -31,6 +33,7 @@ int run(const Options& options) {
   const measure::Counts before =
       options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
   watch.lap();
+  options.weld.apply(options.repair, read.mesh);
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
   stop_if_interrupted();
@@ -52,7 +55,6 @@ int run(const Options& options) {
 }
 
 void add_switches(CLI::App& command, RepairOptions& repair) {
-  command.add_flag("--weld", repair.weld, "Joins vertices at the same position");
   command.add_flag("!--no-repeated-vertices", repair.repeated_vertices,
                    "Keeps faces that name a vertex twice");
   command.add_flag("!--no-repeated-faces", repair.repeated_faces,
@@ -78,6 +80,7 @@ void add_repair(CLI::App& app, Action& action) {
   const auto options = std::make_shared<Options>();
   command->add_option("IN", options->input, "The mesh")->required();
   command->add_option("OUT", options->output, "Where to write it")->required();
+  add_weld(*command, options->weld);
   add_switches(*command, options->repair);
   command->add_flag("--json", options->json, "Prints what was done as JSON");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
