@@ -6,7 +6,9 @@
 #include <random>
 
 #include "core/measure/crowded_pairs.h"
+#include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
+#include "core/measure/normals.h"
 #include "core/model/triangle_intersection.h"
 #include "tests/support/zoo.h"
 
@@ -151,6 +153,34 @@ TEST(CrowdTest, CopiesOfQuadsWhicheverTheirFirstCornerIs) {
   data.faces.add(Shape::Triangle, {4, 5, 6});
   EXPECT_EQ(count_self_intersections(Mesh(data)).pairs, 400u * 399 / 2 + 400);
   expect_as_by_trying(data);
+}
+
+TEST(CrowdTest, DistinctTrianglesHaveOneOfEachWayRound) {
+  MeshData data = cone(300, 0);
+  for (int i = 0; i < 3; ++i) {
+    data.faces.add(Shape::Triangle, {1, 2, 0});  // face 0 from another corner
+    data.faces.add(Shape::Triangle, {2, 1, 0});  // its back
+  }
+  const auto all = measure::distinct(triangles_of(data).corners);
+  ASSERT_EQ(all.triangles.size(), 301u);
+  EXPECT_EQ(all.count(0), 4u);
+  EXPECT_EQ(all.count(1), 1u);
+  EXPECT_EQ(all.count(300), 3u);
+  EXPECT_EQ(all.triangles[300], triangles_of(data).corners[301]);
+  // where nothing is crowded all stay
+  const MeshData dirty = zoo::dirty();
+  EXPECT_EQ(measure::distinct(triangles_of(dirty).corners).triangles, triangles_of(dirty).corners);
+  EXPECT_TRUE(measure::distinct(triangles_of(dirty).corners).copies.empty());
+}
+
+TEST(CrowdTest, CopiesCountInNormals) {
+  MeshData up = cone(300, 0), both = up;
+  for (int i = 0; i < 5; ++i) both.faces.add(Shape::Triangle, {2, 1, 0});
+  const TriangleTree original(triangles_of(up).corners);
+  const auto deviation = measure::measure_normals(original, Mesh(both));
+  EXPECT_EQ(deviation.triangles, 305u);
+  EXPECT_EQ(deviation.above_10deg, 5u);
+  EXPECT_EQ(deviation.flips, 5u);
 }
 
 // Corners of their own at equal places, as a soup has them.

@@ -9,6 +9,7 @@
 
 #include "core/base/text.h"
 #include "core/io/journal_file.h"
+#include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
@@ -154,7 +155,8 @@ class Run {
     progress_.show("checking");
     mesh_.attach(nullptr);
     self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads).pairs;
-    const TriangleTree original(triangles_of(original_).corners, steps_.threads);
+    const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
+                                steps_.threads);
     flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     verify_ = verify(mesh_).size();
     seconds_["check"] = watch_.lap();
