@@ -125,6 +125,14 @@ TEST(CrowdTest, TwoPagesInOneHalfPlaneAreAPair) {
   expect_as_by_trying(data);
 }
 
+// Its direction from the edge is too small to be told in doubles.
+TEST(CrowdTest, APageAlongTheEdge) {
+  MeshData data = pages(400);
+  data.faces.add(Shape::Triangle, {0, 1, add_point(data, {1e-200, 0, 0.5})});
+  expect_as_by_trying(data);
+  EXPECT_EQ(count_self_intersections(Mesh(data)).pairs, 1u);
+}
+
 //  2 3
 //  |\|\       300 copies of 0 1 2 and two faces through them: 300 * 299 / 2 + 2 * 300
 //  0-1-4

@@ -83,6 +83,28 @@ TEST(SurveyTest, AGapAndTheToleranceThatClosesIt) {
   EXPECT_EQ(facts_of(mended).boundary, 4u);
 }
 
+// Of gaps of 0.003 and 0.004 the larger counts, of 0.003 and 0.02 the smaller: nothing is between.
+TEST(SurveyTest, TheToleranceReachesToTheNextEmptyPartOfTheHistogram) {
+  const auto tolerance = [](double below, double above) {
+    return only(make({{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {below, 0, 0}, {1, 0, 0}, {1 + above, 1, 0}},
+                     {{0, 1, 2}, {3, 4, 5}}),
+                "gaps")
+        .tolerance;
+  };
+  EXPECT_DOUBLE_EQ(tolerance(0.003, 0.004), 0.0041);
+  MeshData two = make({{0, 0, 0},
+                       {1, 1, 0},
+                       {0, 1, 0},
+                       {0.003, 0, 0},
+                       {1, 0, 0},
+                       {1.003, 1, 0},
+                       {-0.02, 1, 0},
+                       {-0.02, 0, 0},
+                       {-1, 0, 0}},
+                      {{0, 1, 2}, {3, 4, 5}, {6, 8, 7}});
+  EXPECT_DOUBLE_EQ(only(two, "gaps").tolerance, 0.0031);
+}
+
 TEST(SurveyTest, AWideGapIsMeant) {
   const MeshData data =
       make({{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.2, 0, 0}, {1.2, 0, 0}, {1.2, 1, 0}},

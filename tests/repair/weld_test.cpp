@@ -117,6 +117,35 @@ TEST(WeldTest, ACornerAloneIsNotJoined) {
   EXPECT_TRUE(data == before);
 }
 
+// The face that is listed first has the vertex that goes: what is one lies where the other stands.
+TEST(WeldTest, TheJoinedVertexLiesWhereTheFirstStands) {
+  const MeshData given = halves(0.125);
+  MeshData data = make(given.positions, {{3, 4, 5}, {0, 1, 2}});
+  mend(data, within(0.125));
+  EXPECT_EQ(triangles(data), (Triangles{{3, 4, 5}, {3, 5, 2}}));
+  EXPECT_EQ(data.positions[3], given.positions[0]);
+  EXPECT_EQ(data.positions[5], given.positions[1]);
+  EXPECT_EQ(data.positions[4], given.positions[4]);
+}
+
+// 3 is a bow-tie near 0: its two fans come apart where they are.
+TEST(WeldTest, ABowTieNearAnotherVertexIsCutInPlace) {
+  MeshData data = make({{0, 0, 0},
+                        {-1, 1, 0},
+                        {-1, -1, 0},
+                        {0.01, 0, 0},
+                        {1, -1, 0},
+                        {1, 1, 0},
+                        {1, -1, 1},
+                        {1, 1, 1}},
+                       {{0, 1, 2}, {3, 4, 5}, {3, 6, 7}});
+  const glm::dvec3 place = data.positions[3];
+  EXPECT_EQ(names(mend(data, within(0.1)).done), Names{"split vertices"});
+  EXPECT_EQ(triangles(data), (Triangles{{0, 1, 2}, {3, 4, 5}, {8, 6, 7}}));
+  EXPECT_EQ(data.positions[3], place);
+  EXPECT_EQ(data.positions[8], place);
+}
+
 TEST(WeldTest, TheClassOfTheLowestDimensionHolds) {
   MeshData data = halves(0.125);
   data.vertex_classes.assign(6, ModelRef(2, 1));

@@ -45,10 +45,13 @@ bool is_required(const Options& options, SurfaceProperty property) {
   return names(property_name(property)) || (names("clean") && property != SurfaceProperty::Closed);
 }
 
+// A border is no dirt: it is told where the surface is to be closed.
 void look_at_surface(const Options& options, const MeshData& data, const Mesh& mesh,
                      Checked& result) {
   if (!data.regions.empty()) return;
-  result.surface = survey(data);
+  for (const SurfaceFinding& finding : survey(data))
+    if (finding.breaks != SurfaceProperty::Closed || is_required(options, finding.breaks))
+      result.surface.push_back(finding);
   const auto cuts = self_intersection_findings(mesh);
   result.surface.insert(result.surface.end(), cuts.begin(), cuts.end());
   for (const SurfaceFinding& finding : result.surface)
