@@ -162,6 +162,7 @@ TEST_F(DirtySphere, DecimateSaysWhatHinders) {
   const Outcome soup = aomd("decimate soup.ply o.ply --target-faces 100");
   EXPECT_NE(soup.err.find("border edges lie on others (--repair --weld)\n"), std::string::npos)
       << soup.err;
+  EXPECT_EQ(soup.err.find("lie on others"), soup.err.rfind("lie on others")) << soup.err;
   put_doubled();
   const Outcome twice = aomd("decimate doubled.ply o.ply --target-faces 100");
   EXPECT_NE(twice.err.find("the same way round (--repair)\n"), std::string::npos) << twice.err;

@@ -95,14 +95,15 @@ std::vector<SurfaceFinding> self_intersection_findings(const Mesh& mesh) {
 
 std::vector<std::string> dirt_notes(const MeshData& mesh, const measure::Counts& counts,
                                     bool missed) {
-  if (!missed && !may_be_dirty(counts)) return {};
+  const bool dirty = may_be_dirty(counts);
+  if (!missed && !dirty) return {};
   std::vector<std::string> notes;
   for (const SurfaceFinding& finding : survey(mesh)) {
     const std::size_t all = finding.dirt.dimension == 1   ? counts.edges
                             : finding.dirt.dimension == 2 ? counts.faces
                                                           : counts.vertices;
-    if (!hinders(finding, mesh.classified()) || (!missed && finding.dirt.count * least_share < all))
-      continue;
+    const bool large = dirty && finding.dirt.count * least_share >= all;
+    if (!hinders(finding, mesh.classified()) || large == missed) continue;
     const bool weld = finding.remedy == Remedy::Weld;
     notes.push_back(finding.dirt.name + ": " + finding.dirt.text + " (--repair" +
                     (weld ? " " + weld_words(finding) : "") + ")");

@@ -21,9 +21,9 @@ namespace aomd::cli {
 /// The pairs of faces that cut each other, where there are any.
 [[nodiscard]] std::vector<SurfaceFinding> self_intersection_findings(const Mesh& mesh);
 
-/// What keeps a surface from being decimated, and the option that mends it; a note each. Without
-/// `missed` only where at least a twentieth of the surface is concerned, which the counts tell
-/// first: a clean surface costs nothing.
+/// What keeps a surface from being decimated, and the option that mends it; a note each. Before a
+/// run that of which there is much: at least a twentieth of the surface, and the counts show it, so
+/// that a clean surface costs nothing. After a run that `missed` its target the rest.
 [[nodiscard]] std::vector<std::string> dirt_notes(const MeshData& mesh,
                                                   const measure::Counts& counts, bool missed);
 
