@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/measure/distinct.h"
 #include "core/mesh/geometry.h"
 
 namespace aomd::measure {
@@ -48,7 +49,8 @@ double agreement_at(const TriangleTree& original, const Triangle& t, std::uint32
 // threads.
 NormalDeviation measure_normals(const TriangleTree& original, const Mesh& result, int threads) {
   constexpr std::size_t a_hint = 256;
-  const std::vector<Triangle> triangles = triangles_of(result).corners;
+  const DistinctTriangles all = distinct(triangles_of(result).corners);
+  const std::vector<Triangle>& triangles = all.triangles;
   std::vector<double> cosine(triangles.size());
   parallel_for((triangles.size() + a_hint - 1) / a_hint, threads, 1,
                [&](std::size_t begin, std::size_t end) {
@@ -60,11 +62,13 @@ NormalDeviation measure_normals(const TriangleTree& original, const Mesh& result
                  }
                });
   NormalDeviation deviation;
-  deviation.triangles = triangles.size();
-  for (const double c : cosine) {
-    deviation.above_10deg += c < cosine_10deg;
-    deviation.above_60deg += c < cosine_60deg;
-    deviation.flips += c < 0;
+  for (std::size_t i = 0; i < cosine.size(); ++i) {
+    const double c = cosine[i];
+    const std::size_t n = all.count(i);
+    deviation.triangles += n;
+    deviation.above_10deg += c < cosine_10deg ? n : 0;
+    deviation.above_60deg += c < cosine_60deg ? n : 0;
+    deviation.flips += c < 0 ? n : 0;
   }
   return deviation;
 }

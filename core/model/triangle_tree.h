@@ -78,6 +78,11 @@ class TriangleTree {
   /// A part of them: those told apart by the nodes [begin, end) of all.
   template <typename Visit>
   void touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) const;
+  /// Calls visit(n, m) once for every triangle n of this tree and m of another whose boxes touch.
+  template <typename Visit>
+  void touching_pairs(const TriangleTree& other, Visit&& visit) const {
+    if (!nodes_.empty() && !other.nodes_.empty()) pairs_between(0, other, 0, visit);
+  }
   [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
 
  private:
@@ -98,7 +103,8 @@ class TriangleTree {
                     std::vector<Node>& nodes);
   void add_boxes();
   template <typename Visit>
-  void pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const;
+  void pairs_between(std::uint32_t a, const TriangleTree& other, std::uint32_t b,
+                     Visit& visit) const;
 
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
@@ -142,21 +148,22 @@ void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) 
 }
 
 template <typename Visit>
-void TriangleTree::pairs_between(std::uint32_t a, std::uint32_t b, Visit& visit) const {
-  const Node &x = nodes_[a], &y = nodes_[b];
+void TriangleTree::pairs_between(std::uint32_t a, const TriangleTree& other, std::uint32_t b,
+                                 Visit& visit) const {
+  const Node &x = nodes_[a], &y = other.nodes_[b];
   if (!x.box.touches(y.box)) return;
   if (x.leaf() && y.leaf()) {
     for (std::uint32_t n = x.begin; n < x.end; ++n) {
       if (!boxes_[n].touches(y.box)) continue;
       for (std::uint32_t m = y.begin; m < y.end; ++m)
-        if (boxes_[n].touches(boxes_[m])) visit(n, m);
+        if (boxes_[n].touches(other.boxes_[m])) visit(n, m);
     }
   } else if (y.leaf() || (!x.leaf() && x.end - x.begin >= y.end - y.begin)) {
-    pairs_between(a + 1, b, visit);
-    pairs_between(x.right, b, visit);
+    pairs_between(a + 1, other, b, visit);
+    pairs_between(x.right, other, b, visit);
   } else {
-    pairs_between(a, b + 1, visit);
-    pairs_between(a, y.right, visit);
+    pairs_between(a, other, b + 1, visit);
+    pairs_between(a, other, y.right, visit);
   }
 }
 
@@ -166,7 +173,7 @@ void TriangleTree::touching_pairs(std::size_t begin, std::size_t end, Visit&& vi
   for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
     const Node& node = nodes_[id];
     if (!node.leaf()) {
-      pairs_between(id + 1, node.right, visit);
+      pairs_between(id + 1, *this, node.right, visit);
       continue;
     }
     for (std::uint32_t n = node.begin; n < node.end; ++n)

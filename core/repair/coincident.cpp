@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <deque>
+#include <functional>
+#include <map>
 
 #include "core/mesh/side_index.h"
 #include "core/repair/stages.h"
@@ -82,24 +86,34 @@ class Coinciding {
 
   // Pairs first: what stays bounds what all of them together bounded. The first listed stay.
   void mend(std::span<const Round> group) {
-    std::vector<Round> living(group.begin(), group.end());
-    for (std::size_t i = opposite_ ? living.size() : 0; i-- > 1;) {
-      std::size_t j = i;
-      while (j > 0 && !cancel(living[j - 1], living[i])) --j;
-      if (j == 0) continue;
-      cancelled_.push_back({group[0].face, living[j - 1].face, living[i].face});
-      living.erase(living.begin() + static_cast<std::ptrdiff_t>(i));
-      living.erase(living.begin() + static_cast<std::ptrdiff_t>(j - 1));
-      --i;  // two have gone, one of them below
-    }
-    for (std::size_t i = repeated_ ? living.size() : 0; i-- > 1;)
-      if (std::any_of(living.begin(), living.begin() + static_cast<std::ptrdiff_t>(i),
-                      [&](const Round& r) { return r.forward == living[i].forward; }))
-        repeats_.push_back(living[i].face);
+    std::vector<std::uint8_t> gone(group.size(), 0);
+    if (opposite_) cancel(group, gone);
+    if (!repeated_) return;
+    std::array<std::size_t, 2> first{group.size(), group.size()};  // that stays, by direction
+    for (std::size_t i = group.size(); i-- > 0;)
+      if (!gone[i]) first[group[i].forward] = i;
+    for (std::size_t i = group.size(); i-- > 0;)
+      if (!gone[i] && i > first[group[i].forward]) repeats_.push_back(group[i].face);
   }
 
-  [[nodiscard]] bool cancel(const Round& a, const Round& b) const {
-    return a.forward != b.forward && surface_.face_class(a.face) == surface_.face_class(b.face);
+  // From the last face on, each cancels the nearest before it that looks the other way and lies on
+  // the same model face. Those that wait for a partner all look the same way.
+  void cancel(std::span<const Round> group, std::vector<std::uint8_t>& gone) {
+    std::map<ModelRef, std::deque<std::size_t>> waiting;
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (std::size_t i = group.size(); i-- > 0;) {
+      auto& queue = waiting[surface_.face_class(group[i].face)];
+      if (queue.empty() || group[queue.front()].forward == group[i].forward) {
+        queue.push_back(i);
+        continue;
+      }
+      pairs.push_back({queue.front(), i});
+      gone[queue.front()] = gone[i] = 1;
+      queue.pop_front();
+    }
+    std::sort(pairs.begin(), pairs.end(), std::greater<>());
+    for (const auto& [last, first] : pairs)
+      cancelled_.push_back({group[0].face, group[first].face, group[last].face});
   }
 
   Coincident remove() {

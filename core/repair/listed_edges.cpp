@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -18,21 +17,29 @@ class ListedEdges {
       if (const auto own = key(e); is_part(e, own)) listed_.insert(own);
     const auto given = static_cast<std::uint32_t>(edges_.size());
     for (std::uint32_t e = 0; e < given; ++e)
-      if (!parts_[base(e)].empty() && !is_part(e, key(e))) move(e);
-    for (std::uint32_t e = 0; e < given; ++e)
-      for (const std::uint64_t part : parts_[base(e)])
-        if (listed_.insert(part).second) append(e, part);
+      if (!parts_[base(e)].keys.empty() && !is_part(e, key(e))) move(e);
+    for (std::uint32_t e = 0; e < given; ++e) {
+      Parts& parts = parts_[base(e)];
+      for (; parts.free < parts.keys.size(); ++parts.free)
+        if (listed_.insert(parts.keys[parts.free]).second) append(e, parts.keys[parts.free]);
+    }
   }
 
  private:
+  // What an edge has become, in the order of the faces.
+  struct Parts {
+    std::vector<std::uint64_t> keys;
+    std::unordered_set<std::uint64_t> known;
+    std::size_t free = 0;  ///< all before it are listed
+  };
+
   [[nodiscard]] std::uint64_t key(std::uint32_t e) const {
     return edge_key(edges_.vertices[2 * e], edges_.vertices[2 * e + 1]);
   }
   // The edge before its faces came apart. Copies do not occur: no list knew them then.
   [[nodiscard]] std::uint64_t base(std::uint32_t e) const { return bases_[e]; }
   [[nodiscard]] bool is_part(std::uint32_t e, std::uint64_t own) {
-    const auto& parts = parts_[base(e)];
-    return std::find(parts.begin(), parts.end(), own) != parts.end();
+    return parts_[base(e)].known.contains(own);
   }
 
   // What each listed edge is now.
@@ -47,17 +54,16 @@ class ListedEdges {
       const auto it = parts_.find(edge_key(before_[c], before_[n]));
       if (it == parts_.end()) return;
       const std::uint64_t now = edge_key(surface_.vertex(c), surface_.vertex(n));
-      if (std::find(it->second.begin(), it->second.end(), now) == it->second.end())
-        it->second.push_back(now);
+      if (it->second.known.insert(now).second) it->second.keys.push_back(now);
     });
   }
 
   // To a part that is not listed yet, if there is one.
   void move(std::uint32_t e) {
-    const auto& parts = parts_[base(e)];
-    const auto free =
-        std::find_if(parts.begin(), parts.end(), [&](auto p) { return !listed_.contains(p); });
-    const std::uint64_t part = free == parts.end() ? parts.front() : *free;
+    Parts& parts = parts_[base(e)];
+    while (parts.free < parts.keys.size() && listed_.contains(parts.keys[parts.free])) ++parts.free;
+    const std::uint64_t part =
+        parts.free == parts.keys.size() ? parts.keys.front() : parts.keys[parts.free];
     listed_.insert(part);
     edges_.vertices[2 * e] = static_cast<std::uint32_t>(part >> 32);
     edges_.vertices[2 * e + 1] = static_cast<std::uint32_t>(part);
@@ -80,7 +86,7 @@ class ListedEdges {
   const std::vector<std::uint32_t>& before_;
   const Weld& weld_;
   std::vector<std::uint64_t> bases_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint64_t>> parts_;
+  std::unordered_map<std::uint64_t, Parts> parts_;
   std::unordered_set<std::uint64_t> listed_;
 };
 

@@ -20,7 +20,7 @@ class Repair {
       : surface_(data), data_(data), options_(options) {}
 
   RepairReport run() {
-    if (options_.weld) weld_ = Weld(surface_);
+    if (options_.weld) weld_ = Weld(surface_, options_.weld_tolerance);
     if (options_.repeated_vertices) repeated_vertices();
     if (options_.opposite_faces || options_.repeated_faces) coincident();
     if (options_.orient) orient();
@@ -67,7 +67,12 @@ class Repair {
   void fans() {
     const Split r = mend_fans(surface_, weld_, options_.split);
     tell(report_.done, r.welded, 0, "welded vertices",
-         counted(r.welded.count(), "vertex") + " welded to others at the same position");
+         counted(r.welded.count(), "vertex") + (weld_.moves()
+                                                    ? " welded to others within the tolerance"
+                                                    : " welded to others at the same position"));
+    tell(report_.left, weld_.refused(), 0, "welded vertices",
+         counted(weld_.refused().count(), "vertex") +
+             " left within the tolerance of another: a face has both");
     const std::string opened = r.cut > 0 ? ", " + std::to_string(r.cut) + " of them cut open" : "";
     tell(report_.done, r.edges, 1, "non-manifold edges",
          counted(r.edges.count(), "edge") + " of three or more faces split" + opened);

@@ -16,6 +16,11 @@ struct RepairOptions {
   /// Vertices with equal coordinates become one, where that makes no edge of three faces. Off: a
   /// file with indices may mean its seams.
   bool weld = false;
+  /// With weld: border vertices become one with others within this distance too, in the units of
+  /// the mesh. They go in ascending order, each to the nearest before it that stayed, so that none
+  /// moves further and sheets that are further apart stay two. Two corners of one face never become
+  /// one.
+  double weld_tolerance = 0;
   /// Faces that name a vertex twice lose the repetition; what has fewer than 3 corners left goes.
   bool repeated_vertices = true;
   /// Faces on the same vertices with opposite orientation go in pairs where one model face (or

@@ -201,6 +201,7 @@ class FanSplitter {
       std::uint32_t& own = name[fans_.find(c)];
       if (own == no_index) own = name_of_fan(given, taken);
       if (own != given) lower_class(own, given);
+      if (weld_.moves() && origin(own) != given) to_the_rest(own, given);
       if (weld_.on() && !taken[given]) vanished_.push_back(given);
       corners[c] = own;
     });
@@ -214,7 +215,18 @@ class FanSplitter {
     if (fans == 0) return given;
     ++result_.copies;
     if (fans == 1) result_.vertices.add(given);
+    copied_.push_back(given);
     return surface_.copy_vertex(given);
+  }
+
+  // The vertex that a name was copied from, or itself.
+  [[nodiscard]] std::uint32_t origin(std::uint32_t name) const {
+    return name < given_count_ ? name : copied_[name - given_count_];
+  }
+
+  // Vertices that become one lie where the one lies that stands for them.
+  void to_the_rest(std::uint32_t own, std::uint32_t given) {
+    surface_.move_vertex(own, glm::dvec3(surface_.position(weld_.base(given))));
   }
 
   // Of vertices that become one, the class of the lowest dimension holds.
@@ -250,6 +262,8 @@ class FanSplitter {
   std::vector<CrowdedEdge> crowded_;
   DisjointSets fans_{0};
   int rounds_ = 0;
+  std::uint32_t given_count_ = surface_.vertex_count();
+  std::vector<std::uint32_t> copied_;  ///< what each vertex that was added is a copy of
   std::vector<std::uint32_t>
       vanished_;  ///< vertices whose corners went to others, some of them taken later
   Split result_;

@@ -30,24 +30,43 @@ struct Oriented {
 };
 [[nodiscard]] Oriented mend_orientation(Surface& surface);
 
-/// Vertices at the same position taken for one, for the time of a repair. Afterwards each fan of
-/// faces gets back a vertex that one of its corners had (mend_fans).
+/// The vertices at sides of one face, ascending.
+[[nodiscard]] std::vector<std::uint32_t> border_vertices(const Surface& surface);
+
+/// Vertices at the same position, or near each other, taken for one, for the time of a repair.
+/// Afterwards each fan of faces gets back a vertex that one of its corners had (mend_fans).
 class Weld {
  public:
   /// Does nothing.
   Weld() = default;
-  /// Gives all corners the first vertex at their position.
-  explicit Weld(Surface& surface);
+  /// Gives all corners the first vertex at their position. Then, in ascending order, a border
+  /// vertex goes to the nearest before it within the tolerance that stands for itself, unless a
+  /// face has both.
+  explicit Weld(Surface& surface, double tolerance);
   [[nodiscard]] bool on() const { return !merged_.empty(); }
   /// The vertex that stands for v.
   [[nodiscard]] std::uint32_t base(std::uint32_t v) const { return on() ? merged_[v] : v; }
+  /// True where vertices that become one may move.
+  [[nodiscard]] bool moves() const { return moves_; }
+  /// Vertices that stay apart since a face would lose a corner.
+  [[nodiscard]] const Tally& refused() const { return refused_; }
   /// The vertex that the corner's face had there.
   [[nodiscard]] std::uint32_t given_at(const Surface& surface, std::uint32_t corner) const;
 
  private:
+  // Below this share of the diagonal rounding tells points apart.
+  static constexpr double least_tolerance = 1e-15;
+
+  void rename_corners(Surface& surface) const;
+
   std::vector<std::uint32_t> merged_;
   std::vector<std::uint32_t> given_;  ///< by corner, as the faces lay at first
+  Tally refused_;
+  bool moves_ = false;
 };
+
+/// A tolerance within which most gaps between borders close; 0 where there are none. See survey.h.
+[[nodiscard]] double gap_tolerance(const Surface& surface);
 
 /// Fans of faces that become vertices of their own.
 struct Split {

@@ -84,6 +84,7 @@ class Surface {
 
   /// Fewer corners than before.
   void shrink(std::uint32_t f, std::span<const std::uint32_t> vertices);
+  void move_vertex(std::uint32_t v, const glm::dvec3& to) { data_.positions[v] = to; }
   /// A new vertex like v.
   std::uint32_t copy_vertex(std::uint32_t v);
   /// A face takes the class and the attributes of another.

@@ -110,7 +110,7 @@ TEST(RepairDirtTest, ACleanMeshComesBackAsItWas) {
 }
 
 TEST(RepairDirtTest, EverythingSwitchedOffDoesNothing) {
-  const RepairOptions off{false, false, false, false, false, false, false, 0, false};
+  const RepairOptions off{false, 0, false, false, false, false, false, false, 0, false};
   MeshData data = zoo::dirty();
   EXPECT_EQ(names(repair(data, off).done), Names());
   EXPECT_TRUE(data == zoo::dirty());

@@ -49,6 +49,33 @@ TEST(RepairTest, PairsCancelBeforeRepeatedFacesGo) {
   EXPECT_EQ(triangles(data), triangles(zoo::tetrahedron()));
 }
 
+// Each from the last on goes with the nearest before it that looks the other way.
+TEST(RepairTest, WhichOfSeveralCancelEachOther) {
+  MeshData data = zoo::tetrahedron();  // with 0 2 1 first
+  data.faces.add(Shape::Triangle, {1, 2, 0});
+  data.faces.add(Shape::Triangle, {2, 0, 1});
+  RepairOptions options;
+  options.orient = false;
+  const RepairReport report = mend(data, options);
+  EXPECT_EQ(triangles(data), (Triangles{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 2, 0}}));
+  EXPECT_EQ(report.done[0].first, (std::vector<std::uint32_t>{0, 5}));
+}
+
+// In turn, and all of one direction before those of the other.
+TEST(RepairTest, AHundredThousandCopiesOfOneFace) {
+  for (const bool in_turn : {true, false}) {
+    MeshData data = zoo::tetrahedron();
+    for (int i = 0; i < 100000; ++i)
+      if (in_turn ? i % 2 == 0 : i < 50000)
+        data.faces.add(Shape::Triangle, {0, 2, 1});
+      else
+        data.faces.add(Shape::Triangle, {0, 1, 2});
+    const RepairReport report = repair(data);
+    EXPECT_EQ(triangles(data).size(), 4u);
+    EXPECT_EQ(report.done[0].count, 100000u);
+  }
+}
+
 TEST(RepairTest, ASheetListedFromBothSidesKeepsItsFirstSide) {
   MeshData data = zoo::square();
   data.faces.add(Shape::Triangle, {2, 1, 0});
@@ -293,6 +320,35 @@ TEST(RepairTest, AListedEdgeIsListedForEachPart) {
   mend(data);
   EXPECT_EQ(data.edges.vertices, (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 4, 5, 6, 7, 8}));
   EXPECT_EQ(data.attributes[0].values, (std::vector<double>{0.5, 0.25, 0.125, 0.5, 0.5}));
+}
+
+// An edge on vertices that a weld has replaced goes to a part that is not listed yet.
+TEST(RepairTest, AListedEdgeMovesToAFreePart) {
+  MeshData data = zoo::book();
+  for (const std::uint32_t v : {0, 1}) data.positions.push_back(glm::dvec3(data.positions[v]));
+  data.edges.add(Shape::Line, {0, 1});
+  data.edges.add(Shape::Line, {5, 6});
+  RepairOptions options;
+  options.weld = true;
+  repair(data, options);
+  EXPECT_EQ(triangles(data), (Triangles{{0, 1, 2}, {7, 8, 3}, {9, 10, 4}}));
+  EXPECT_EQ(data.edges.vertices, (std::vector<std::uint32_t>{0, 1, 7, 8, 9, 10}));
+}
+
+// Each part is listed once, however often the edge is.
+TEST(RepairTest, AnEdgeThatIsListedAgainAndAgain) {
+  MeshData data = zoo::book();
+  for (int i = 0; i < 4; ++i) data.edges.add(Shape::Line, {0, 1});
+  mend(data);
+  EXPECT_EQ(data.edges.vertices, (std::vector<std::uint32_t>{0, 1, 0, 1, 0, 1, 0, 1, 5, 6, 7, 8}));
+  MeshData pages = zoo::book();
+  for (std::uint32_t i = 0; i < 30000; ++i) {
+    pages.positions.emplace_back(1, i, 0.5);
+    pages.faces.add(Shape::Triangle, {0, 1, 5 + i});
+    pages.edges.add(Shape::Line, {0, 1});
+  }
+  repair(pages);
+  EXPECT_EQ(pages.edges.size(), 30000u + 30002u);
 }
 
 // A torus of two rings has two sides between the same vertices; as one list of faces they are edges

@@ -1,5 +1,6 @@
 // aomd check: what is wrong with a mesh, by name.
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
@@ -16,44 +18,125 @@ namespace {
 struct Options {
   std::string file;
   bool json = false, unused = false;
+  std::vector<std::string> required;  ///< names of properties
 };
 
 std::string shown(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
-void print(const std::string& file, const std::vector<Finding>& findings) {
-  for (const Finding& f : findings)
+std::vector<std::string> property_names() {
+  std::vector<std::string> names;
+  for (int i = 0; i < surface_property_count; ++i)
+    names.emplace_back(property_name(static_cast<SurfaceProperty>(i)));
+  return names;
+}
+
+// What a mesh is found to be.
+struct Checked {
+  std::vector<Finding> mesh;
+  std::vector<SurfaceFinding> surface;
+  std::vector<std::string> missing;  ///< of the required properties
+};
+
+bool is_required(const Options& options, SurfaceProperty property) {
+  const auto names = [&](const char* name) {
+    return std::find(options.required.begin(), options.required.end(), name) !=
+           options.required.end();
+  };
+  return names(property_name(property)) || (names("clean") && property != SurfaceProperty::Closed);
+}
+
+// A border is no dirt: it is told where the surface is to be closed.
+void look_at_surface(const Options& options, const MeshData& data, const Mesh& mesh,
+                     Checked& result) {
+  if (!data.regions.empty()) return;
+  for (const SurfaceFinding& finding : survey(data))
+    if (finding.breaks != SurfaceProperty::Closed || is_required(options, finding.breaks))
+      result.surface.push_back(finding);
+  const auto cuts = self_intersection_findings(mesh);
+  result.surface.insert(result.surface.end(), cuts.begin(), cuts.end());
+  for (const SurfaceFinding& finding : result.surface)
+    if (is_required(options, finding.breaks)) {
+      const std::string name = property_name(finding.breaks);
+      if (result.missing.empty() || result.missing.back() != name) result.missing.push_back(name);
+    }
+  std::sort(result.missing.begin(), result.missing.end());
+  result.missing.erase(std::unique(result.missing.begin(), result.missing.end()),
+                       result.missing.end());
+}
+
+Checked checked(const Options& options) {
+  io::ReadResult read = read_mesh(options.file);
+  const Mesh mesh(read.mesh);
+  Checked result;
+  result.mesh = verify(mesh, {options.unused});
+  for (const Region r : measure::measure_volume(mesh).inverted)
+    result.mesh.push_back({"inverted region", r, "its volume is zero or negative"});
+  look_at_surface(options, read.mesh, mesh, result);
+  return result;
+}
+
+// What is dirty on the surface stands beside what is wrong with the mesh: it may be meant.
+std::string summary(const Checked& result) {
+  std::string text = result.mesh.empty() ? "nothing found" : counted(result.mesh.size(), "finding");
+  if (!result.surface.empty())
+    text += (result.mesh.empty() ? " in the mesh, " : ", ") +
+            counted(result.surface.size(), "kind") + " of dirt on the surface";
+  for (std::size_t i = 0; i < result.missing.size(); ++i)
+    text += (i == 0 ? ": not " : ", ") + result.missing[i];
+  return text;
+}
+
+void print(const std::string& file, const Checked& result) {
+  for (const Finding& f : result.mesh)
     std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
-  std::cout << file << ": "
-            << (findings.empty() ? "nothing found" : counted(findings.size(), "finding")) << '\n';
+  for (const SurfaceFinding& f : result.surface) std::cout << line_of(f, file) << '\n';
+  std::cout << file << ": " << summary(result) << '\n';
+}
+
+Json json_of(const Options& options, const Checked& result) {
+  Json list = Json::array();
+  for (const Finding& f : result.mesh)
+    list.push_back({{"name", f.name}, {"entity", shown(f.entity)}, {"text", f.text}});
+  return {{"schema", 1},
+          {"file", options.file},
+          {"findings", list},
+          {"surface", surface_json(result.surface, options.file)},
+          {"required", options.required},
+          {"missing", result.missing}};
 }
 
 int run(const Options& options) {
-  const io::ReadResult read = read_mesh(options.file);
-  const Mesh mesh(read.mesh);
-  std::vector<Finding> findings = verify(mesh, {options.unused});
-  for (const Region r : measure::measure_volume(mesh).inverted)
-    findings.push_back({"inverted region", r, "its volume is zero or negative"});
-  if (options.json) {
-    Json list = Json::array();
-    for (const Finding& f : findings)
-      list.push_back({{"name", f.name}, {"entity", shown(f.entity)}, {"text", f.text}});
-    std::cout << text_of({{"schema", 1}, {"file", options.file}, {"findings", list}});
-  } else {
-    print(options.file, findings);
-  }
-  return findings.empty() ? done : says_no;
+  const Checked result = checked(options);
+  if (options.json)
+    std::cout << text_of(json_of(options, result));
+  else
+    print(options.file, result);
+  return result.mesh.empty() && result.missing.empty() ? done : says_no;
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("check", "Names what is wrong with a mesh; exit code 1 when anything is");
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Names what is wrong with a mesh, exit code 1 when anything is, and what is dirty in a "
+      "surface");
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--unused", options->unused,
                     "Also names vertices, edges and faces that nothing uses");
+  std::vector<std::string> words = property_names();
+  words.emplace_back("clean");
+  std::string listed;
+  for (const std::string& word : words) listed += (listed.empty() ? "" : ", ") + word;
+  command
+      ->add_option(
+          "--require", options->required,
+          "Exit code 1 also where the surface is not: " + listed + ".\nclean is all but closed")
+      ->type_name("WORD,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember(words).description(""));
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -54,7 +54,7 @@ Side read_side(const std::string& file, bool quiet, Progress& progress, int thre
   progress.show("measuring " + file);
   side.counts = measure::count_entities(side.mesh);
   side.quality = measure::measure_quality(side.mesh);
-  side.self_intersections = measure::count_self_intersections(side.mesh, threads);
+  side.self_intersections = measure::count_self_intersections(side.mesh, threads).pairs;
   return side;
 }
 

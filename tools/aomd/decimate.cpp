@@ -14,6 +14,7 @@
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
+#include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
@@ -31,6 +32,7 @@
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
@@ -98,7 +100,9 @@ class Run {
 
   void repair_mesh() {
     progress_.show("repairing");
-    repaired_ = repair(original_);
+    RepairOptions how;
+    options_.weld.apply(how, original_);
+    repaired_ = repair(original_, how);
     progress_.wipe();
     if (!options_.quiet) {
       for (const RepairItem& item : repaired_.done) print_notes(options_.input, {line_of(item)});
@@ -123,6 +127,7 @@ class Run {
     if (options_.snaps()) snap_to_model();
     seconds_["classify"] = watch_.lap();
     input_ = measure::count_entities(mesh_);
+    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, input_, false));
     watch_.lap();
   }
 
@@ -209,8 +214,9 @@ class Run {
     progress_.show("checking");
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
-    self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads);
-    const TriangleTree original(triangles_of(original_).corners, steps_.threads);
+    self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads).pairs;
+    const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
+                                steps_.threads);
     flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
     seconds_["check"] = watch_.lap();
     output_ = measure::count_entities(mesh_);
@@ -294,7 +300,9 @@ class Run {
         << counted(self_intersections_, "self-intersection") << ", "
         << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())
         << " ms\n";
-    if (missed_) print_notes(options_.output, {sentence(*missed_, steps_, output_.faces)});
+    if (!missed_) return;
+    print_notes(options_.output, {sentence(*missed_, steps_, output_.faces)});
+    print_notes(options_.input, dirt_notes(original_, input_, true));
   }
 
   const DecimateOptions& options_;

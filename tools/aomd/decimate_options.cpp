@@ -129,13 +129,14 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
   CLI::Option* triangulate = command.add_flag("--triangulate", o.triangulate,
                                               "First cuts quads along the shorter diagonal");
+  CLI::Option* weld = add_weld(command, o.weld)->needs(repair);
   CLI::Option* without = command.add_option(
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
   without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
-                   model, triangulate, repair, without, add_threads(command, o.threads)});
+                   model, triangulate, repair, weld, without, add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -262,6 +263,7 @@ Json DecimateOptions::json(const DecimationOptions& steps) const {
           {"model", or_null(model)},
           {"triangulate", triangulate},
           {"repair", repair},
+          {"weld", weld.on() ? Json(weld.text) : Json(nullptr)},
           {"journal", or_null(journal)}};
 }
 

@@ -12,6 +12,7 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/report.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 
@@ -26,6 +27,7 @@ struct DecimateOptions {
   std::string strategy = "quality", feature_angle = "20", snap = "none", model;
   bool feature_angle_given = false, no_swap = false, no_smooth = false, repair = false,
        triangulate = false;
+  WeldOption weld;                   ///< with repair
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
@@ -64,8 +65,12 @@ int run(const Options& options) {
   const measure::Counts counts = measure::count_entities(mesh);
   const measure::Quality quality = measure::measure_quality(mesh);
   const measure::VolumeQuality volume = measure::measure_volume(mesh);
+  const std::vector<SurfaceFinding> dirt = survey(read.mesh);
   if (!options.json) {
     print(options.file, mesh, counts, quality, volume);
+    for (const SurfaceFinding& finding : dirt)
+      if (finding.breaks != SurfaceProperty::Closed)
+        std::cout << "  " << line_of(finding, options.file) << '\n';
     return done;
   }
   Json json{{"schema", 1},
@@ -76,6 +81,7 @@ int run(const Options& options) {
              {{"mesh", mesh.entity_bytes()},
               {"adjacency", mesh.adjacency_bytes()},
               {"peak", peak_bytes()}}},
+            {"surface", surface_json(dirt, options.file)},
             {"notes", read.notes}};
   add_volume_quality(json["quality"], volume);
   std::cout << text_of(json);

@@ -11,6 +11,7 @@
 #include "core/model/model.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/signals.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 namespace {
@@ -107,7 +108,7 @@ int parse_and_run(int argc, char** argv) {
     return fail("no command \"" + std::string(argv[1]) + "\" (aomd --help lists what there is)",
                 wrong_usage);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help and --version
     return fail(words_of(e, app, argc, argv) + hint(app), wrong_usage);

@@ -8,6 +8,7 @@
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/repair_items.h"
 #include "tools/aomd/values.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 struct Options {
   std::string input, output, format;
   RepairOptions repair;
+  WeldOption weld;
   bool json = false, quiet = false;
 };
 
@@ -22,7 +24,7 @@ void print(std::ostream& out, const std::string& file, const std::vector<RepairI
   for (const RepairItem& item : items) out << printable(file) << ": " << line_of(item) << '\n';
 }
 
-int run(const Options& options) {
+int run(Options& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"IN", options.input}}, outputs);
@@ -34,6 +36,7 @@ int run(const Options& options) {
   const measure::Counts before =
       options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
   watch.lap();
+  options.weld.apply(options.repair, read.mesh);
   const RepairReport report = repair(read.mesh, options.repair);
   const double repairing = watch.lap();
   write_mesh(options.output, format, read.mesh, options.quiet || options.json);
@@ -55,7 +58,6 @@ int run(const Options& options) {
 }
 
 void add_switches(CLI::App& command, RepairOptions& repair) {
-  command.add_flag("--weld", repair.weld, "Joins vertices at the same position");
   command.add_flag("!--no-repeated-vertices", repair.repeated_vertices,
                    "Keeps faces that name a vertex twice");
   command.add_flag("!--no-repeated-faces", repair.repeated_faces,
@@ -87,6 +89,7 @@ void add_repair(CLI::App& app, Action& action) {
       ->required()
       ->check(not_empty());
   add_format(*command, options->format);
+  add_weld(*command, options->weld);
   add_switches(*command, options->repair);
   command->add_flag("--json", options->json, "Prints what was done as JSON");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");

@@ -1,0 +1,193 @@
+#include "core/measure/crowded_pairs.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/base/parallel.h"
+#include "core/io/weld.h"
+
+namespace aomd::measure {
+namespace {
+
+using glm::dvec3;
+
+// So many triangles at one corner are compared with each other; more are a crowd.
+constexpr std::uint32_t most_at_a_corner = 256;
+constexpr std::size_t nodes_a_piece = 512;
+constexpr std::size_t least_slots = 1024;
+
+// What rounding may do to a unit vector, with room to spare.
+constexpr double direction_doubt = 1e-12;
+
+// Mixed from above as well: coordinates that were floats end in zeros.
+std::uint64_t hash(const dvec3& p) {
+  std::uint64_t h = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+  }
+  return h;
+}
+
+Box all_directions() { return {dvec3(-1), dvec3(1)}; }
+
+Box grown(const Box& box, double by) { return {box.low - dvec3(by), box.high + dvec3(by)}; }
+
+// Not finite where the distance is beyond all doubles.
+dvec3 direction(const dvec3& from, const dvec3& to) {
+  const dvec3 d = to - from, size = glm::abs(d);
+  return glm::normalize(d / std::max({size.x, size.y, size.z}));
+}
+
+bool is_finite(const dvec3& p) { return std::isfinite(p.x + p.y + p.z); }
+
+// The arc of directions from one to another, each of length 1: no point of it is further from the
+// chord than its middle.
+Box arc_box(const dvec3& a, const dvec3& b) {
+  if (!is_finite(a) || !is_finite(b)) return all_directions();
+  Box box;
+  box.add(a);
+  box.add(b);
+  return grown(box, 1 - glm::length(a + b) / 2 + direction_doubt);
+}
+
+// The half plane on the side of b of a line along a, by its normal.
+Box half_plane_box(const dvec3& a, const dvec3& b) {
+  const dvec3 normal = glm::cross(a, b);
+  const double sine = glm::length(normal);
+  if (!(sine > direction_doubt)) return all_directions();
+  Box box;
+  box.add(normal / sine);
+  return grown(box, direction_doubt + 1e-15 / sine);
+}
+
+class CrowdedPairs {
+ public:
+  CrowdedPairs(std::span<const Triangle> triangles, int threads,
+               const std::function<void(std::uint32_t, std::uint32_t)>& visit)
+      : triangles_(triangles), threads_(threads), visit_(visit) {}
+
+  void run() {
+    io::detail::Welder welder;
+    std::vector<Item> items(triangles_.size());
+    for (std::uint32_t i = 0; i < items.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) items[i].points[k] = welder.add(triangles_[i][k]);
+    for (std::uint32_t i = 0; i < items.size(); ++i) items[i].triangle = i;
+    uses_.assign(welder.size(), 0);
+    points_ = welder.take();
+    meet(items, 0);
+  }
+
+ private:
+  struct Item {
+    std::uint32_t triangle = 0;
+    std::array<std::uint32_t, 3> points{};  ///< its corners, those that all have in common first
+  };
+
+  [[nodiscard]] auto visiting(const std::vector<Item>& x, const TriangleTree& of_x,
+                              const std::vector<Item>& y, const TriangleTree& of_y) const {
+    return [&](std::uint32_t n, std::uint32_t m) {
+      visit_(x[of_x.source(n)].triangle, y[of_y.source(m)].triangle);
+    };
+  }
+
+  // All pairs of items whose first `shared` corners are the same.
+  void meet(const std::vector<Item>& items, std::size_t shared) {
+    std::vector<std::vector<Item>> parts = parted(items, shared);
+    std::vector<TriangleTree> trees;
+    for (const auto& part : parts) trees.push_back(tree_of(part, shared));
+    parallel_for(trees[0].nodes(), threads_, nodes_a_piece, [&](std::size_t b, std::size_t e) {
+      trees[0].touching_pairs(b, e, visiting(parts[0], trees[0], parts[0], trees[0]));
+    });
+    for (std::size_t i = 0; i < trees.size(); ++i)
+      for (std::size_t j = i + 1; j < trees.size(); ++j)
+        trees[i].touching_pairs(trees[j], visiting(parts[i], trees[i], parts[j], trees[j]));
+    trees.clear();
+    for (std::size_t i = 1; i < parts.size(); ++i) meet(parts[i], shared + 1);
+  }
+
+  // The crowd at each crowded corner, behind the rest. An item goes to the fullest of its corners,
+  // which becomes the last of those that its crowd has in common.
+  [[nodiscard]] std::vector<std::vector<Item>> parted(const std::vector<Item>& items,
+                                                      std::size_t shared) {
+    count_uses(items, shared, 1);
+    std::vector<std::vector<Item>> parts(1);
+    std::unordered_map<std::uint32_t, std::size_t> part_at;
+    for (Item item : items) {
+      const auto fullest = std::max_element(
+          item.points.begin() + static_cast<std::ptrdiff_t>(shared), item.points.end(),
+          [&](std::uint32_t p, std::uint32_t q) { return uses_[p] < uses_[q]; });
+      const bool crowd = shared < 2 && uses_[*fullest] > most_at_a_corner;
+      const std::size_t part =
+          crowd ? part_at.try_emplace(*fullest, parts.size()).first->second : 0;
+      if (part == parts.size()) parts.emplace_back();
+      if (crowd) std::swap(*fullest, item.points[shared]);
+      parts[part].push_back(item);
+    }
+    count_uses(items, shared, 0);
+    return parts;
+  }
+
+  // Counts the items at each corner that not all have in common, or forgets the counts.
+  void count_uses(const std::vector<Item>& items, std::size_t shared, std::uint32_t step) {
+    for (const Item& item : items)
+      for (std::size_t k = shared; k < 3; ++k) {
+        std::uint32_t& uses = uses_[item.points[k]];
+        uses = step == 0 ? 0 : uses + step;
+      }
+  }
+
+  // A tree only of boxes, each as a triangle that fills it.
+  [[nodiscard]] TriangleTree tree_of(const std::vector<Item>& items, std::size_t shared) const {
+    std::vector<Triangle> boxes;
+    boxes.reserve(items.size());
+    for (const Item& item : items) {
+      const Box box = box_of(item, shared);
+      boxes.push_back({box.low, box.high, box.low});
+    }
+    return TriangleTree(boxes, threads_);
+  }
+
+  [[nodiscard]] Box box_of(const Item& item, std::size_t shared) const {
+    const auto& [a, b, c] = item.points;
+    if (shared > 0) {
+      const dvec3 first = direction(points_[a], points_[b]);
+      const dvec3 second = direction(points_[a], points_[c]);
+      return shared == 1 ? arc_box(first, second) : half_plane_box(first, second);
+    }
+    Box box;
+    for (const dvec3& p : triangles_[item.triangle]) box.add(p);
+    return box;
+  }
+
+  std::span<const Triangle> triangles_;
+  int threads_;
+  const std::function<void(std::uint32_t, std::uint32_t)>& visit_;
+  std::vector<dvec3> points_;
+  std::vector<std::uint32_t> uses_;  ///< of each point, while items are parted
+};
+
+}  // namespace
+
+bool crowded(std::span<const Triangle> triangles) {
+  // About 20 uses a slot: few enough, and the table stays in the cache.
+  std::vector<std::uint32_t> uses(std::bit_ceil(std::max(triangles.size() / 8, least_slots)), 0);
+  const std::size_t mask = uses.size() - 1;
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(),
+                       [&](const dvec3& p) { return ++uses[hash(p) & mask] > most_at_a_corner; });
+  });
+}
+
+void crowded_pairs(std::span<const Triangle> triangles, int threads,
+                   const std::function<void(std::uint32_t, std::uint32_t)>& visit) {
+  CrowdedPairs(triangles, threads, visit).run();
+}
+
+}  // namespace aomd::measure
