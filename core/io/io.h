@@ -23,10 +23,11 @@ struct ReadResult {
 };
 
 struct WriteOptions {
-  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU). Not given: PLY is binary; STL is
-  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
-  /// VTU is appended raw bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are
-  /// rounded; everything else reads back as the same doubles.
+  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU; Medit is binary in .meshb, text in
+  /// .mesh, whatever is said here). Not given: PLY is binary; STL is binary unless faces are
+  /// classified, since only text holds solids; the others are text. Binary VTU is appended raw
+  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else
+  /// reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
@@ -35,7 +36,8 @@ struct WriteOptions {
 /// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
 /// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
 /// nothing uses are kept, nodes that only higher-order elements use are not; attributes that we do
-/// not know are passed over in OBJ, PLY, OFF and STL. Cost: linear in the file; memory bounded by
+/// not know are passed over in OBJ, PLY, OFF and STL. Of several arrays of one name and dimension
+/// the later ones are renamed ("u (2)"). Cost: linear in the file; memory bounded by
 /// the file's size, whatever its header promises. Throws ReadError (missing, folder, empty,
 /// truncated, index out of range, NaN, repeated vertex in an element, unknown format) with line or
 /// byte, or LimitError.
@@ -55,7 +57,7 @@ struct WriteOptions {
 ///   PLY    edges, faces     all                              -                    -
 ///   OFF    faces            -                                -                    -
 ///   STL    triangles        of faces (solids, in text)       -                    -
-///   MSH    all              all                              all                  all
+///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
 ///   VTU    all              all                              all (4)              -
@@ -73,6 +75,7 @@ struct WriteOptions {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 /// read back they are
 ///    model entities 1, 2, ...
+/// 6. Periodic links. No other format has them.
 ///
 /// Throws WriteError, also for regions where the format has none, surfaces in space in SU2, and
 /// shapes that the program added.
