@@ -23,10 +23,11 @@ struct ReadResult {
 };
 
 struct WriteOptions {
-  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU). Not given: PLY is binary; STL is
-  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
-  /// VTU is appended raw bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are
-  /// rounded; everything else reads back as the same doubles.
+  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU; Medit is binary in .meshb, text in
+  /// .mesh, whatever is said here). Not given: PLY is binary; STL is binary unless faces are
+  /// classified, since only text holds solids; the others are text. Binary VTU is appended raw
+  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else
+  /// reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
@@ -42,7 +43,8 @@ struct EncodedMesh {
 /// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
 /// nothing uses are kept, nodes that only higher-order elements use are not. Attributes that we do
 /// not know are passed over in OBJ, PLY, OFF and STL, and so is what follows the last face that is
-/// promised; a note names it. Faces lose repeated corners, and are dropped, as edges are, where
+/// promised; a note names it. Of several arrays of one name and dimension the later ones are
+/// renamed ("u (2)"). Faces lose repeated corners, and are dropped, as edges are, where
 /// fewer than 3 different ones (2 for edges) are left: a note counts them. A byte order mark means
 /// nothing. Cost: linear in the file; memory bounded by the file's size, whatever its header
 /// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated
@@ -63,7 +65,7 @@ struct EncodedMesh {
 ///   PLY    edges, faces     all                              -                    -
 ///   OFF    faces            -                                -                    -
 ///   STL    triangles        of faces (solids, in text)       -                    -
-///   MSH    all              all                              all                  all
+///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
 ///   VTU    all              all                              all (4)              -
@@ -78,6 +80,7 @@ struct EncodedMesh {
 /// 4. Those of vertices first, then those of edges, faces and regions.
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
+/// 6. Periodic links. No other format has them.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that

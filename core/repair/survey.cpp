@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/text.h"
 #include "core/repair/stages.h"
 
@@ -40,7 +41,7 @@ EdgeCounts count_edges(const Surface& surface) {
 
 // Vertices at which faces do not all hang together through edges there.
 Tally bow_ties(const Surface& surface) {
-  Sets fans(surface.corner_count());
+  DisjointSets fans(surface.corner_count());
   EdgeUses(surface).each([&](std::span<const EdgeUses::Use> uses) {
     const auto low = [&](EdgeUses::Use u) {
       return u.forward() ? u.corner() : surface.next(u.corner());

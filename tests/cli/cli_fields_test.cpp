@@ -127,6 +127,42 @@ TEST_F(FieldsCommand, WhatIsRequiredStaysAndIsWrittenAgain) {
   }
 }
 
+/// A diagonal that either strategy swaps, unless a triangle at it is required.
+TEST_F(FieldsCommand, RequiredTrianglesAreNotSwapped) {
+  MeshData mesh;
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 5; ++i) mesh.positions.emplace_back(i, j, 0);
+  mesh.positions[6] = {0.6, 0.6, 0};
+  mesh.positions[12] = {2.4, 2.4, 0};
+  for (std::uint32_t v = 0; v < 19; ++v) {
+    if (v % 5 == 4) continue;
+    mesh.faces.add(Shape::Triangle, {v, v + 1, v + 6});
+    mesh.faces.add(Shape::Triangle, {v, v + 6, v + 5});
+  }
+  const auto has_diagonal = [](const MeshData& m) {
+    bool found = false;
+    io::detail::for_each_entity(m.faces, [&](auto v, ModelRef) {
+      const auto is = [&](double x) {
+        return std::any_of(v.begin(), v.end(),
+                           [&](std::uint32_t i) { return m.positions[i] == glm::dvec3(x, x, 0); });
+      };
+      found = found || (is(0.6) && is(2.4));
+    });
+    return found;
+  };
+  io::write(at("free.mesh"), mesh);
+  mesh.attributes = {{"medit:required", 2, 1, true, std::vector<double>(32)}};
+  mesh.attributes[0].values[10] = 1;
+  io::write(at("held.mesh"), mesh);
+  for (const char* how : {" --target-faces 32", " --strategy paper --factor 0.5"}) {
+    ASSERT_EQ(aomd(std::string("decimate free.mesh out.mesh --no-smooth") + how).code, 0);
+    EXPECT_FALSE(has_diagonal(read("out.mesh"))) << how;
+    ASSERT_EQ(aomd(std::string("decimate held.mesh out.mesh --no-smooth") + how).code, 0);
+    EXPECT_TRUE(has_diagonal(read("out.mesh"))) << how;
+    EXPECT_EQ(required(read("out.mesh"), 2), required(read("held.mesh"), 2));
+  }
+}
+
 TEST_F(FieldsCommand, QuadsAreCutWhereThatIsAskedFor) {
   MeshData mesh;
   for (int j = 0; j < 4; ++j)

@@ -65,6 +65,7 @@ void add_volume_seeds(Seeds& seeds) {
                      {"region", 3, 1, true, {1, 2, 3, 4}}};
   add_written(seeds, mesh, {"vtk", "vtu"}, true);
   add_written(seeds, mesh, {"vtk", "vtu", "mesh", "su2"}, false);
+  add_written(seeds, mesh, {"meshb"}, true);
   add(seeds, "vtu",
       test::vtu_file(test::vtu_piece(test::vtu_zlib, "format=\"binary\""), test::zlib));
   add(seeds, "vtu", test::vtu_appended(test::vtu_zlib_wide, test::zlib_wide));
@@ -84,6 +85,22 @@ void add_volume_seeds(Seeds& seeds) {
       "4\nCorners 1 "
       "1\n"
       "Ridges 1 1\nEdges 1 1 2 3\nTangents 1 0 1\nTangentAtVertices 1 1 1\nBox 1 2\nEnd");
+  for (const char* grid :
+       {"STRUCTURED_POINTS\nDIMENSIONS 3 2 2\nORIGIN 0 0 0\nSPACING 1 1 1\n",
+        "RECTILINEAR_GRID\nDIMENSIONS 3 2 1\nX_COORDINATES 3 float\n0 1 2\n"
+        "Y_COORDINATES 2 float\n0 1\nZ_COORDINATES 1 int\n5\n",
+        "STRUCTURED_GRID\nDIMENSIONS 2 2 1\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\n"})
+    add(seeds, "vtk",
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET " + std::string(grid) +
+            "CELL_DATA 2\nSCALARS s int\nLOOKUP_TABLE d\n1 2\n");
+  add(seeds, "mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n2 0 0 0\n0 2 0 0\n1 0 0 0\n1 1 0 "
+      "0\n"
+      "0 1 0 0\nTrianglesP2 1\n1 2 3 4 5 6 3\nEdgesP2Ordering 3\n0\n2\n1\nRequiredTriangles 1 "
+      "1\nEnd");
+  const std::string zone =
+      "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0 0.5 0\n1 0 0.5 1\n0 1 0.5 2\nNMARK= 0\n";
+  add(seeds, "su2", "NZONE= 2\nIZONE= 1\n" + zone + "IZONE= 2\n" + zone);
   add(seeds, "su2",
       "NDIME= 2\nNELEM= 1\n9 0 1 2 3 0\nNPOIN= 4\n0 0 0\n1 0 1\n1 1 2\n0 1 3\nNMARK= "
       "1\nMARKER_TAG= a\n"
@@ -110,6 +127,22 @@ Seeds all_seeds() {
       "3 9 4 2\n8 90 1 2 3\n9 3 2 1 90\n$EndElements\n"
       "$NodeData\n1\n\"t\"\n1\n0\n3\n0\n1\n2\n90 1\n2 nan\n$EndNodeData\n"
       "$ElementData\n1\n\"e\"\n1\n0\n3\n0\n3\n2\n3 1 2 3\n8 4 5 6\n$EndElementData\n");
+  add(seeds, "msh",
+      "$Comments\nc\n$EndComments\n$MeshFormat\n4.1 0 "
+      "8\n$EndMeshFormat\n$PartitionedEntities\n2\n1\n7 1\n"
+      "0 1 2 0\n21 2 1 2 1 2 0 0 0 1 1 0 0 0\n11 2 1 1 1 0 0 0 1 1 0 1 8 0\n12 2 1 1 2 0 0 0 1 1 0 "
+      "0 0\n"
+      "$EndPartitionedEntities\n$Nodes\n2 4 1 4\n1 21 0 2\n1\n3\n0 0 0\n1 1 0\n2 12 0 2\n2\n4\n1 0 "
+      "0\n"
+      "0 1 0\n$EndNodes\n$Elements\n3 3 1 3\n1 21 1 1\n1 1 3\n2 11 2 1\n2 1 2 3\n2 12 2 1\n3 1 3 "
+      "4\n"
+      "$EndElements\n$Periodic\n1\n1 5 6\n1 2\n1\n1 3\n$EndPeriodic\n");
+  add(seeds, "msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$ParametricNodes\n3\n1 0 0 0 0 1\n2 1 0 0 1 2 .5\n3 1 "
+      "1 0 2 1 "
+      ".5 .5\n$EndParametricNodes\n$Elements\n1\n1 2 2 7 1 1 2 3\n$EndElements\n$Periodic\n1\n0 1 "
+      "2\n"
+      "Affine 1 0\n1\n1 2\n$EndPeriodic\n");
   add(seeds, "off", "OFF\n6 1 0\n0 0 0\n2 0 0\n2 2 0\n1 1 0\n0 2 0\n0 1 0\n6 0 1 2 3 4 5\n");
   add(seeds, "obj",
       "mtllib m\ng a b\nusemtl x\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2//2 3/3 "

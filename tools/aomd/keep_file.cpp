@@ -108,7 +108,7 @@ class KeepFile {
 /// Marks the vertices of what has the mark of Medit.
 template <class H>
 void mark_required(const Mesh& mesh, Kept& required) {
-  const auto* marks = mesh.find_column<H, std::int64_t>(io::detail::medit_required);
+  const auto* marks = mesh.find_attached<H, std::int64_t>(io::detail::medit_required);
   for (std::uint32_t id = 0; marks && id < mesh.capacity(H::dimension); ++id) {
     if (!mesh.alive({H::dimension, id}) || (*marks)[H(id)] == 0) continue;
     if constexpr (H::dimension == 0) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/box.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
