@@ -25,9 +25,18 @@ constexpr std::array<std::uint32_t, 64> block_sizes = [] {
   return sizes;
 }();
 
+// Blocks from here on hold one number more, before the row: how many places of the block lie before
+// that. So erasing moves whichever part of the row is shorter, and a long row from which values go
+// in ascending order, as a sweep takes them, costs no more than its length.
+constexpr std::uint32_t first_long_block = 27;
+static_assert(block_sizes[first_long_block - 1] == 512);
+
+bool is_long(std::uint32_t block) { return block >= first_long_block; }
+
 std::uint32_t block_for(std::uint32_t size) {
   if (size <= 16) return size;
-  const auto it = std::lower_bound(block_sizes.begin() + 17, block_sizes.end(), size);
+  const std::uint32_t places = size <= block_sizes[first_long_block - 1] ? size : size + 1;
+  const auto it = std::lower_bound(block_sizes.begin() + 17, block_sizes.end(), places);
   AOMD_CHECK(it != block_sizes.end());
   return static_cast<std::uint32_t>(it - block_sizes.begin());
 }
@@ -73,7 +82,7 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
   std::uint64_t begin = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const std::uint32_t size = sizes[i], block = block_for(size);
-    const auto place = static_cast<std::uint32_t>(begin);
+    const auto place = static_cast<std::uint32_t>(begin + is_long(block));
     heads_[i].begin = sizes[i] = place;
     heads_[i].size = size;
     heads_[i].block = block;
@@ -82,6 +91,8 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
   }
   AOMD_CHECK(begin < no_index);
   pool_.resize(begin);
+  for (const Head& head : heads_)
+    if (is_long(head.block)) pool_[head.begin - 1] = 0;
   return pool_.data();
 }
 
@@ -90,10 +101,16 @@ void UpRows::resize(std::uint32_t rows) {
   heads_.resize(rows);
 }
 
+// Places of its block that lie before a row.
+std::uint32_t UpRows::before(const Head& head) const {
+  return is_long(head.block) ? 1 + pool_[head.begin - 1] : 0;
+}
+
 void UpRows::give_block(const Head& head) {
   if (head.block == 0) return;
-  pool_[head.begin] = free_blocks_[head.block];
-  free_blocks_[head.block] = head.begin;
+  const std::uint32_t begin = head.begin - before(head);
+  pool_[begin] = free_blocks_[head.block];
+  free_blocks_[head.block] = begin;
 }
 
 std::uint32_t UpRows::take_block(std::uint32_t block) {
@@ -111,16 +128,34 @@ std::uint32_t UpRows::take_block(std::uint32_t block) {
 
 void UpRows::grow(Head& head) {
   const std::uint32_t block = block_for(head.size + 1);
-  const std::uint32_t begin = take_block(block);
+  const std::uint32_t begin = take_block(block) + is_long(block);
   std::copy_n(pool_.begin() + head.begin, head.size, pool_.begin() + begin);
   give_block(head);
   head.begin = begin;
   head.block = block;
+  if (is_long(block)) pool_[begin - 1] = 0;
+}
+
+bool UpRows::erase_long(Head& head, std::uint32_t value) {
+  const auto row = pool_.begin() + head.begin, end = row + head.size;
+  const auto at = std::lower_bound(row, end, value);
+  if (at == end || *at != value) return false;
+  if (at - row < end - at) {
+    const std::uint32_t places_before = before(head);
+    std::copy_backward(row, at, at + 1);
+    ++head.begin;
+    pool_[head.begin - 1] = places_before;
+  } else {
+    std::copy(at + 1, end, at);
+  }
+  --head.size;
+  --entries_;
+  return true;
 }
 
 void UpRows::insert(std::uint32_t i, std::uint32_t value) {
   Head& head = heads_[i];
-  if (head.size == block_sizes[head.block]) grow(head);
+  if (head.size + before(head) == block_sizes[head.block]) grow(head);
   std::uint32_t* row = pool_.data() + head.begin;
   std::uint32_t k = head.size;
   for (; k > 0 && row[k - 1] > value; --k) row[k] = row[k - 1];
@@ -132,6 +167,7 @@ void UpRows::insert(std::uint32_t i, std::uint32_t value) {
 
 bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   Head& head = heads_[i];
+  if (is_long(head.block)) return erase_long(head, value);
   std::uint32_t* row = pool_.data() + head.begin;
   std::uint32_t k = head.size;
   while (k > 0 && row[k - 1] > value) --k;

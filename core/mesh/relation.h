@@ -76,8 +76,8 @@ class DownRows {
   bool with_directions_ = false;
 };
 
-/// Upward rows, sorted. insert and erase cost O(row). Blocks that a grown row leaves behind are
-/// used again.
+/// Upward rows, sorted. insert and erase cost O(row), of a long row erase no more than the shorter
+/// way to its begin or end. Blocks that a grown row leaves behind are used again.
 class UpRows {
  public:
   static constexpr std::uint32_t max_row_size = (1u << 26) - 1;
@@ -109,6 +109,8 @@ class UpRows {
     std::uint32_t size : 26 = 0;
     std::uint32_t block : 6 = 0;  ///< capacity as an index into the table of block sizes
   };
+  [[nodiscard]] std::uint32_t before(const Head& head) const;
+  bool erase_long(Head& head, std::uint32_t value);
   void grow(Head& head);
   std::uint32_t take_block(std::uint32_t block);
   void give_block(const Head& head);

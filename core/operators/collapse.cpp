@@ -199,6 +199,8 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
     if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
   }
   if (!may_go[0] && !may_go[1]) return furthest;
+  for (const Vertex v : ends)
+    if (crowded(mesh, v)) return {Reason::Topology, v};
   gather(mesh, ends[0], stars_[0]);
   gather(mesh, ends[1], stars_[1]);
   if (rules.topology == TopologyRule::Safe)
@@ -224,6 +226,8 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const Coll
 }
 
 Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseRules& rules) {
+  for (const Vertex v : {c.deleted, c.kept})
+    if (crowded(mesh, v)) return {Reason::Topology, v};
   gather(mesh, c.deleted, stars_[0]);
   gather(mesh, c.kept, stars_[1]);
   const ModelRef model = class_between(mesh, c.deleted, c.kept, stars_[0]);

@@ -59,7 +59,8 @@ class Collapser {
   explicit Collapser(const Mesh& mesh);
 
   /// What collapsing `edge` by deleting its end `deleted` would do. O(faces around both ends).
-  /// Checks in this order: classification, topology, flat faces, turned normals.
+  /// Checks in this order: classification, topology, flat faces, turned normals. Topology also
+  /// where an end is crowded.
   [[nodiscard]] Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted,
                               const CollapseRules& rules);
 

@@ -38,6 +38,23 @@ inline void gather(const Mesh& mesh, Vertex v, Star& star) {
   gather(mesh, v, mesh.row<2>(v), star);
 }
 
+/// More faces around a vertex than this are a crowd. What looks at all of them for each edge there
+/// takes the square of their number, so that a crowded vertex takes part in no collapse until
+/// enough of its neighbours have gone into each other: a fan of any number of faces then takes time
+/// proportional to it.
+inline constexpr std::size_t largest_star = 512;
+
+/// By the faces around a vertex, or by its edges where T(0,2) is not stored.
+[[nodiscard]] inline bool crowded(const Mesh& mesh, Vertex v) {
+  return (mesh.stored(0, 2) ? mesh.row<2>(v).size() : mesh.row<1>(v).size()) > largest_star;
+}
+
+/// The faces around that end of an edge that has fewer. T(0,2) must be stored.
+[[nodiscard]] inline Row<2> fewer_faces(const Mesh& mesh, Vertex a, Vertex b) {
+  const Row<2> at_a = mesh.row<2>(a), at_b = mesh.row<2>(b);
+  return at_b.size() < at_a.size() ? at_b : at_a;
+}
+
 /// The faces around a vertex, in ascending order: the row of T(0,2) where it is stored, else
 /// derived (T(0,1) and T(1,2) stored, say) into `derived`.
 [[nodiscard]] inline Row<2> faces_around(const Mesh& mesh, Vertex v,

@@ -15,13 +15,13 @@ std::uint32_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
   return t[0] == v ? 0 : t[1] == v ? 1 : t[2] == v ? 2 : 3;
 }
 
-// Fills the pair from faces at its first vertex; false unless exactly two of them use the edge, in
+// Fills the pair from faces at one of its ends; false unless exactly two of them use the edge, in
 // opposite directions.
 bool find_faces(const Mesh& mesh, const Row<2>& faces, EdgePair& pair) {
   for (const Face face : faces) {
     const auto t = mesh.triangle(face);
     const std::uint32_t i = slot_of(t, pair.b);
-    if (i == 3) continue;
+    if (i == 3 || slot_of(t, pair.a) == 3) continue;
     const bool forward = t[(i + 2) % 3] == pair.a;  // a before b
     Face& place = forward ? pair.f : pair.g;
     if (place.valid()) return false;
@@ -51,7 +51,7 @@ Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit)
 
 Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
   pair = {{}, {}, a, b, {}, {}};
-  if (!find_faces(mesh, mesh.row<2>(a), pair)) {
+  if (!find_faces(mesh, fewer_faces(mesh, a, b), pair)) {
     pair = {{}, {}, a, b, {}, {}};
     return {Reason::Topology, a};
   }
@@ -65,8 +65,11 @@ Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair) {
 }
 
 bool joined(const Mesh& mesh, Vertex a, Vertex b) {
-  for (const Face f : mesh.row<2>(a))
-    if (slot_of(mesh.triangle(f), b) != 3) return true;
+  if (crowded(mesh, a) && crowded(mesh, b)) return true;
+  for (const Face f : fewer_faces(mesh, a, b)) {
+    const auto t = mesh.triangle(f);
+    if (slot_of(t, a) != 3 && slot_of(t, b) != 3) return true;
+  }
   if (!mesh.stored(0, 1) && !(may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b)))
     return false;
   return mesh.find_edge(a, b).valid();
@@ -76,11 +79,12 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
   if (mesh.classification(edge).dimension() == 1) return {Reason::Classification, edge};
   const auto [a, b] = mesh.edge_vertices(edge);
   pair = {{}, {}, a, b, {}, {}};
-  const Row<2> faces = mesh.stored(0, 2) ? mesh.row<2>(a) : mesh.row<2>(edge);
+  const Row<2> faces = mesh.stored(0, 2) ? fewer_faces(mesh, a, b) : mesh.row<2>(edge);
   if (!find_faces(mesh, faces, pair)) return {Reason::Topology, edge};
   if (mesh.classification(pair.f) != mesh.classification(pair.g))
     return {Reason::Classification, edge};
   if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
+  if (crowded(mesh, pair.c) && crowded(mesh, pair.d)) return {Reason::Topology, pair.c};
   if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid())
     return {Reason::Topology, other};
   return {};

@@ -25,18 +25,20 @@ struct EdgePair {
 /// Fills `pair` with the two triangles at the edge between two vertices. Refusals: Classification
 /// (the edge lies on a model edge, or its faces differ), Topology (not exactly two faces,
 /// oppositely oriented, or two faces on the same vertices; `pair` then has none). T(0,2) and T(2,0)
-/// must be stored; edges need not be entities (see for_edges_at). O(faces around a).
+/// must be stored; edges need not be entities (see for_edges_at). O(faces around the
+/// end that has fewer).
 [[nodiscard]] Verdict find_pair(const Mesh& mesh, Vertex a, Vertex b, EdgePair& pair);
 
-/// Whether an edge or a face joins two vertices already. T(0,2) and T(2,0) must be stored. O(faces
-/// around a).
+/// Whether an edge or a face joins two vertices already, or both are so crowded that telling would
+/// take too long. T(0,2) and T(2,0) must be stored. O(faces around the one that has fewer).
 [[nodiscard]] bool joined(const Mesh& mesh, Vertex a, Vertex b);
 
 /// What swapping an edge would do. Accepted only where the smallest angle of the two triangles
 /// grows. Refusals: Classification (the edge is on a model edge, or its faces differ), Topology
-/// (not exactly two faces, oppositely oriented, or the other diagonal exists), Flat, Angle (a new
-/// normal further than `max_turn` from either old one), Quality. The mesh must store T(0,1), T(0,2)
-/// or T(1,2), T(2,0), and hold triangles only. `pair` receives what was found.
+/// (not exactly two faces, oppositely oriented, or the other diagonal exists or would join two
+/// crowded vertices), Flat, Angle (a new normal further than `max_turn` from either old one),
+/// Quality. The mesh must store T(0,1), T(0,2) or T(1,2), T(2,0), and hold triangles only. `pair`
+/// receives what was found.
 [[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn,
                                  EdgePair& pair);
 

@@ -27,12 +27,12 @@ bool QualityLoop::next_swap(SwapBatch& batch, bool& made) {
 }
 
 bool QualityLoop::fill(SwapBatch& batch) {
-  constexpr std::size_t most_faces = 8192;  // 10 ms of work: others want to see something happen
+  constexpr std::size_t batch_size = 8192;  // 10 ms of work: others want to see something happen
   const IdPool& ids = mesh_.ids(2);
   batch.faces.clear();
   batch.turn = 0;
   for (batch.after = ids.next_alive(batch.after);
-       batch.after < ids.capacity() && batch.faces.size() < most_faces;
+       batch.after < ids.capacity() && batch.faces.size() < batch_size;
        batch.after = ids.next_alive(batch.after + 1))
     batch.faces.emplace_back(batch.after);
   batch.refused.assign(batch.faces.size(), {});

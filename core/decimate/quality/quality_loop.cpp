@@ -88,7 +88,6 @@ void QualityLoop::look_around(Vertex v, Star& star, Visit&& visit) const {
 // All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller
 // id.
 void QualityLoop::find_candidates(Vertex v) {
-  found_.clear();
   look_around(v, star_, [&](Vertex w) {
     if (w < v) return;
     Candidate c;
@@ -124,6 +123,7 @@ void QualityLoop::fill_queue() {
                  Star star;
                  each_alive(mesh_.ids(0), begin, end, [&](std::uint32_t id) {
                    const Vertex v(id);
+                   if (crowded(mesh_, v)) return;
                    look_around(v, star, [&](Vertex w) {
                      if (w < v) return;
                      Contraction c;
@@ -164,7 +164,8 @@ bool QualityLoop::advance_collapse() {
 // The cheapest candidate is not known any more, or not allowed.
 bool QualityLoop::try_others(Vertex v) {
   const float known = state_[v].cost;
-  find_candidates(v);
+  found_.clear();
+  if (!crowded(mesh_, v)) find_candidates(v);
   dequeue(v);
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const Contraction c = found_[i].contraction;
@@ -208,6 +209,7 @@ bool QualityLoop::collapse(const Contraction& c) {
   collapser_.apply_accepted(mesh_, c);
   refresh_around(c.kept);
   if (rules_.topology == TopologyRule::Paper) forget_lost_edges(c.kept);
+  admit_uncrowded(c.kept);
   made(StepKind::Collapse, c.kept);
   return true;
 }
@@ -215,11 +217,22 @@ bool QualityLoop::collapse(const Contraction& c) {
 // Without the link condition a third vertex of the faces that went may have no face with the kept
 // one any more: then their edge is no candidate.
 void QualityLoop::forget_lost_edges(Vertex kept) {
+  gather(mesh_, kept, star_);
   for (const StarFace& f : collapser_.star()) {
     if (!f.uses(kept)) continue;
-    gather(mesh_, f.third(kept), star_);
-    const auto uses_kept = [kept](const StarFace& g) { return g.uses(kept); };
-    if (std::none_of(star_.begin(), star_.end(), uses_kept)) update(f.third(kept), kept, unlimited);
+    const Vertex third = f.third(kept);
+    const auto uses_third = [third](const StarFace& g) { return g.uses(third); };
+    if (std::none_of(star_.begin(), star_.end(), uses_third)) update(third, kept, unlimited);
+  }
+}
+
+// A third vertex of the faces that went may be crowded no more: then its edges are candidates.
+void QualityLoop::admit_uncrowded(Vertex kept) {
+  const Star& gone = collapser_.star();
+  for (const StarFace& f : gone) {
+    if (!f.uses(kept)) continue;
+    const std::size_t faces = mesh_.row<2>(f.third(kept)).size();
+    if (faces <= largest_star && faces + gone.size() > largest_star) refresh_around(f.third(kept));
   }
 }
 

@@ -76,6 +76,7 @@ class QualityLoop final : public Loop {
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);
   void forget_lost_edges(Vertex kept);
+  void admit_uncrowded(Vertex kept);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction);
 
