@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 aomd_install_packages
-aomd_build release aomd-view >&2
+aomd_build release aomd-view aomd >&2
 
 viewer=$aomd_root/build/bin/aomd-view
 has_display=${DISPLAY:-}${WAYLAND_DISPLAY:-}
