@@ -44,6 +44,10 @@ struct Options {
   std::optional<std::filesystem::path> recovery;
 };
 
+/// Where a picture goes that is not as its baseline, and where the difference goes.
+[[nodiscard]] std::filesystem::path picture_for_comparison(const Options& options);
+[[nodiscard]] std::filesystem::path picture_of_difference(const Options& options);
+
 /// The options, or the code to end with at once (--help, --version, wrong usage: the message is
 /// printed).
 struct ParsedOptions {

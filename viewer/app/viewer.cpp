@@ -13,6 +13,7 @@
 #include "core/model/gmsh_model.h"
 #include "core/samples/samples.h"
 #include "viewer/render/picture_target.h"
+#include "viewer/scene/arguments.h"
 #include "viewer/scene/commands.h"
 #include "viewer/ui/widgets.h"
 
@@ -59,7 +60,7 @@ Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
 Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
 
 std::string first_command(const Options& options) {
-  if (!options.file.empty()) return "open \"" + options.file.string() + "\"";
+  if (!options.file.empty()) return "open " + scene::in_quotes(options.file.string());
   return options.script.empty() ? "sample " + std::string(samples().front().name) : "";
 }
 
@@ -81,7 +82,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   if (!headless) interface_.recent = ui::RecentFiles(ui::recent_files_path());
   if (!headless) connect_clipboard();
   if (remembers()) restore_settings();
-  if (!headless && !session_.found_work.empty()) session_.view.dialog = scene::Dialog::Recovery;
+  if (!headless && !session_.found_work.works.empty())
+    session_.view.dialog = scene::Dialog::Recovery;
   if (!interface_.recent.paths().empty())
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
@@ -282,6 +284,16 @@ void Viewer::take_screenshots_or_tell() {
   }
 }
 
+/// In a window they are shown as errors are; without one they go where errors go, and nothing ends.
+void Viewer::tell_warnings() {
+  for (const std::string& text : std::exchange(session_.warnings, {})) {
+    if (headless_)
+      std::cerr << "aomd-view: " << text << std::endl;
+    else
+      session_.error += (session_.error.empty() ? "" : "\n") + text;
+  }
+}
+
 void Viewer::print_log() {
   if (session_.log) std::cout << *session_.log << std::endl;
   session_.log.reset();
@@ -290,12 +302,14 @@ void Viewer::print_log() {
 void Viewer::execute(const std::string& line) {
   update_aspect();
   scene::execute(session_, line);
-  const bool passing = line.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
-  if (record_.is_open() && !passing) record_ << line << std::endl;
+  const std::string_view text = scene::command_text(line);
+  const bool passing = text.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
+  if (record_.is_open() && !passing && !text.empty()) record_ << text << std::endl;
   if (const auto next = std::exchange(session_.next_line, {})) execute(*next);
 }
 
 void Viewer::execute_or_tell(const std::string& line) {
+  in_script_ = false;  // what goes wrong from here on is to be said, not the end
   try {
     if (headless_ || !scene::asks_first(session_, line)) execute(line);
   } catch (const std::exception& error) {
@@ -319,7 +333,8 @@ void Viewer::after_loading() {
   window_.set_title(content.name + " \u2013 AOMD Studio");
   if (!content.file.empty()) interface_.recent.add(content.file);
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
-  if (first && !options_.model.empty()) take_model("model \"" + options_.model.string() + "\"");
+  if (first && !options_.model.empty())
+    take_model("model " + scene::in_quotes(options_.model.string()));
 }
 
 void Viewer::tick(double frame_s) {
@@ -335,8 +350,7 @@ void Viewer::tick(double frame_s) {
 
 void Viewer::advance_script() {
   while (!script_.done() && !session_.quit) {
-    update_aspect();
-    if (!script_.advance(session_)) return;
+    if (!script_.advance(session_, [&](const std::string& line) { execute(line); })) return;
     in_script_ = true;
     print_log();
     if (!session_.screenshots.empty()) return;
@@ -345,7 +359,8 @@ void Viewer::advance_script() {
 
 void Viewer::take_events(const Events& events) {
   for (const std::filesystem::path& file : events.dropped_files)
-    execute_or_tell((is_cad_file(file.string()) ? "model \"" : "open \"") + file.string() + "\"");
+    execute_or_tell((is_cad_file(file.string()) ? "model " : "open ") +
+                    scene::in_quotes(file.string()));
   for (const std::string& chord : events.chords)
     if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty())
       execute_or_tell(line);
@@ -368,7 +383,8 @@ void Viewer::run_window() {
     const auto now = Clock::now();
     const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
     if (events.input || (waits && !timed_out)) awake = frames_after_event;
-    if (session_.recovery) session_.recovery->update(session_.document);
+    session_.keep();
+    tell_warnings();
     if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
     awake = session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
@@ -390,11 +406,13 @@ void Viewer::run_window() {
 
 void Viewer::run_headless() {
   session_.finish();
+  tell_warnings();
   after_loading();
   while ((!script_.done() || session_.series() != nullptr) && !session_.quit) {
     advance_script();
     try {
       session_.finish();
+      tell_warnings();
       after_loading();
       take_screenshots();
     } catch (const std::exception&) {

@@ -63,6 +63,7 @@ class Viewer {
   void advance_script();
   void take_events(const Events& events);
   void take_screenshots();
+  void tell_warnings();
   void print_log();
   void update_look(float scale);
   void update_aspect();

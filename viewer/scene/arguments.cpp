@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/mesh/handle.h"
 #include "viewer/scene/commands.h"
@@ -19,7 +20,57 @@ std::optional<T> parse(std::string_view word) {
   return value;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Where the quote that a text begins with is closed; npos where it is not.
+std::size_t closing_quote(std::string_view text) {
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == '"') return i;
+    if (text[i] == '\\') ++i;
+  }
+  return std::string_view::npos;
+}
+
+/// A backslash that stands before nothing special is one.
+std::string unquoted(std::string_view inside) {
+  std::string text;
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const char next = inside[i] == '\\' && i + 1 < inside.size() ? inside[i + 1] : '\0';
+    const bool escape = next == '"' || next == '\\' || next == 'n';
+    text += !escape ? inside[i] : next == 'n' ? '\n' : next;
+    i += escape ? 1 : 0;
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return result + '"';
+}
+
+std::string as_rest(const std::string& text) {
+  const bool plain = text.find_first_of("\"#\n\r") == std::string::npos && !text.empty() &&
+                     !is_blank(text.front()) && !is_blank(text.back());
+  return plain ? text : in_quotes(text);
+}
+
+std::string_view without_comment(std::string_view line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0 && !is_blank(line[i - 1])) continue;
+    if (line[i] == '#') return line.substr(0, i);
+    if (line[i] != '"') continue;
+    const std::size_t length = closing_quote(line.substr(i));
+    if (length == std::string_view::npos) return line;
+    i += length;
+  }
+  return line;
+}
 
 Arguments::Arguments(std::string_view command, std::string_view usage, std::string_view text)
     : command_(command), usage_(usage), text_(text) {
@@ -33,7 +84,7 @@ void Arguments::fail(const std::string& why) const {
 }
 
 void Arguments::skip_blanks() {
-  while (!text_.empty() && (text_.front() == ' ' || text_.front() == '\t')) text_.remove_prefix(1);
+  while (!text_.empty() && is_blank(text_.front())) text_.remove_prefix(1);
 }
 
 bool Arguments::done() {
@@ -43,23 +94,21 @@ bool Arguments::done() {
 
 std::string Arguments::word(std::string_view what) {
   if (done()) fail("give " + std::string(what));
-  const bool quoted = text_.front() == '"';
-  if (quoted) text_.remove_prefix(1);
-  const std::size_t end = quoted ? text_.find('"') : text_.find_first_of(" \t");
-  if (quoted && end == std::string_view::npos) fail("a quote is not closed");
-  const std::string result(text_.substr(0, end));
-  text_.remove_prefix(
-      std::min(text_.size(), end == std::string_view::npos ? end : end + (quoted ? 1 : 0)));
-  return result;
+  const bool has_quotes = text_.front() == '"';
+  const std::size_t end = has_quotes ? closing_quote(text_) : text_.find_first_of(" \t");
+  if (has_quotes && end == std::string_view::npos) fail("a quote is not closed");
+  const std::string_view whole = text_.substr(0, has_quotes ? end + 1 : end);
+  text_.remove_prefix(whole.size());
+  return has_quotes ? unquoted(whole.substr(1, end - 1)) : std::string(whole);
 }
 
 std::string Arguments::rest(std::string_view what) {
   if (done()) fail("give " + std::string(what));
-  std::string_view all = text_;
-  text_ = {};
-  if (all.size() > 1 && all.front() == '"' && all.back() == '"')
-    all = all.substr(1, all.size() - 2);
-  return std::string(all);
+  const std::string_view all = std::exchange(text_, {});
+  if (all.front() != '"') return std::string(all);
+  if (closing_quote(all) + 1 == all.size()) return unquoted(all.substr(1, all.size() - 2));
+  const bool ends_in_one = all.size() > 1 && all.back() == '"';
+  return std::string(ends_in_one ? all.substr(1, all.size() - 2) : all);
 }
 
 double Arguments::number(std::string_view what) {
@@ -81,6 +130,13 @@ long long Arguments::integer(std::string_view what) {
   const auto value = parse<long long>(text);
   if (!value) fail("'" + text + "' is not " + std::string(what));
   return *value;
+}
+
+long long Arguments::integer(std::string_view what, long long low, long long high) {
+  const double value = number(what, static_cast<double>(low), static_cast<double>(high));
+  if (value != std::trunc(value))
+    fail(std::string(what) + " is whole: " + significant(value) + " is not");
+  return static_cast<long long>(value);
 }
 
 std::string Arguments::one_of(const std::vector<std::string_view>& words) {

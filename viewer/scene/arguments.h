@@ -21,7 +21,7 @@ class Arguments {
   Arguments(std::string_view command, std::string_view usage, std::string_view text);
 
   [[nodiscard]] bool done();
-  /// The next word; quotes hold blanks together.
+  /// The next word; quotes hold blanks together, and \\" is a quote among them: see in_quotes().
   [[nodiscard]] std::string word(std::string_view what);
   /// All that is left, without quotes around it: a file name may hold blanks.
   [[nodiscard]] std::string rest(std::string_view what);
@@ -29,6 +29,8 @@ class Arguments {
   /// A number in [low, high].
   [[nodiscard]] double number(std::string_view what, double low, double high);
   [[nodiscard]] long long integer(std::string_view what);
+  /// A whole number in [low, high], both at most 2^53; "1e3" is one.
+  [[nodiscard]] long long integer(std::string_view what, long long low, long long high);
   /// One of two or more words.
   [[nodiscard]] std::string one_of(const std::vector<std::string_view>& words);
   /// What one of two or more words stands for.
@@ -60,6 +62,14 @@ class Arguments {
   std::string usage_;
   std::string_view text_;
 };
+
+/// A text as one word of a line, in quotes: word() and rest() read it back, whatever is in it.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+/// A text as the last words of a line: in quotes only where rest() would read something else.
+[[nodiscard]] std::string as_rest(const std::string& text);
+
+/// What stands before a comment: `#` begins one at the start of a word, but not in quotes.
+[[nodiscard]] std::string_view without_comment(std::string_view line);
 
 /// "vertex", "edge", "face" or "region" as 0 to 3.
 [[nodiscard]] std::optional<int> level_named(std::string_view word);

@@ -9,7 +9,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double largest_count = 1e9;
+constexpr long long largest_count = 1'000'000'000;
 
 /// A length factor, no limit, a number of faces and a spacing exclude each other.
 void no_other_aim(DecimationOptions& options) {
@@ -70,7 +70,7 @@ void target_faces(Session& session, Arguments& arguments) {
       text == "off"
           ? 0
           : static_cast<std::uint32_t>(Arguments("target-faces", "N|off", text)
-                                           .number("a number of faces", 1, largest_count));
+                                           .integer("a number of faces", 1, largest_count));
   arguments.end();
   set_with_angle(session, options);
 }

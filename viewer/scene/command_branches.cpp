@@ -3,6 +3,7 @@
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/history_places.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
@@ -62,9 +63,7 @@ void branch(Session& session, Arguments& arguments) {
     const unsigned id = number_of(document.tree(), arguments);
     session.play(false);
     document.switch_branch(id);
-    session.status = "Branch " + std::to_string(id) + ": operation " +
-                     grouped(document.journal().cursor()) + " of " +
-                     grouped(document.journal().size());
+    session.status = "Branch " + std::to_string(id) + ": " + place_words(document.journal());
   } else {
     const unsigned id = number_of(document.tree(), arguments);
     if (id == document.tree().present()) arguments.fail("the present branch cannot be removed");

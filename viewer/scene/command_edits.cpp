@@ -1,16 +1,17 @@
 #include <string>
 
 #include "viewer/scene/command_groups.h"
+#include "viewer/scene/history_places.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
 namespace {
 
-constexpr double largest_count = 1e9;
+constexpr long long largest_count = 1'000'000'000;
 
 std::size_t count_or_one(Arguments& arguments, std::string_view what) {
   if (arguments.done()) return 1;
-  const auto count = static_cast<std::size_t>(arguments.number(what, 1, largest_count));
+  const auto count = static_cast<std::size_t>(arguments.integer(what, 1, largest_count));
   arguments.end();
   return count;
 }
@@ -30,9 +31,8 @@ void start(Session& session, Arguments& arguments) {
 }
 
 void step(Session& session, Arguments& arguments) {
-  const auto count = arguments.done() ? 1
-                                      : static_cast<long long>(arguments.number(
-                                            "a number of steps", -largest_count, largest_count));
+  const long long count =
+      arguments.done() ? 1 : arguments.integer("a number of steps", -largest_count, largest_count);
   start(session, arguments);
   Document& document = session.document;
   if (count >= 0) {
@@ -42,8 +42,7 @@ void step(Session& session, Arguments& arguments) {
   const auto back = static_cast<std::size_t>(-count);
   const std::size_t cursor = document.journal().cursor();
   document.seek(back < cursor ? cursor - back : 0);
-  session.status = "Step back: operation " + grouped(document.journal().cursor()) + " of " +
-                   grouped(document.journal().size());
+  session.status = "Step back: " + place_words(document.journal());
 }
 
 void sweep(Session& session, Arguments& arguments) {

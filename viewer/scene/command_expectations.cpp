@@ -16,12 +16,15 @@ namespace {
 
 std::string flag_word(bool on) { return on ? "on" : "off"; }
 
-EntityRef entity(const Session& session, Arguments& arguments) {
-  const int dim = arguments.level();
+EntityRef entity(const Session& session, Arguments& arguments, int dim) {
   const long long id = arguments.integer("an id");
   const EntityRef e(dim, static_cast<std::uint32_t>(id));
   const Mesh& mesh = session.document.mesh();
   return id >= 0 && id < mesh.capacity(dim) && mesh.alive(e) ? e : EntityRef();
+}
+
+EntityRef entity(const Session& session, Arguments& arguments) {
+  return entity(session, arguments, arguments.level());
 }
 
 std::string ids_text(const std::vector<std::uint32_t>& ids) {
@@ -68,7 +71,7 @@ std::string verdict(Session& session, Arguments&) {
 
 /// Of the way in which a vertex goes.
 std::string verdict_of(Session& session, Arguments& arguments) {
-  const auto id = static_cast<std::uint32_t>(arguments.integer("the vertex that would go"));
+  const long long id = arguments.integer("the vertex that would go");
   const Judgement* judgement = session.judgement();
   if (judgement == nullptr) return "unknown";
   for (const CollapseWay& way : judgement->ways) {
@@ -146,16 +149,13 @@ std::string around(Session& session, Arguments& arguments) {
 }
 
 std::string direction(Session& session, Arguments& arguments) {
-  const auto face = static_cast<std::uint32_t>(arguments.integer("a face"));
-  const auto edge = static_cast<std::uint32_t>(arguments.integer("an edge"));
+  const EntityRef face = entity(session, arguments, 2), edge = entity(session, arguments, 1);
+  if (!face.valid() || !edge.valid()) return "gone";
   const Mesh& mesh = session.document.mesh();
-  if (face >= mesh.capacity(2) || !mesh.alive({2, face}) || edge >= mesh.capacity(1) ||
-      !mesh.alive({1, edge}))
-    return "gone";
   std::vector<std::uint32_t> edges;
-  adjacent(mesh, {2, face}, 1, edges);
-  if (std::find(edges.begin(), edges.end(), edge) == edges.end()) return "unused";
-  return mesh.use_direction(Face(face), Edge(edge)) ? "forwards" : "backwards";
+  adjacent(mesh, face, 1, edges);
+  if (std::find(edges.begin(), edges.end(), edge.index) == edges.end()) return "unused";
+  return mesh.use_direction(Face(face.index), Edge(edge.index)) ? "forwards" : "backwards";
 }
 
 struct Question {

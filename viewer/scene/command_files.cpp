@@ -21,7 +21,8 @@ void open(Session& session, Arguments& arguments) {
 void sample(Session& session, Arguments& arguments) {
   LoadRequest request;
   request.sample = arguments.word("a sample's name");
-  if (!arguments.done()) request.sample_size = static_cast<int>(arguments.number("a size", 0, 1e9));
+  if (!arguments.done())
+    request.sample_size = static_cast<int>(arguments.integer("a size", 0, 1'000'000'000));
   arguments.end();
   const auto known = samples();
   if (std::none_of(known.begin(), known.end(),

@@ -17,9 +17,7 @@ void start(Session& session, Arguments& arguments) {
 }
 
 void say_where(Session& session, const char* what) {
-  const Journal& journal = session.document.journal();
-  session.status = std::string(what) + ": operation " + grouped(journal.cursor()) + " of " +
-                   grouped(journal.size());
+  session.status = std::string(what) + ": " + place_words(session.document.journal());
 }
 
 void undo(Session& session, Arguments& arguments) {
@@ -74,7 +72,7 @@ void forward(Session& session, Arguments& arguments) {
   const auto count =
       arguments.done()
           ? 1
-          : static_cast<std::size_t>(arguments.number("a number of operations", 1, 1e9));
+          : static_cast<std::size_t>(arguments.integer("a number of operations", 1, 1'000'000'000));
   start(session, arguments);
   Document& document = session.document;
   const std::size_t known = document.journal().size() - document.journal().cursor();

@@ -21,8 +21,8 @@ void open_by_name(Session& session, const std::string& name, Arguments& argument
     for (const Lesson& each : lessons()) names += (names.empty() ? "" : ", ") + each.name;
     arguments.fail("there is no lesson '" + name + "', but " + names);
   }
-  const auto pages = static_cast<double>(lesson->pages.size());
-  const double page = arguments.done() ? 1 : arguments.number("a page", 1, pages);
+  const auto pages = static_cast<long long>(lesson->pages.size());
+  const long long page = arguments.done() ? 1 : arguments.integer("a page", 1, pages);
   arguments.end();
   session.lesson.open(session, *lesson, static_cast<std::size_t>(page) - 1);
 }

@@ -72,7 +72,7 @@ void topology(Session& session, Arguments& arguments) {
 
 void improve_passes(Session& session, Arguments& arguments) {
   DecimationOptions options = session.document.options();
-  options.improve_passes = static_cast<int>(arguments.number("a number of passes", 0, 1000));
+  options.improve_passes = static_cast<int>(arguments.integer("a number of passes", 0, 1000));
   arguments.end();
   session.document.set_options(options);
 }

@@ -11,7 +11,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double most_pictures = 100'000;
+constexpr long long most_pictures = 100'000;
 
 /// A picture that can be read again (io::max_image_pixels).
 glm::ivec2 picture_size(Arguments& arguments) {
@@ -50,7 +50,7 @@ void export_series(Session& session, Arguments& arguments) {
   };
   int count = 60;
   if (!arguments.done() && !is_size())
-    count = static_cast<int>(arguments.number("a number of pictures", 1, most_pictures));
+    count = static_cast<int>(arguments.integer("a number of pictures", 1, most_pictures));
   std::optional<glm::ivec2> size;
   if (!arguments.done()) size = picture_size(arguments);
   arguments.end();

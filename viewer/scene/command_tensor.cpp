@@ -10,7 +10,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr double most_buckets = 1e8;
+constexpr long long most_buckets = 100'000'000;
 
 /// Opens or closes a section; opening it turns to the page.
 void show(Session& session, bool& section, Arguments& arguments) {
@@ -25,8 +25,8 @@ void show(Session& session, bool& section, Arguments& arguments) {
 
 void build_set(Session& session, Arguments& arguments) {
   const int level = arguments.level(1);
-  double buckets = 0;
-  if (!arguments.done()) buckets = arguments.number("a number of buckets", 1, most_buckets);
+  long long buckets = 0;
+  if (!arguments.done()) buckets = arguments.integer("a number of buckets", 1, most_buckets);
   arguments.end();
   need_mesh(session);
   session.document.build_hash(level, static_cast<std::uint32_t>(buckets));

@@ -21,7 +21,7 @@ void unsaved(Session& session, Arguments& arguments) {
     if (file.empty())
       session.view.dialog = Dialog::Save;  // whose `save` goes on with the line
     else
-      execute(session, "save \"" + file.string() + "\"");
+      execute(session, "save " + in_quotes(file.string()));
     return;
   }
   session.view.dialog = Dialog::None;
@@ -33,12 +33,18 @@ void need_recovery(const Session& session) {
   if (!session.recovery) throw CommandError("recovery is off: start with --recovery");
 }
 
+std::string nothing_to_recover(const FoundWork& found) {
+  std::string text = "there is nothing to recover";
+  for (const std::string& why : found.unreadable) text += ", but what cannot be read: " + why;
+  return text;
+}
+
 std::size_t which(const Session& session, Arguments& arguments) {
   const long long number = arguments.done() ? 1 : arguments.integer("a number in the list");
   arguments.end();
   need_recovery(session);
-  const auto count = static_cast<long long>(session.found_work.size());
-  if (count == 0) throw CommandError("there is nothing to recover");
+  const auto count = static_cast<long long>(session.found_work.works.size());
+  if (count == 0) throw CommandError(nothing_to_recover(session.found_work));
   if (number < 1 || number > count)
     arguments.fail("there is no number " + std::to_string(number) + ", but 1 to " +
                    std::to_string(count));
@@ -50,15 +56,16 @@ void discard_found(Session& session, Arguments& arguments) {
   if (!again.done() && again.word("a number") == "all") {
     again.end();
     need_recovery(session);
-    for (const auto& work : session.found_work) discard(*work);
-    session.found_work.clear();
+    for (const auto& work : session.found_work.works) discard(*work);
+    session.found_work.works.clear();
   } else {
     const std::size_t i = which(session, arguments);
-    discard(*session.found_work[i]);
-    session.found_work.erase(session.found_work.begin() + static_cast<std::ptrdiff_t>(i));
+    discard(*session.found_work.works[i]);
+    session.found_work.works.erase(session.found_work.works.begin() +
+                                   static_cast<std::ptrdiff_t>(i));
   }
   session.status = "Discarded";
-  if (session.found_work.empty() && session.view.dialog == Dialog::Recovery)
+  if (session.found_work.works.empty() && session.view.dialog == Dialog::Recovery)
     session.view.dialog = Dialog::None;
 }
 
@@ -66,7 +73,7 @@ void recover(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   if (!again.done() && again.word("a number, or discard") == "discard")
     return discard_found(session, again);
-  const auto work = session.found_work[which(session, arguments)];
+  const auto work = session.found_work.works[which(session, arguments)];
   LoadRequest request = work->source;
   request.work = work;
   session.view.dialog = Dialog::None;

@@ -71,16 +71,18 @@ bool replaces_mesh(std::string_view line) {
 }  // namespace
 
 bool is_command(std::string_view line) {
-  return find_command(first_word(trimmed(line))) != nullptr;
+  return find_command(first_word(command_text(line))) != nullptr;
 }
 
 bool asks_first(Session& session, std::string_view line) {
-  line = trimmed(line);
+  line = command_text(line);
   if (!replaces_mesh(line) || !session.document.unsaved()) return false;
   session.asked = line;
   session.view.dialog = Dialog::Unsaved;
   return true;
 }
+
+std::string_view command_text(std::string_view line) { return trimmed(without_comment(line)); }
 
 std::string_view group_name(CommandGroup group) {
   constexpr std::string_view names[] = {"Files",     "Options", "Operations", "History",
@@ -89,8 +91,8 @@ std::string_view group_name(CommandGroup group) {
 }
 
 void execute(Session& session, std::string_view line) {
-  line = trimmed(line);
-  if (line.empty() || line.front() == '#') return;
+  line = command_text(line);
+  if (line.empty()) return;
   const std::string_view name = first_word(line);
   const Command* found = find_command(name);
   if (found == nullptr)
@@ -126,7 +128,9 @@ std::string commands_markdown() {
       "Menus, buttons, keys and scripts emit these commands; nothing else changes a session. In a "
       "script "
       "there is one a "
-      "line, and `#` starts a comment. A script waits for loading, running and playing to end "
+      "line, and `#` starts a comment where a word could begin. Quotes hold a word with blanks "
+      "together; in them `\\\"`, `\\\\` and `\\n` stand for a quote, a backslash and a line end. "
+      "A script waits for loading, running and playing to end "
       "before its "
       "next "
       "command, except before `cancel`, `pause` and `log`.\n";

@@ -47,6 +47,9 @@ struct Command {
 /// Every command, in the order in which they are listed.
 [[nodiscard]] std::span<const Command> commands();
 
+/// What a line asks for: without its comment, and without blanks around it.
+[[nodiscard]] std::string_view command_text(std::string_view line);
+
 /// Carries out one line; an empty one and a comment do nothing. Loading and running only start
 /// here: see Session::tick. Throws CommandError for what is wrong in the line, io::WriteError from
 /// `save`.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "viewer/scene/text.h"
+
 namespace aomd::scene {
 
 std::size_t next_command(const Document& document) {
@@ -38,6 +40,10 @@ std::size_t previous_phase(const Document& document) {
   const StepKind kind = journal.step(at - 1).kind;
   while (at > begin && journal.step(at - 1).kind == kind) --at;
   return at;
+}
+
+std::string place_words(const Journal& journal) {
+  return "operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
 }
 
 }  // namespace aomd::scene

@@ -2,6 +2,7 @@
 // Places of a history that one jumps to: where commands and phases begin.
 
 #include <cstddef>
+#include <string>
 
 #include "viewer/scene/document.h"
 
@@ -13,5 +14,8 @@ namespace aomd::scene {
 /// The same by phases: operations of one kind in a row, of one command. O(operations in between).
 [[nodiscard]] std::size_t next_phase(const Document& document);
 [[nodiscard]] std::size_t previous_phase(const Document& document);
+
+/// The present place in words: "operation 12 of 4,000".
+[[nodiscard]] std::string place_words(const Journal& journal);
 
 }  // namespace aomd::scene

@@ -90,6 +90,19 @@ std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   return loaded;
 }
 
+/// Puts the history, nothing of it applied, into a mesh that has just been loaded from the work's
+/// source. Throws io::ReadError when the mesh is not the one that the history starts from.
+void restore_history(LoadedMesh& loaded, const SavedWork& work) {
+  io::JournalFile file = io::read_journal(work.journal);
+  io::check_journal(file, work.journal.string(), loaded.mesh);
+  if (file.journal.size() != work.steps)
+    throw io::ReadError(work.journal.string(), {},
+                        "the journal is not as long as " + work.file.string() + " says");
+  const auto words = file.journal.words();
+  const auto steps = file.journal.steps();
+  loaded.journal.restore({words.begin(), words.end()}, {steps.begin(), steps.end()});
+}
+
 }  // namespace
 
 std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {

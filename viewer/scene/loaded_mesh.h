@@ -19,6 +19,7 @@
 #include "viewer/scene/box.h"
 #include "viewer/scene/camera.h"
 #include "viewer/scene/drawing_needs.h"
+#include "viewer/scene/load_request.h"
 #include "viewer/scene/skin.h"
 
 namespace aomd::scene {
@@ -36,20 +37,6 @@ struct GivenModel {
 struct FacetedOriginal {
   std::size_t step = 0;
   std::unique_ptr<const DiscreteModel> model;
-};
-
-struct SavedWork;
-
-/// What to load: a file, or a sample where `file` is empty.
-struct LoadRequest {
-  std::filesystem::path file;
-  std::string sample;                         ///< or the name of `data`
-  std::shared_ptr<const MeshData> data = {};  ///< instead of a sample; null: none
-  bool practice = false;                      ///< of a lesson: changes to it are no work to keep
-  int sample_size = 0;                        ///< 0 is the sample's own
-  ClassifyOptions classify;
-  bool recoverable = false;                    ///< takes the fingerprint that saved work needs
-  std::shared_ptr<const SavedWork> work = {};  ///< what had been done to it; null: nothing
 };
 
 /// Not movable: the mesh, its journal and its decimation hold on to each other.

@@ -20,6 +20,35 @@ constexpr std::chrono::seconds between_writings_of_a_run{2};
 constexpr int rest_per_work = 20;
 constexpr int most_names = 8;  // one process number may live on two machines that share a home
 
+/// A file is named so that it is found from wherever the program is started next.
+std::string spacing_of(const Document& document) {
+  const std::string source(document.spacing_source());
+  std::error_code ignored;
+  return fs::is_regular_file(source, ignored) ? fs::absolute(source, ignored).string() : source;
+}
+
+/// What of a document is to be kept now. The mesh must have come from a file or a sample.
+SavedWork work_of(const Document& document) {
+  SavedWork work;
+  work.source = document.content().source;
+  std::error_code ignored;
+  if (!work.source.file.empty()) work.source.file = fs::absolute(work.source.file, ignored);
+  work.source.work.reset();
+  work.cursor = document.journal().cursor();
+  work.steps = document.journal().size();
+  work.marks = document.marks();
+  for (const Bookmark& mark : document.tree().bookmarks())
+    if (mark.branch == 0) work.bookmarks.emplace_back(mark.name, mark.step);
+  // A run that has not made its first operation yet.
+  if (!work.marks.empty() && work.marks.back().begin >= work.steps) work.marks.pop_back();
+  work.options = document.options();
+  work.spacing = spacing_of(document);
+  work.classify = document.classify_options();
+  work.snaps = document.snaps();
+  if (document.lies_on_model()) work.model = fs::absolute(document.model()->file, ignored);
+  return work;
+}
+
 }  // namespace
 
 RecoveryKeeper::RecoveryKeeper(fs::path folder) : folder_(std::move(folder)) {}
@@ -37,6 +66,7 @@ bool RecoveryKeeper::lock() {
     file_ = folder_ / (name + ".json");
     lock_ = FileLock::take(folder_ / (name + ".lock"));
   }
+  if (!lock_) report(folder_.string() + ": cannot be written");
   return lock_ != nullptr;
 }
 
@@ -83,12 +113,12 @@ void RecoveryKeeper::start_writing(const Document& document) {
     try {
       io::write_journal(work.journal, file);
       io::write_file(work.file, saved_work_text(work));
-    } catch (const io::FileError&) {
+    } catch (const std::exception& error) {
       std::error_code ignored;
       fs::remove(work.journal, ignored);
-      return Written{};
+      return Written{{}, Clock::now() - begin, error.what()};
     }
-    return Written{work.journal, Clock::now() - begin};
+    return Written{work.journal, Clock::now() - begin, {}};
   });
 }
 
@@ -97,11 +127,17 @@ void RecoveryKeeper::take_written() {
   if (!writing_.valid() || writing_.wait_for(0s) != std::future_status::ready) return;
   const Written written = writing_.get();
   not_before_ = std::max(not_before_, Clock::now() + rest_per_work * written.time);
-  if (written.journal.empty()) return;
+  if (written.journal.empty()) return report(written.problem);
+  reported_ = false;
   std::error_code ignored;
   if (!journal_.empty()) fs::remove(journal_, ignored);
   journal_ = written.journal;
   if (const auto old = std::exchange(taken_over_, nullptr)) discard(*old);
+}
+
+/// Says it once, until a writing succeeds.
+void RecoveryKeeper::report(const std::string& problem) {
+  if (!std::exchange(reported_, true)) problem_ = "Unsaved work is not kept: " + problem;
 }
 
 void RecoveryKeeper::remove_files() {

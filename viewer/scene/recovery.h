@@ -6,14 +6,18 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
-#include "viewer/scene/saved_work.h"
+#include "viewer/scene/document.h"
+#include "viewer/scene/work_folder.h"
 
 namespace aomd::scene {
 
 /// Of one process. Writes in the background, a whole journal each time: after each command, and
 /// during a run every few seconds; never for more than a twentieth of the time. Files appear whole
-/// or not at all. Where the folder cannot be written nothing is kept, and nobody is bothered.
+/// or not at all. Where the folder cannot be written nothing is kept, which is said once.
 ///
 /// Kept are surfaces of triangles that came from a file or a sample: what can be decimated.
 class RecoveryKeeper {
@@ -35,6 +39,10 @@ class RecoveryKeeper {
   void write_now(const Document& document);
   /// The work has been restored here: its files go once this process has written its own.
   void take_over(std::shared_ptr<const SavedWork> work) { taken_over_ = std::move(work); }
+  /// Why work is not kept, once: a sentence.
+  [[nodiscard]] std::optional<std::string> take_problem() {
+    return std::exchange(problem_, std::nullopt);
+  }
   /// A clean end: nothing is left.
   void finish();
 
@@ -43,6 +51,7 @@ class RecoveryKeeper {
   [[nodiscard]] bool lock();
   void start_writing(const Document& document);
   void take_written();
+  void report(const std::string& problem);
   void remove_files();
 
   std::filesystem::path folder_;
@@ -57,8 +66,11 @@ class RecoveryKeeper {
   struct Written {
     std::filesystem::path journal;  ///< empty: it failed
     Clock::duration time{};
+    std::string problem;  ///< why it failed
   };
   std::future<Written> writing_;
+  std::optional<std::string> problem_;
+  bool reported_ = false;
 };
 
 }  // namespace aomd::scene

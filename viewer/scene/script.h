@@ -2,6 +2,7 @@
 // A script: commands from a file, one a line.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,14 @@ class ScriptError : public std::runtime_error {
 class Script {
  public:
   Script() = default;
-  /// Throws io::ReadError.
+  /// Throws io::ReadError for what is no file or cannot be read to its end.
   explicit Script(const std::filesystem::path& file);
 
   [[nodiscard]] bool done() const { return next_ >= lines_.size(); }
-  /// Carries out the next line once the session is idle, or asks for pictures that are not taken
-  /// yet; `cancel`, `pause` and `log` do not wait. Returns false where it had to wait. Throws
+  /// Has the next line carried out once the session is idle and the pictures that it asked for are
+  /// taken; `cancel`, `pause` and `log` do not wait. Returns false where it had to wait. Throws
   /// ScriptError.
-  bool advance(Session& session);
+  bool advance(const Session& session, const std::function<void(const std::string&)>& carry_out);
   /// To be called while what the last line started has thrown: throws ScriptError with that nested.
   [[noreturn]] void fail() const;
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "viewer/scene/history_places.h"
 #include "viewer/scene/text.h"
 
 namespace aomd::scene {
@@ -35,11 +36,6 @@ bool renew(std::optional<T>& kept, const T& now) {
   return true;
 }
 
-/// "operation 12 of 4,000"
-std::string place_words(const Journal& journal) {
-  return "operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
-}
-
 /// "7,160 faces", "165,295 regions"
 std::string size_words(const MeshFacts& facts) {
   return facts.regions > 0 ? counted(facts.regions, "region") : counted(facts.faces, "face");
@@ -50,10 +46,14 @@ std::string size_words(const MeshFacts& facts) {
 void Session::keep_work(const std::filesystem::path& folder) {
   recovery = std::make_unique<RecoveryKeeper>(folder);
   found_work = find_saved_work(folder);
+  for (const std::string& why : found_work.unreadable)
+    warnings.push_back("Unsaved work cannot be recovered, its files stay: " + why);
 }
 
 void Session::keep() {
-  if (recovery) recovery->update(document);
+  if (!recovery) return;
+  recovery->update(document);
+  if (auto problem = recovery->take_problem()) warnings.push_back(std::move(*problem));
 }
 
 void Session::start_loading(LoadRequest request) {
@@ -114,7 +114,7 @@ void Session::take_loaded(Loader::Result result) {
 /// What was found goes only once this program keeps it itself.
 void Session::restore(const SavedWork& work) {
   const auto shared = document.content().source.work;
-  std::erase(found_work, shared);
+  std::erase(found_work.works, shared);
   if (recovery) recovery->take_over(shared);
   document.restore(work);
   status = "Restored " + work.name() + ": " + counted(work.cursor, "operation") + ", " +

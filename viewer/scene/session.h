@@ -34,6 +34,7 @@
 #include "viewer/scene/surface_drawing.h"
 #include "viewer/scene/verdict_field.h"
 #include "viewer/scene/view.h"
+#include "viewer/scene/work_folder.h"
 
 namespace aomd::scene {
 
@@ -55,8 +56,8 @@ class Session {
   LessonPlayer lesson;
   std::uint64_t executed = 0;                ///< how many commands were carried out
   std::unique_ptr<RecoveryKeeper> recovery;  ///< null: unsaved work is not kept
-  std::vector<std::shared_ptr<const SavedWork>>
-      found_work;  ///< of programs that died, newest first
+  FoundWork found_work;                      ///< of programs that died
+  std::vector<std::string> warnings;         ///< what a user is to be told, whatever was asked for
 
   void start_loading(LoadRequest request);
   void cancel_loading();
@@ -96,6 +97,8 @@ class Session {
 
   /// Keeps unsaved work in a folder from now on, and looks for what others have left there.
   void keep_work(const std::filesystem::path& folder);
+  /// Has unsaved work written where that is due. Cheap where nothing has changed.
+  void keep();
 
   /// A mesh must be there. Ends a run.
   void start_series(PictureSeries::Kind kind, const std::filesystem::path& folder, int count,
@@ -183,7 +186,6 @@ class Session {
   void take_loaded(Loader::Result result);
   void take_comparison(bool wait);
   void restore(const SavedWork& work);
-  void keep();
   void come_to_rest();
   void advance_playing(double frame_s);
   void run_on(std::optional<std::chrono::microseconds> budget);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "viewer/scene/arguments.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
@@ -115,7 +116,8 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
       if (const auto source = frame.document().spacing_source(); drafts.spacing_source != source)
         drafts.spacing = drafts.spacing_source = source;
       ImGui::SetNextItemWidth(-1);
-      if (text_input("##spacing", drafts.spacing)) frame.emit("spacing " + drafts.spacing);
+      if (text_input("##spacing", drafts.spacing))
+        frame.emit("spacing " + scene::as_rest(drafts.spacing));
       tooltip(spacing_help);
       return;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "viewer/scene/arguments.h"
 #include "viewer/scene/commands.h"
 #include "viewer/scene/line_help.h"
 #include "viewer/ui/lessons_dialog.h"
@@ -64,7 +65,7 @@ std::string line_for(Dialog dialog, const std::filesystem::path& file) {
   const char* command = dialog == Dialog::Open   ? "open"
                         : dialog == Dialog::Save ? "save"
                                                  : "screenshot";
-  return std::string(command) + " \"" + file.string() + "\"";
+  return std::string(command) + " " + scene::in_quotes(file.string());
 }
 
 void draw_browser(Frame& frame, DialogState& state, bool appearing) {

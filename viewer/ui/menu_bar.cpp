@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/samples/samples.h"
+#include "viewer/scene/arguments.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -12,7 +13,7 @@ void recent_menu(Frame& frame, const RecentFiles& recent) {
   if (!ImGui::BeginMenu("Recent files", !recent.paths().empty())) return;
   for (const std::filesystem::path& path : recent.paths()) {
     if (ImGui::MenuItem((path.filename().string() + "##" + path.string()).c_str()))
-      frame.emit("open \"" + path.string() + "\"");
+      frame.emit("open " + scene::in_quotes(path.string()));
     tooltip(path.string());
   }
   ImGui::EndMenu();
@@ -57,7 +58,7 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
   export_menu(frame);
   ImGui::Separator();
-  if (!frame.session.found_work.empty()) {
+  if (!frame.session.found_work.works.empty()) {
     command_item(frame, "Recover unsaved work\u2026", "dialog recovery");
     ImGui::Separator();
   }

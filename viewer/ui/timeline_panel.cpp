@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "viewer/scene/history_places.h"
 #include "viewer/scene/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/timeline_controls.h"
@@ -56,7 +57,8 @@ void transport(Frame& frame) {
 /// "Operation 12 of 345: collapse of edge 678, in sweep"
 std::string where(const scene::Document& document) {
   const Journal& journal = document.journal();
-  std::string result = "Operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
+  std::string result = scene::place_words(journal);
+  result.front() = 'O';
   if (journal.cursor() == 0) return result + (journal.size() == 0 ? "" : ": as loaded");
   const JournalStep& step = journal.step(journal.cursor() - 1);
   result += std::string(": ") + step_name(step.kind);

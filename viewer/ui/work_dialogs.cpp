@@ -67,7 +67,7 @@ void unsaved_dialog(Frame& frame) {
 }
 
 void recovery_dialog(Frame& frame) {
-  const auto& found = frame.session.found_work;
+  const auto& found = frame.session.found_work.works;
   ImGui::PushTextWrapPos(0);
   muted(frame, found.empty()
                    ? "There is nothing to recover."
