@@ -5,6 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 below_decimate="core/base core/mesh core/model core/io core/operators core/decimate/options.h"
+scene="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons viewer/commands"
 declare -A may_include=(
   [core/base]="core/base"
   [core/mesh]="core/base core/mesh"
@@ -21,10 +22,15 @@ declare -A may_include=(
   [core/repair]="core/base core/mesh core/model core/io core/repair"
   [core/samples]="core/base core/mesh core/samples"
   [core/paper]="core/base core/mesh core/model core/operators core/decimate core/paper"
-  [viewer/scene]="core viewer/scene"
-  [viewer/render]="core viewer/scene viewer/render"
-  [viewer/ui]="core viewer/scene viewer/render viewer/ui"
-  [viewer/app]="core viewer/scene viewer/render viewer/ui viewer/app"
+  [viewer/base]="core $scene"
+  [viewer/document]="core $scene"
+  [viewer/drawing]="core $scene"
+  [viewer/explain]="core $scene"
+  [viewer/lessons]="core $scene"
+  [viewer/commands]="core $scene"
+  [viewer/render]="core $scene viewer/render"
+  [viewer/ui]="core $scene viewer/render viewer/ui"
+  [viewer/app]="core $scene viewer/render viewer/ui viewer/app"
   [tools/aomd]="core tools/aomd"
   [tools/bench]="core viewer tools/bench"
 )

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/session.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/session.h"
 
 namespace aomd::scene::test {
 

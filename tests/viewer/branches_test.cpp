@@ -12,7 +12,7 @@
 #include "core/mesh/verify.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/step_before.h"
+#include "viewer/drawing/step_before.h"
 
 namespace aomd::scene {
 namespace {

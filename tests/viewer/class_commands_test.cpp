@@ -9,8 +9,8 @@
 #include "core/mesh/verify.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/model_entity.h"
-#include "viewer/scene/selection_drawing.h"
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/model_entity.h"
 
 namespace aomd::scene {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/mesh/geometry.h"
 #include "tests/support/view_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/palette.h"
+#include "viewer/drawing/palette.h"
 
 namespace aomd::scene {
 namespace {

@@ -10,9 +10,9 @@
 #include "core/io/error.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/script.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/script.h"
 
 namespace aomd::scene {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/io/journal_file.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/lesson_texts.h"
+#include "viewer/lessons/lesson_texts.h"
 
 namespace aomd::scene {
 namespace {

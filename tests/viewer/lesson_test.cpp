@@ -7,7 +7,7 @@
 
 #include "core/io/error.h"
 #include "tests/support/message.h"
-#include "viewer/scene/lesson.h"
+#include "viewer/lessons/lesson.h"
 
 namespace aomd::scene {
 namespace {

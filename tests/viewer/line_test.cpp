@@ -7,8 +7,8 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/script.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/script.h"
 
 namespace aomd::scene {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 
 namespace aomd::scene {
 namespace {

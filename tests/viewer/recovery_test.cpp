@@ -19,7 +19,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/arguments.h"
+#include "viewer/commands/arguments.h"
 
 namespace aomd::scene {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/measure/distance.h"
 #include "core/measure/statistics.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/tables.h"
+#include "viewer/commands/tables.h"
 
 namespace aomd::scene {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/picking.h"
-#include "viewer/scene/selection_drawing.h"
+#include "viewer/drawing/picking.h"
+#include "viewer/drawing/selection_drawing.h"
 
 namespace aomd::scene {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/palette.h"
+#include "viewer/drawing/palette.h"
 
 namespace aomd::scene {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/stop_words.h"
-#include "viewer/scene/verdict_field.h"
+#include "viewer/document/why_stopped.h"
+#include "viewer/explain/edge_verdicts.h"
 
 namespace aomd::scene {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/tables.h"
+#include "viewer/commands/tables.h"
 
 namespace aomd::scene {
 namespace {

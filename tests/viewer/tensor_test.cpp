@@ -8,8 +8,8 @@
 #include "core/samples/samples.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/id_facts.h"
+#include "viewer/document/adjacency.h"
+#include "viewer/explain/id_facts.h"
 
 namespace aomd::scene {
 namespace {

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "viewer/app/window.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/session.h"
 #include "viewer/render/picture_target.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/shader_sources.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/session.h"
 
 namespace aomd {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/io/png.h"
 #include "core/measure/image_diff.h"
 #include "viewer/app/viewer.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/io/png.h"
-#include "viewer/scene/commands.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::app {
 namespace {

@@ -12,9 +12,9 @@
 #include "core/io/png.h"
 #include "core/model/gmsh_model.h"
 #include "core/samples/samples.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/commands.h"
 #include "viewer/render/picture_target.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/commands.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {

@@ -10,9 +10,9 @@
 
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
+#include "viewer/commands/script.h"
+#include "viewer/commands/session.h"
 #include "viewer/render/renderer.h"
-#include "viewer/scene/script.h"
-#include "viewer/scene/session.h"
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/interface.h"
 

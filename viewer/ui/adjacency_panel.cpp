@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/document/adjacency.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/widgets.h"
 

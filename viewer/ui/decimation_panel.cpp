@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/decimate/explain/explanation.h"
-#include "viewer/scene/text.h"
-#include "viewer/scene/verdict_field.h"
+#include "viewer/base/text.h"
+#include "viewer/explain/edge_verdicts.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/line_help.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/line_help.h"
 #include "viewer/ui/lessons_dialog.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/ui/work_dialogs.h"

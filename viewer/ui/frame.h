@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/scene/session.h"
+#include "viewer/commands/session.h"
 #include "viewer/ui/theme.h"
 
 namespace aomd::ui {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

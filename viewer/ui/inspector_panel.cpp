@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/scalar_field.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/document/adjacency.h"
+#include "viewer/drawing/scalar_field.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"

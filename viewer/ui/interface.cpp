@@ -6,8 +6,8 @@
 
 #include <imgui_internal.h>  // ClosePopupToLevel
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/commands.h"
 #include "viewer/ui/menu_bar.h"
 #include "viewer/ui/orientation_axes.h"
 #include "viewer/ui/scene_labels.h"

@@ -4,9 +4,9 @@
 
 #include "core/decimate/explain/explanation.h"
 #include "core/mesh/names.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/palette.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/drawing/palette.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"

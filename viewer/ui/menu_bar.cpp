@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/samples/samples.h"
-#include "viewer/scene/arguments.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

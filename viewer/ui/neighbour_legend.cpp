@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/inspection.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/explain/entity_facts.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/mesh/derive.h"
-#include "viewer/scene/inspection.h"
-#include "viewer/scene/picking.h"
-#include "viewer/scene/selection_drawing.h"
+#include "viewer/drawing/picking.h"
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/entity_facts.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

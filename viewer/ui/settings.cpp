@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "core/io/io.h"
-#include "viewer/scene/lesson.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/lessons/lesson.h"
 #include "viewer/ui/command_palette.h"
 #include "viewer/ui/recent_files.h"
 

@@ -1,4 +1,4 @@
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

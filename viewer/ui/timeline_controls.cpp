@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/scene/history_places.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/document/history_places.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/timeline_controls.h"
 #include "viewer/ui/widgets.h"
