@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "viewer/commands/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/layout.h"
 
 namespace aomd::test {

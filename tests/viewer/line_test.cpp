@@ -30,9 +30,9 @@ TEST(Lines, ANumberOfThingsIsWhole) {
         "target-faces 10.5", "hash-sets build edge 1.5", "export turntable nowhere 2.5",
         "lesson stored 1.5", "seek 1.5", "undo 1.5"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
-  EXPECT_EQ(s.document.journal().size(), 0u);
+  EXPECT_EQ(s.document().journal().size(), 0u);
   drive(s, {"step 1e1"});
-  EXPECT_EQ(s.document.journal().cursor(), 10u);
+  EXPECT_EQ(s.document().journal().cursor(), 10u);
 }
 
 TEST(Lines, AnIdThatIsTooLargeIsNoOther) {
@@ -53,8 +53,8 @@ TEST(Lines, ACommentBeginsWhereAWordCould) {
   EXPECT_EQ(without_comment("log \"a # b"), "log \"a # b");
   Session s;
   drive(s, {"factor 3.5 # longer", "# open nothing", "sample sphere 8 # small", "step # one"});
-  EXPECT_EQ(s.document.options().factor, 3.5);
-  EXPECT_EQ(s.document.journal().cursor(), 1u);
+  EXPECT_EQ(s.document().options().factor, 3.5);
+  EXPECT_EQ(s.document().journal().cursor(), 1u);
 }
 
 TEST(Lines, QuotesGiveBackEveryText) {
@@ -83,7 +83,7 @@ TEST(Lines, FilesOfAnyNameAreOpened) {
     const std::string file = (folder / "").string() + name;
     Session s;
     drive(s, {"sample sphere 8", "save " + in_quotes(file), "open " + in_quotes(file)});
-    EXPECT_EQ(s.document.content().file, file);
+    EXPECT_EQ(s.document().content().file, file);
   }
 }
 
@@ -96,7 +96,7 @@ std::string factor_after(Script script) {
   Session s;
   while (!script.done())
     if (!script.advance(s, [&](const std::string& line) { execute(s, line); })) s.finish();
-  return std::to_string(s.document.options().factor);
+  return std::to_string(s.document().options().factor);
 }
 
 TEST(Script, AByteOrderMarkIsNoPartOfTheFirstLine) {

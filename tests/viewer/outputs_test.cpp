@@ -205,7 +205,7 @@ TEST(Series, TakesOnePictureAfterTheOtherAndPutsEverythingBack) {
   execute(s, "export history " + (folder / "h").string() + " 4");
   EXPECT_FALSE(s.idle());
   EXPECT_EQ(take_all(s), 4);
-  EXPECT_EQ(s.document.journal().cursor(), 5u);
+  EXPECT_EQ(s.document().journal().cursor(), 5u);
   EXPECT_TRUE(s.view.operation);
   execute(s, "export turntable " + (folder / "t").string() + " 7 64x64");
   EXPECT_EQ(take_all(s), 7);
@@ -219,10 +219,10 @@ TEST(Series, CancelPutsEverythingBackToo) {
   scene::test::drive(s, {"sample sphere 12", "step 9"});
   execute(s, "export history " + (folder / "h").string() + " 4");
   s.advance_series();
-  EXPECT_EQ(s.document.journal().cursor(), 0u);
+  EXPECT_EQ(s.document().journal().cursor(), 0u);
   EXPECT_THROW(execute(s, "step"), CommandError);  // it would be in the pictures
   execute(s, "cancel");
-  EXPECT_EQ(s.document.journal().cursor(), 9u);
+  EXPECT_EQ(s.document().journal().cursor(), 9u);
   EXPECT_TRUE(s.screenshots.empty());
   EXPECT_NO_THROW(execute(s, "step"));
 }

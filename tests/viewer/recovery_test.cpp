@@ -34,7 +34,7 @@ void work_and_die(const fs::path& folder, std::initializer_list<std::string_view
   Session s;
   s.keep_work(folder);
   drive(s, lines);
-  s.recovery->write_now(s.document);
+  s.recovery->write_now(s.document());
 }
 
 void expect_same(const Document& a, const Document& b) {
@@ -56,17 +56,17 @@ TEST(Recovery, BringsBackMeshHistoryAndOptions) {
   ASSERT_EQ(s.found_work.works.size(), 1u);
   EXPECT_EQ(s.found_work.works[0]->name(), "bracket");
   drive(s, {"recover"});
-  expect_same(s.document, expected.document);
-  EXPECT_TRUE(verify(s.document.mesh()).empty());
-  EXPECT_TRUE(s.document.unsaved());
-  EXPECT_EQ(s.document.options().factor, expected.document.options().factor);
-  EXPECT_EQ(s.document.options().angle_deg, 33);
-  EXPECT_EQ(s.document.spacing_source(), "3 * h");
-  EXPECT_EQ(s.document.classify_options().feature_angle_deg, 35);
-  EXPECT_EQ(s.loaded_facts(), expected.loaded_facts());
+  expect_same(s.document(), expected.document());
+  EXPECT_TRUE(verify(s.document().mesh()).empty());
+  EXPECT_TRUE(s.document().unsaved());
+  EXPECT_EQ(s.document().options().factor, expected.document().options().factor);
+  EXPECT_EQ(s.document().options().angle_deg, 33);
+  EXPECT_EQ(s.document().spacing_source(), "3 * h");
+  EXPECT_EQ(s.document().classify_options().feature_angle_deg, 35);
+  EXPECT_EQ(s.sheet().loaded_facts(), expected.sheet().loaded_facts());
   drive(s, {"redo", "sweep"});
   drive(expected, {"redo", "sweep"});
-  expect_same(s.document, expected.document);
+  expect_same(s.document(), expected.document());
 }
 
 TEST(Recovery, FromAFileWhereverTheProgramIsStartedNext) {
@@ -80,8 +80,8 @@ TEST(Recovery, FromAFileWhereverTheProgramIsStartedNext) {
   Session s;
   s.keep_work(folder / "kept");
   drive(s, {"recover"});
-  EXPECT_EQ(s.document.journal().cursor(), 20u);
-  EXPECT_EQ(s.document.content().name, "ball.obj");
+  EXPECT_EQ(s.document().journal().cursor(), 20u);
+  EXPECT_EQ(s.document().content().name, "ball.obj");
 }
 
 TEST(Recovery, ACleanEndLeavesNothing) {
@@ -89,7 +89,7 @@ TEST(Recovery, ACleanEndLeavesNothing) {
   Session s;
   s.keep_work(folder / "");
   drive(s, {"sample sphere 12", "step 3"});
-  s.recovery->write_now(s.document);
+  s.recovery->write_now(s.document());
   EXPECT_EQ(folder.entries(), 3u);  // the lock, the work and its journal
   s.recovery->finish();
   EXPECT_EQ(folder.entries(), 0u);
@@ -100,7 +100,7 @@ TEST(Recovery, WhatIsSavedOrTakenBackIsNotKept) {
   Session s;
   s.keep_work(folder / "kept");
   const auto kept = [&] {
-    s.recovery->write_now(s.document);
+    s.recovery->write_now(s.document());
     return !fs::exists(folder / "kept")
                ? 0
                : std::distance(fs::directory_iterator(folder / "kept"), {});
@@ -122,12 +122,12 @@ TEST(Recovery, WorkOfALivingProgramIsNotOffered) {
   Session alive;
   alive.keep_work(folder / "");
   drive(alive, {"sample sphere 12", "step 3"});
-  alive.recovery->write_now(alive.document);
+  alive.recovery->write_now(alive.document());
   Session other;
   other.keep_work(folder / "");
   EXPECT_TRUE(other.found_work.works.empty());
   drive(other, {"sample sphere 10", "step 2"});  // under a name of its own
-  other.recovery->write_now(other.document);
+  other.recovery->write_now(other.document());
   EXPECT_EQ(folder.entries(), 6u);
   alive.recovery->finish();
   EXPECT_EQ(folder.entries(), 3u);
@@ -158,7 +158,7 @@ TEST(Recovery, RestoredWorkIsKeptAgainBeforeTheOldFilesGo) {
     ASSERT_EQ(s.found_work.works.size(), 2u);
     drive(s, {"recover", "step"});
     EXPECT_EQ(s.found_work.works.size(), 1u);
-    s.recovery->write_now(s.document);
+    s.recovery->write_now(s.document());
   }
   Session s;
   s.keep_work(folder / "");
@@ -193,7 +193,7 @@ TEST(Recovery, AChangedSourceIsAnErrorThatKeepsMeshAndWork) {
   s.keep_work(folder / "kept");
   drive(s, {"sample torus 8"});
   EXPECT_THROW(drive(s, {"recover"}), io::ReadError);
-  EXPECT_EQ(s.document.content().name, "torus");
+  EXPECT_EQ(s.document().content().name, "torus");
   EXPECT_EQ(s.found_work.works.size(), 1u);
 }
 
@@ -311,7 +311,7 @@ TEST(Recovery, NamesNeedNotBeUtf8) {
   Session made;
   drive(made, {"sample sphere 10", "save " + in_quotes(file)});
   std::ofstream out(lengths);
-  for (std::int64_t i = 0; i < made.document.mesh().count(0); ++i) out << "0.5\n";
+  for (std::int64_t i = 0; i < made.document().mesh().count(0); ++i) out << "0.5\n";
   out.close();
   work_and_die(folder / "kept", {"open " + in_quotes(file), "spacing " + in_quotes(lengths),
                                  "step 8", "bookmark caf\xe9"});
@@ -319,10 +319,10 @@ TEST(Recovery, NamesNeedNotBeUtf8) {
   s.keep_work(folder / "kept");
   ASSERT_EQ(s.found_work.works.size(), 1u);
   drive(s, {"recover"});
-  EXPECT_EQ(s.document.content().file, file);
-  EXPECT_EQ(s.document.journal().cursor(), 8u);
-  EXPECT_EQ(s.document.spacing_source(), lengths);
-  EXPECT_NE(s.document.tree().find_bookmark("caf\xe9"), nullptr);
+  EXPECT_EQ(s.document().content().file, file);
+  EXPECT_EQ(s.document().journal().cursor(), 8u);
+  EXPECT_EQ(s.document().spacing_source(), lengths);
+  EXPECT_NE(s.document().tree().find_bookmark("caf\xe9"), nullptr);
 }
 
 TEST(Recovery, AFileOfLengthsIsFoundFromWhereverTheProgramIsStartedNext) {
@@ -330,7 +330,7 @@ TEST(Recovery, AFileOfLengthsIsFoundFromWhereverTheProgramIsStartedNext) {
   std::ofstream out(folder / "lengths.txt");
   Session made;
   drive(made, {"sample sphere 10"});
-  for (std::int64_t i = 0; i < made.document.mesh().count(0); ++i) out << "0.5\n";
+  for (std::int64_t i = 0; i < made.document().mesh().count(0); ++i) out << "0.5\n";
   out.close();
   const fs::path here = fs::current_path();
   fs::current_path(folder / "");
@@ -339,7 +339,7 @@ TEST(Recovery, AFileOfLengthsIsFoundFromWhereverTheProgramIsStartedNext) {
   Session s;
   s.keep_work(folder / "kept");
   drive(s, {"recover"});
-  EXPECT_EQ(s.document.spacing_source(), (folder / "lengths.txt").string());
+  EXPECT_EQ(s.document().spacing_source(), (folder / "lengths.txt").string());
 }
 
 TEST(Recovery, AJournalElsewhereIsNotRead) {
@@ -364,7 +364,7 @@ TEST(Recovery, ThatWorkIsNotKeptIsSaidOnce) {
       "Unsaved work is not kept: /proc/nowhere: cannot be written"};
   EXPECT_EQ(s.warnings, expected);
   s.recovery->finish();
-  EXPECT_EQ(s.document.journal().cursor(), 5u);
+  EXPECT_EQ(s.document().journal().cursor(), 5u);
 }
 
 TEST(Recovery, AWritingThatFailsIsSaidUntilOneSucceeds) {
@@ -374,13 +374,13 @@ TEST(Recovery, AWritingThatFailsIsSaidUntilOneSucceeds) {
   Session s;
   s.keep_work(folder / "");
   drive(s, {"sample sphere 12", "step 3"});
-  s.recovery->write_now(s.document);
+  s.recovery->write_now(s.document());
   s.keep();
   ASSERT_EQ(s.warnings.size(), 1u);
   EXPECT_EQ(s.warnings[0].rfind("Unsaved work is not kept: " + (folder / "").string(), 0), 0u)
       << s.warnings[0];
   drive(s, {"step"});
-  s.recovery->write_now(s.document);
+  s.recovery->write_now(s.document());
   s.keep();
   EXPECT_EQ(s.warnings.size(), 1u);
   EXPECT_TRUE(fs::exists(folder / "" / (name + "-2.journal")));
@@ -424,12 +424,12 @@ TEST(Recovery, AProgramKilledInTheMiddleOfARunLosesNextToNothing) {
 
   Session expected;
   drive(expected, {"sample scan", "factor 6", "run"});
-  ASSERT_GE(expected.document.journal().size(), cursor);
-  RecordProperty("operations", static_cast<int>(expected.document.journal().size()));
+  ASSERT_GE(expected.document().journal().size(), cursor);
+  RecordProperty("operations", static_cast<int>(expected.document().journal().size()));
   RecordProperty("kept", static_cast<int>(cursor));
   drive(expected, {"seek " + std::to_string(cursor)});
-  EXPECT_EQ(io::fingerprint(s.document.mesh()), io::fingerprint(expected.document.mesh()));
-  EXPECT_TRUE(verify(s.document.mesh()).empty());
+  EXPECT_EQ(io::fingerprint(s.document().mesh()), io::fingerprint(expected.document().mesh()));
+  EXPECT_TRUE(verify(s.document().mesh()).empty());
 }
 
 /// Steps and options without end, so that at any moment something is being written.
@@ -464,9 +464,9 @@ TEST(Recovery, WhateverTheMomentOfDeathTheWorkOpens) {
     const std::size_t cursor = s.found_work.works[0]->cursor;
     const std::size_t steps = s.found_work.works[0]->steps;
     drive(s, {"recover"});
-    EXPECT_EQ(s.document.journal().cursor(), cursor);
-    EXPECT_EQ(s.document.journal().size(), steps);
-    EXPECT_TRUE(verify(s.document.mesh()).empty());
+    EXPECT_EQ(s.document().journal().cursor(), cursor);
+    EXPECT_EQ(s.document().journal().size(), steps);
+    EXPECT_TRUE(verify(s.document().mesh()).empty());
   }
   EXPECT_GE(kept, 10);
 }

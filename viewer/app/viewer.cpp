@@ -14,6 +14,7 @@
 #include "core/samples/samples.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/lesson_commands.h"
 #include "viewer/render/picture_target.h"
 #include "viewer/ui/widgets.h"
 
@@ -152,11 +153,11 @@ void Viewer::update_aspect() {
   const ui::Layout layout =
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, interface_.bars, em_);
   const double before = session_.view.aspect;
-  const ui::Area picture = ui::picture_area(layout.viewport, session_.side_by_side(), true);
+  const ui::Area picture = ui::picture_area(layout.viewport, session_.sheet().side_by_side(), true);
   session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   session_.view.height_px = picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
-  if (!session_.document.empty())
+  if (!session_.document().empty())
     session_.view.camera.distance *=
         std::min(before, widest) / std::min(session_.view.aspect, widest);
 }
@@ -165,14 +166,14 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
   settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
-  settings.show_edge_codes = session_.verdicts() != nullptr;
+  settings.show_edge_codes = session_.sheet().verdicts() != nullptr;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
-  settings.glass = session_.view.interior_edges && !session_.document.empty() &&
-                   session_.document.content().volume();
-  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
-    settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
+  settings.glass = session_.view.interior_edges && !session_.document().empty() &&
+                   session_.document().content().volume();
+  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document().empty())
+    settings.clip_plane = clip->plane(session_.document().content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
@@ -191,11 +192,11 @@ void Viewer::lay_out_frame() {
 /// One picture, or two of the same size with a line between them.
 void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect,
                         GLuint destination, bool transparent) {
-  buffers_.upload(session_.drawing().drawable());
-  scene::SurfaceDrawing* original = session_.original_drawing();
+  buffers_.upload(session_.sheet().drawing().drawable());
+  scene::SurfaceDrawing* original = session_.sheet().reference_drawing();
   if (original != nullptr) original_buffers_.upload(original->drawable());
   render::RenderSettings how = settings(transparent);
-  if (original == nullptr || !session_.side_by_side()) {
+  if (original == nullptr || !session_.sheet().side_by_side()) {
     if (original != nullptr) how.ghost = &original_buffers_;
     renderer_.render(buffers_, camera, how, rect, destination);
     return;
@@ -325,11 +326,9 @@ void Viewer::take_model(const std::string& line) {
 /// A mesh has arrived: remember its file; what the command line says about the camera holds for the
 /// first one.
 void Viewer::after_loading() {
-  const std::uint64_t generation = session_.document.place().generation;
-  if (session_.document.empty() || generation == seen_generation_) return;
-  const bool first = seen_generation_ == 0;
-  seen_generation_ = generation;
-  const scene::LoadedMesh& content = session_.document.content();
+  if (!session_.take_arrival()) return;
+  const bool first = !std::exchange(shown_any_, true);
+  const scene::LoadedMesh& content = session_.document().content();
   window_.set_title(content.name + " \u2013 AOMD Studio");
   if (!content.file.empty()) interface_.recent.add(content.file);
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
@@ -340,6 +339,7 @@ void Viewer::after_loading() {
 void Viewer::tick(double frame_s) {
   try {
     session_.tick(std::clamp(drawing_time_, least_budget, most_budget), frame_s);
+    scene::update_lesson(session_);
     after_loading();
   } catch (const std::exception& error) {
     if (in_script_) script_.fail();
@@ -404,15 +404,19 @@ void Viewer::run_window() {
   if (session_.recovery) session_.recovery->finish();
 }
 
-void Viewer::run_headless() {
+void Viewer::finish() {
   session_.finish();
+  scene::update_lesson(session_);
   tell_warnings();
+}
+
+void Viewer::run_headless() {
+  finish();
   after_loading();
   while ((!script_.done() || session_.series() != nullptr) && !session_.quit) {
     advance_script();
     try {
-      session_.finish();
-      tell_warnings();
+      finish();
       after_loading();
       take_screenshots();
     } catch (const std::exception&) {

@@ -11,8 +11,8 @@
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
 #include "viewer/commands/script.h"
-#include "viewer/commands/session.h"
 #include "viewer/render/renderer.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/interface.h"
 
@@ -60,6 +60,7 @@ class Viewer {
   void tick(double frame_s);
   void take_model(const std::string& line);
   void after_loading();
+  void finish();
   void advance_script();
   void take_events(const Events& events);
   void take_screenshots();
@@ -94,7 +95,7 @@ class Viewer {
   float scale_ = 0;                 ///< what fonts and theme were made for
   scene::Theme theme_ = scene::Theme::Light;
   float em_ = 16;
-  std::uint64_t seen_generation_ = 0;
+  bool shown_any_ = false;  ///< a mesh has arrived already
   bool in_script_ = false;
   std::chrono::microseconds drawing_time_{0};  ///< of the last frame in the window
 };

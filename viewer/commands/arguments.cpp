@@ -7,7 +7,7 @@
 
 #include "core/mesh/handle.h"
 #include "viewer/base/text.h"
-#include "viewer/commands/commands.h"
+#include "viewer/commands/command_error.h"
 
 namespace aomd::scene {
 namespace {
@@ -188,17 +188,6 @@ ModelRef Arguments::model_entity() {
 
 void Arguments::end() {
   if (!done()) fail("'" + std::string(text_) + "' is too much");
-}
-
-std::optional<int> level_named(std::string_view word) {
-  for (int level = 0; level < 4; ++level)
-    if (word == entity_name(level)) return level;
-  return {};
-}
-
-std::string model_entity_text(ModelRef ref) {
-  if (!ref.valid()) return {};
-  return std::string(entity_name(ref.dimension())) + ":" + std::to_string(ref.tag());
 }
 
 }  // namespace aomd::scene

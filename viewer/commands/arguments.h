@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/mesh/model_ref.h"
+#include "viewer/base/entity_text.h"
 
 namespace aomd::scene {
 
@@ -70,11 +71,5 @@ class Arguments {
 
 /// What stands before a comment: `#` begins one at the start of a word, but not in quotes.
 [[nodiscard]] std::string_view without_comment(std::string_view line);
-
-/// "vertex", "edge", "face" or "region" as 0 to 3.
-[[nodiscard]] std::optional<int> level_named(std::string_view word);
-
-/// "face:3": what model_entity() reads. Empty for what is not classified.
-[[nodiscard]] std::string model_entity_text(ModelRef ref);
 
 }  // namespace aomd::scene

@@ -27,10 +27,10 @@ Cell cell(Arguments& arguments) {
 void adjacency(Session& session, Arguments& arguments) {
   const auto [i, j] = cell(arguments);
   need_mesh(session);
-  const bool on = arguments.flag(adjacency_cell(session.document.mesh(), i, j).set);
+  const bool on = arguments.flag(adjacency_cell(session.document().mesh(), i, j).set);
   arguments.end();
-  const AdjacencyChange& change = session.document.set_adjacency(i, j, on);
-  session.status = change_words(session.document.mesh(), change);
+  const AdjacencyChange& change = session.document().set_adjacency(i, j, on);
+  session.status = change_words(session.document().mesh(), change);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void expect_adjacency(Session& session, Arguments& arguments) {
     arguments.fail("'" + sign + "' is not =");
   const std::string text = arguments.one_of({"on", "off"});
   arguments.end();
-  const bool stored = session.document.mesh().stored(i, j);
+  const bool stored = session.document().mesh().stored(i, j);
   if (stored != (text == "on"))
     throw ExpectationMissed("expected " + relation_name(i, j) + " to be " + text + ", but it is " +
                             (stored ? "on" : "off"));

@@ -20,33 +20,33 @@ void no_other_aim(DecimationOptions& options) {
 
 /// Sets a strategy or an aim. An angle that is the usual one follows.
 void set_with_angle(Session& session, DecimationOptions options) {
-  const DecimationOptions& before = session.document.options();
+  const DecimationOptions& before = session.document().options();
   if (before.angle_deg == usual_angle_deg(before.strategy, before.coarsest))
     options.angle_deg = usual_angle_deg(options.strategy, options.coarsest);
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 void strategy(Session& session, Arguments& arguments) {
   const std::string text = arguments.one_of({"paper", "quality"});
   arguments.end();
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.strategy = text == "paper" ? Strategy::Paper : Strategy::Quality;
   const double before = options.angle_deg;
   set_with_angle(session, options);
-  if (const double now = session.document.options().angle_deg; now != before)
+  if (const double now = session.document().options().angle_deg; now != before)
     session.status =
         "The angle limit is " + short_number(now) + " degrees now, as usual for " + text;
 }
 
 void regularity(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.regularity = arguments.number("a regularity", 0, 1);
   arguments.end();
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 void factor(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.factor = arguments.number("a factor", 1, 1e6);
   arguments.end();
   no_other_aim(options);
@@ -54,7 +54,7 @@ void factor(Session& session, Arguments& arguments) {
 }
 
 void coarsest(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   const bool on = arguments.flag(options.coarsest);
   arguments.end();
   if (on) no_other_aim(options);
@@ -64,7 +64,7 @@ void coarsest(Session& session, Arguments& arguments) {
 
 void target_faces(Session& session, Arguments& arguments) {
   const std::string text = arguments.word("a number of faces, or off");
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   if (text != "off") no_other_aim(options);
   options.target_faces =
       text == "off"
@@ -77,21 +77,21 @@ void target_faces(Session& session, Arguments& arguments) {
 
 void spacing(Session& session, Arguments& arguments) {
   const std::string text = arguments.rest("a file, a formula, curvature or off");
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   if (text == "off") {
     options.spacing.reset();
-    session.document.set_options(options);
+    session.document().set_options(options);
     return;
   }
   need_decimable(session);
   session.play(false);
   try {
-    session.document.set_spacing(expanded(text).string());
+    session.document().set_spacing(expanded(text).string());
   } catch (const std::invalid_argument& error) {
     throw CommandError(error.what());
   }
   no_other_aim(options);
-  options.spacing = session.document.options().spacing;
+  options.spacing = session.document().options().spacing;
   set_with_angle(session, options);
 }
 

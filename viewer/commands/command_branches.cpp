@@ -17,7 +17,7 @@ std::string free_name(const HistoryTree& tree) {
 
 void bookmark(Session& session, Arguments& arguments) {
   need_mesh(session);
-  Document& document = session.document;
+  Document& document = session.document();
   Arguments again = arguments;
   if (!again.done() && again.word("a name") == "remove" && !again.done()) {
     const std::string name = again.rest("a bookmark's name");
@@ -52,7 +52,7 @@ std::string branch_list(const Document& document) {
 
 void branch(Session& session, Arguments& arguments) {
   need_mesh(session);
-  Document& document = session.document;
+  Document& document = session.document();
   const std::string what = arguments.one_of({"list", "switch", "remove"});
   if (what == "list") {
     arguments.end();

@@ -21,8 +21,8 @@ void camera(Session& session, Arguments& arguments) {
   }
   const bool pasted = text == "paste";
   if (pasted) text = session.clipboard.get().substr(0, longest_camera_text);
-  const CameraSpec spec = parse_camera(text, session.view.camera, session.document.content().bounds,
-                                       session.view.aspect);
+  const CameraSpec spec = parse_camera(text, session.view.camera,
+                                       session.document().content().bounds, session.view.aspect);
   if (!spec.camera && pasted) throw CommandError("the clipboard holds no camera: " + spec.error);
   if (!spec.camera) arguments.fail(spec.error);
   session.view.camera = *spec.camera;
@@ -32,7 +32,7 @@ void camera(Session& session, Arguments& arguments) {
 /// The middle of entities, so near that what is around them shows with `context` times as much.
 void look_at(Session& session, std::span<const EntityRef> entities,
              std::span<const EntityRef> around, double context) {
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   Camera& camera = session.view.camera;
   const double far = camera.distance;
   camera.fit(box_of(mesh, around), session.view.aspect);
@@ -44,18 +44,18 @@ void look_at(Session& session, std::span<const EntityRef> entities,
 void fit_entities(Session& session, std::span<const EntityRef> entities) {
   constexpr double context = 5, around_vertex = 2.5;
   if (entities.empty())
-    return session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+    return session.view.camera.fit(session.document().content().bounds, session.view.aspect);
   if (entities.size() > 1 || entities[0].dimension != 0)
     return look_at(session, entities, entities, context);
   Selection one;
   one.replace({entities[0]});
-  look_at(session, entities, grown(session.document.mesh(), one), around_vertex);
+  look_at(session, entities, grown(session.document().mesh(), one), around_vertex);
 }
 
 void fit_selection(Session& session) {
   constexpr double around_ring = 1.4;
-  const auto selected = session.selection.entities();
-  if (const Neighbours* lit = session.neighbours(); lit && !lit->entities.empty())
+  const auto selected = session.sheet().selection.entities();
+  if (const Neighbours* lit = session.sheet().inquiry().neighbours(); lit && !lit->entities.empty())
     return look_at(session, selected, lit->entities, around_ring);
   fit_entities(session, selected);
 }
@@ -65,7 +65,7 @@ void fit_model_entity(Session& session, Arguments& arguments) {
   constexpr double margin = 1.25;
   const ModelRef ref = arguments.model_entity();
   arguments.end();
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   std::vector<EntityRef> entities;
   for (const std::uint32_t id : mesh.class_lists()->entities(ref.dimension(), ref))
     entities.emplace_back(ref.dimension(), id);
@@ -78,7 +78,7 @@ void fit_model_entity(Session& session, Arguments& arguments) {
 void fit(Session& session, Arguments& arguments) {
   need_mesh(session);
   if (arguments.done())
-    return session.view.camera.fit(session.document.content().bounds, session.view.aspect);
+    return session.view.camera.fit(session.document().content().bounds, session.view.aspect);
   Arguments ahead = arguments;
   const std::string word = ahead.word("selection or an entity");
   if (word.find(':') != std::string::npos) return fit_model_entity(session, arguments);

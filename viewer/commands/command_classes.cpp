@@ -14,7 +14,7 @@ namespace {
 
 void need_triangles(const Session& session) {
   need_mesh(session);
-  if (session.document.content().skin)
+  if (session.document().content().skin)
     throw CommandError(
         "the classification of volumes and quads cannot be edited, only that of triangles");
 }
@@ -25,7 +25,7 @@ std::vector<EntityRef> concerned(Session& session, Arguments& arguments) {
   const std::string word = ahead.done() ? "selection" : ahead.word("selection or entities");
   if (word != "selection") return listed_entities(session, arguments);
   ahead.end();
-  const auto selected = session.selection.entities();
+  const auto selected = session.sheet().selection.entities();
   if (selected.empty()) arguments.fail("nothing is selected");
   return {selected.begin(), selected.end()};
 }
@@ -44,16 +44,16 @@ std::string model_counts(const Mesh& mesh) {
 /// Carries it out, or says which rule it would break and shows by what.
 void edit(Session& session, const std::string& name, const ClassEdit& make) {
   session.play(false);
-  const ClassVerdict verdict = session.document.edit_classes(name, make);
-  session.point_out({});
+  const ClassVerdict verdict = session.document().edit_classes(name, make);
+  session.sheet().point_out({});
   if (verdict.accepted()) {
-    session.status = name + ": now " + model_counts(session.document.mesh());
+    session.status = name + ": now " + model_counts(session.document().mesh());
     return;
   }
   std::vector<EntityRef> broken;
   for (const EntityRef e : {verdict.entity, verdict.other})
     if (e.valid()) broken.push_back(e);
-  session.point_out(std::move(broken));
+  session.sheet().point_out(std::move(broken));
   throw CommandError(name + ": " + class_words(verdict));
 }
 
@@ -78,7 +78,7 @@ ModelRef aim(const Session& session, Arguments& arguments) {
   for (int dim = 0; dim < 3; ++dim)
     if (word == std::string(entity_name(dim)) + ":new") {
       arguments = ahead;
-      return {dim, free_tag(session.document.mesh(), dim)};
+      return {dim, free_tag(session.document().mesh(), dim)};
     }
   return arguments.model_entity();
 }
@@ -108,15 +108,15 @@ void feature_preview(Session& session, Arguments& arguments) {
   const std::string text = arguments.word("an angle in degrees, or off");
   arguments.end();
   need_triangles(session);
-  session.point_out({});
-  if (text == "off") return session.document.end_trial();
+  session.sheet().point_out({});
+  if (text == "off") return session.document().end_trial();
   const double angle =
       Arguments("feature-preview", "DEG|off", text).number("an angle in degrees", 0, 180);
-  if (session.document.content().classified_by_file())
+  if (session.document().content().classified_by_file())
     throw CommandError("feature-preview: the file's classification wins, an angle has no say");
   session.play(false);
-  const FeaturePreview& preview = session.document.try_feature_angle(angle).preview;
-  session.point_out({preview.edges.begin(), preview.edges.end()});
+  const FeaturePreview& preview = session.document().try_feature_angle(angle).preview;
+  session.sheet().point_out({preview.edges.begin(), preview.edges.end()});
   session.status = short_number(angle) + " deg would make " +
                    counted(preview.model_edges, "model edge") + " of " +
                    counted(preview.edges.size(), "edge") + ", " +
@@ -126,7 +126,7 @@ void feature_preview(Session& session, Arguments& arguments) {
 void export_selection(Session& session, Arguments& arguments) {
   const std::string file = arguments.rest("a file");
   need_mesh(session);
-  const MeshData part = part_of(session.document.mesh(), session.selection.entities());
+  const MeshData part = part_of(session.document().mesh(), session.sheet().selection.entities());
   if (part.positions.empty()) arguments.fail("no faces or regions are selected");
   io::write(expanded(file), part);
   const std::size_t regions = part.regions.size();

@@ -13,9 +13,10 @@ constexpr double most_shrunk = 0.9;
 void compare_with(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   const bool original = again.word("a run's number, or original") == "original";
-  session.view.reference = original ? 0 : kept_run(session, arguments).number;
+  session.sheet().runs.set_reference(original ? 0 : kept_run(session, arguments).number);
   (original ? again : arguments).end();
-  session.status = "Compared with " + (original ? "the mesh as loaded" : session.reference_name());
+  session.status =
+      "Compared with " + (original ? "the mesh as loaded" : session.sheet().reference_name());
 }
 
 void compare(Session& session, Arguments& arguments) {

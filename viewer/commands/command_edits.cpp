@@ -17,7 +17,7 @@ std::size_t count_or_one(Arguments& arguments, std::string_view what) {
 }
 
 void say(Session& session, const std::string& name, std::size_t made) {
-  const std::string faces = counted(session.document.mesh().count(2), "face");
+  const std::string faces = counted(session.document().mesh().count(2), "face");
   if (made == 0)
     session.status = name + ": nothing left to do with these settings, " + faces;
   else
@@ -34,7 +34,7 @@ void step(Session& session, Arguments& arguments) {
   const long long count =
       arguments.done() ? 1 : arguments.integer("a number of steps", -largest_count, largest_count);
   start(session, arguments);
-  Document& document = session.document;
+  Document& document = session.document();
   if (count >= 0) {
     say(session, "Step", document.step(static_cast<std::size_t>(count)));
     return;
@@ -48,35 +48,35 @@ void step(Session& session, Arguments& arguments) {
 void sweep(Session& session, Arguments& arguments) {
   const std::size_t count = count_or_one(arguments, "a number of sweeps");
   start(session, arguments);
-  say(session, "Sweep", session.document.sweep(count));
+  say(session, "Sweep", session.document().sweep(count));
 }
 
 void swap(Session& session, Arguments& arguments) {
   start(session, arguments);
-  say(session, "Swap", session.document.swap());
+  say(session, "Swap", session.document().swap());
 }
 
 void smooth(Session& session, Arguments& arguments) {
   start(session, arguments);
-  say(session, "Smooth", session.document.smooth());
+  say(session, "Smooth", session.document().smooth());
 }
 
 void improve(Session& session, Arguments& arguments) {
   start(session, arguments);
-  say(session, "Improve", session.document.improve());
+  say(session, "Improve", session.document().improve());
 }
 
 void run(Session& session, Arguments& arguments) {
   start(session, arguments);
-  session.document.start_run();
+  session.document().start_run();
   session.status =
-      session.document.running() ? "Running ..." : "Run: nothing left to do with these settings";
+      session.document().running() ? "Running ..." : "Run: nothing left to do with these settings";
 }
 
 void cancel(Session& session, Arguments& arguments) {
   arguments.end();
-  if (session.document.running()) session.status = "Run cancelled: undo takes back what it did";
-  session.document.cancel_run();
+  if (session.document().running()) session.status = "Run cancelled: undo takes back what it did";
+  session.document().cancel_run();
   session.cancel_loading();
   session.cancel_series();
   session.cancel_comparison();

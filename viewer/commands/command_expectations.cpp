@@ -9,6 +9,7 @@
 #include "core/mesh/derive.h"
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
+#include "viewer/commands/lesson_commands.h"
 #include "viewer/explain/entity_facts.h"
 
 namespace aomd::scene {
@@ -19,7 +20,7 @@ std::string flag_word(bool on) { return on ? "on" : "off"; }
 EntityRef entity(const Session& session, Arguments& arguments, int dim) {
   const long long id = arguments.integer("an id");
   const EntityRef e(dim, static_cast<std::uint32_t>(id));
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   return id >= 0 && id < mesh.capacity(dim) && mesh.alive(e) ? e : EntityRef();
 }
 
@@ -44,7 +45,7 @@ int level(Arguments& arguments) {
 
 /// "edge 12 14", "edge" alone for whatever one edge that is selected.
 std::string selection(Session& session, Arguments&) {
-  const auto entities = session.selection.entities();
+  const auto entities = session.sheet().selection.entities();
   if (entities.empty()) return "none";
   std::string text;
   int dim = -1;
@@ -58,12 +59,12 @@ std::string selection(Session& session, Arguments&) {
 }
 
 std::string kind(Session& session, Arguments&) {
-  const EntityRef e = session.selection.single();
+  const EntityRef e = session.sheet().selection.single();
   return e.valid() ? std::string(entity_name(e.dimension)) : "none";
 }
 
 std::string verdict(Session& session, Arguments&) {
-  const Judgement* judgement = session.judgement();
+  const EntityVerdict* judgement = session.sheet().inquiry().verdict();
   if (judgement == nullptr || judgement->ways.empty()) return "unknown";
   const Verdict& best = judgement->ways[judgement->best].outlook.verdict;
   return best.accepted() ? "accepted" : reason_word(best.reason);
@@ -72,7 +73,7 @@ std::string verdict(Session& session, Arguments&) {
 /// Of the way in which a vertex goes.
 std::string verdict_of(Session& session, Arguments& arguments) {
   const long long id = arguments.integer("the vertex that would go");
-  const Judgement* judgement = session.judgement();
+  const EntityVerdict* judgement = session.sheet().inquiry().verdict();
   if (judgement == nullptr) return "unknown";
   for (const CollapseWay& way : judgement->ways) {
     if (way.outlook.contraction.deleted.index != id) continue;
@@ -88,17 +89,17 @@ std::string color(Session& session, Arguments&) {
 }
 
 std::string strategy(Session& session, Arguments&) {
-  return session.document.options().strategy == Strategy::Paper ? "paper" : "quality";
+  return session.document().options().strategy == Strategy::Paper ? "paper" : "quality";
 }
 
 std::string topology(Session& session, Arguments&) {
-  return session.document.options().topology == TopologyRule::Safe ? "safe" : "paper";
+  return session.document().options().topology == TopologyRule::Safe ? "safe" : "paper";
 }
 
 std::string class_of(Session& session, Arguments& arguments) {
   const EntityRef e = entity(session, arguments);
   if (!e.valid()) return "gone";
-  const std::string text = model_entity_text(session.document.mesh().classification(e));
+  const std::string text = model_entity_text(session.document().mesh().classification(e));
   return text.empty() ? "none" : text;
 }
 
@@ -109,14 +110,14 @@ std::string model_level(const Mesh& mesh, EntityRef e) {
 
 /// The level of what the selected entity lies on.
 std::string lies_on(Session& session, Arguments&) {
-  const EntityRef e = session.selection.single();
-  return e.valid() ? model_level(session.document.mesh(), e) : "unknown";
+  const EntityRef e = session.sheet().selection.single();
+  return e.valid() ? model_level(session.document().mesh(), e) : "unknown";
 }
 
 /// The same of the vertices of the selected entity.
 std::string ends(Session& session, Arguments&) {
-  const EntityRef e = session.selection.single();
-  const Mesh& mesh = session.document.mesh();
+  const EntityRef e = session.sheet().selection.single();
+  const Mesh& mesh = session.document().mesh();
   if (e.dimension < 1 || explain(mesh, e.dimension, 0).kind == AdjacencyPath::Kind::None)
     return "unknown";
   std::vector<std::uint32_t> ids;
@@ -133,14 +134,14 @@ std::string alive(Session& session, Arguments& arguments) {
 std::string derived(Session& session, Arguments& arguments) {
   const int i = level(arguments), j = level(arguments);
   if (i == j) arguments.fail("I and J are two different levels: T has no relation on its diagonal");
-  return flag_word(explain(session.document.mesh(), i, j).kind != AdjacencyPath::Kind::None);
+  return flag_word(explain(session.document().mesh(), i, j).kind != AdjacencyPath::Kind::None);
 }
 
 std::string around(Session& session, Arguments& arguments) {
   const EntityRef e = entity(session, arguments);
   const int j = level(arguments);
   if (!e.valid()) return "gone";
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   if (e.dimension == j || explain(mesh, e.dimension, j).kind == AdjacencyPath::Kind::None)
     return "unknown";
   std::vector<std::uint32_t> ids;
@@ -151,7 +152,7 @@ std::string around(Session& session, Arguments& arguments) {
 std::string direction(Session& session, Arguments& arguments) {
   const EntityRef face = entity(session, arguments, 2), edge = entity(session, arguments, 1);
   if (!face.valid() || !edge.valid()) return "gone";
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   std::vector<std::uint32_t> edges;
   adjacent(mesh, face, 1, edges);
   if (std::find(edges.begin(), edges.end(), edge.index) == edges.end()) return "unused";
@@ -179,7 +180,7 @@ constexpr std::array<Question, 14> questions = {{{"selection", selection},
 
 /// The number that decided about the selected edge; 0 where none did.
 double decided(Session& session) {
-  const Judgement* judgement = session.judgement();
+  const EntityVerdict* judgement = session.sheet().inquiry().verdict();
   if (judgement == nullptr || judgement->ways.empty()) return 0;
   return judgement->ways[judgement->best].outlook.verdict.number();
 }
@@ -187,12 +188,12 @@ double decided(Session& session) {
 double stored_relations(Session& session) {
   double count = 0;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) count += i != j && session.document.mesh().stored(i, j);
+    for (int j = 0; j < 4; ++j) count += i != j && session.document().mesh().stored(i, j);
   return count;
 }
 
 double met(Session& session) {
-  session.lesson.update(session);
+  update_lesson(session);
   const auto& checks = session.lesson.met();
   return session.lesson.lesson() == nullptr
              ? 0
@@ -200,7 +201,7 @@ double met(Session& session) {
 }
 
 double lesson_done(Session& session) {
-  session.lesson.update(session);
+  update_lesson(session);
   return session.lesson.lesson() != nullptr && session.lesson.done() ? 1 : 0;
 }
 
@@ -209,12 +210,15 @@ struct Measure {
   double (*value)(Session&);
 };
 constexpr std::array<Measure, 10> measures = {
-    {{"angle", [](Session& s) { return s.document.options().angle_deg; }},
-     {"factor", [](Session& s) { return s.document.options().factor; }},
+    {{"angle", [](Session& s) { return s.document().options().angle_deg; }},
+     {"factor", [](Session& s) { return s.document().options().factor; }},
      {"feature-angle",
-      [](Session& s) { return s.document.classify_options().feature_angle_deg.value_or(0); }},
+      [](Session& s) { return s.document().classify_options().feature_angle_deg.value_or(0); }},
      {"decided", decided},
-     {"scale-end", [](Session& s) { return s.field() != nullptr ? s.field()->scale.high : 0.0; }},
+     {"scale-end",
+      [](Session& s) {
+        return s.sheet().field() != nullptr ? s.sheet().field()->scale.high : 0.0;
+      }},
      {"stored", stored_relations},
      {"lesson-page",
       [](Session& s) {

@@ -13,7 +13,7 @@ namespace {
 void open(Session& session, Arguments& arguments) {
   LoadRequest request;
   request.file = expanded(arguments.rest("a file"));
-  request.classify = session.document.classify_options();
+  request.classify = session.document().classify_options();
   session.view.dialog = Dialog::None;
   session.start_loading(std::move(request));
 }
@@ -32,29 +32,29 @@ void sample(Session& session, Arguments& arguments) {
       names += (names.empty() ? "" : ", ") + std::string(each.name);
     arguments.fail("there is no sample '" + request.sample + "', but " + names);
   }
-  request.classify = session.document.classify_options();
+  request.classify = session.document().classify_options();
   session.start_loading(std::move(request));
 }
 
 void model(Session& session, Arguments& arguments) {
   const std::string file = arguments.rest("a CAD file, or none");
   if (file == "none") {
-    session.document.drop_model();
+    session.document().drop_model();
     session.status = "No model";
     return;
   }
   need_mesh(session);
   session.play(false);
-  session.document.set_model(expanded(file));
-  const GivenModel& given = *session.document.model();
+  session.document().set_model(expanded(file));
+  const GivenModel& given = *session.document().model();
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
 void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
-  io::write(file, to_data(session.document.mesh()));
-  session.document.mark_saved(file);
+  io::write(file, to_data(session.document().mesh()));
+  session.document().mark_saved(file);
   session.view.dialog = Dialog::None;
   session.status = "Saved " + file.string();
   // The question about unsaved work, if there was one, is answered.
@@ -76,13 +76,13 @@ std::filesystem::path expanded(const std::string& text) {
 }
 
 void need_mesh(const Session& session) {
-  if (session.document.empty())
+  if (session.document().empty())
     throw CommandError("there is no mesh yet: open a file or a sample first");
 }
 
 void need_decimable(const Session& session) {
   need_mesh(session);
-  if (const std::string_view why = session.document.hindrance(); !why.empty())
+  if (const std::string_view why = session.document().hindrance(); !why.empty())
     throw CommandError(std::string(why));
 }
 

@@ -10,7 +10,7 @@
 
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/commands.h"
-#include "viewer/commands/session.h"
+#include "viewer/session/session.h"
 
 namespace aomd::scene {
 

@@ -17,12 +17,12 @@ void start(Session& session, Arguments& arguments) {
 }
 
 void say_where(Session& session, const char* what) {
-  session.status = std::string(what) + ": " + place_words(session.document.journal());
+  session.status = std::string(what) + ": " + place_words(session.document().journal());
 }
 
 void undo(Session& session, Arguments& arguments) {
   start(session, arguments);
-  if (session.document.undo())
+  if (session.document().undo())
     say_where(session, "Undo");
   else
     session.status = "Nothing to undo";
@@ -30,7 +30,7 @@ void undo(Session& session, Arguments& arguments) {
 
 void redo(Session& session, Arguments& arguments) {
   start(session, arguments);
-  if (session.document.redo())
+  if (session.document().redo())
     say_where(session, "Redo");
   else
     session.status = "Nothing to redo";
@@ -53,7 +53,8 @@ std::size_t place_of(const Document& document, Arguments& arguments) {
 void seek_bookmark(Session& session, Arguments& arguments) {
   const std::string name = arguments.rest("a bookmark's name");
   session.play(false);
-  if (!session.document.go_to_bookmark(name)) arguments.fail("there is no bookmark '" + name + "'");
+  if (!session.document().go_to_bookmark(name))
+    arguments.fail("there is no bookmark '" + name + "'");
   say_where(session, name.c_str());
 }
 
@@ -61,9 +62,9 @@ void seek(Session& session, Arguments& arguments) {
   need_mesh(session);
   Arguments again = arguments;
   if (!again.done() && again.word("a place") == "bookmark") return seek_bookmark(session, again);
-  const std::size_t target = arguments.done() ? 0 : place_of(session.document, arguments);
+  const std::size_t target = arguments.done() ? 0 : place_of(session.document(), arguments);
   start(session, arguments);
-  session.document.seek(target);
+  session.document().seek(target);
   say_where(session, "Timeline");
 }
 
@@ -74,7 +75,7 @@ void forward(Session& session, Arguments& arguments) {
           ? 1
           : static_cast<std::size_t>(arguments.integer("a number of operations", 1, 1'000'000'000));
   start(session, arguments);
-  Document& document = session.document;
+  Document& document = session.document();
   const std::size_t known = document.journal().size() - document.journal().cursor();
   if (known == 0) {
     need_decimable(session);
@@ -90,7 +91,7 @@ void forward(Session& session, Arguments& arguments) {
 
 void reset(Session& session, Arguments& arguments) {
   start(session, arguments);
-  session.document.seek(0);
+  session.document().seek(0);
   session.status = "As loaded: redo brings the operations back";
 }
 

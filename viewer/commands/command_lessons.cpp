@@ -4,11 +4,12 @@
 #include <string>
 
 #include "viewer/commands/command_groups.h"
+#include "viewer/commands/lesson_commands.h"
 
 namespace aomd::scene {
 namespace {
 
-const Lesson& open_lesson(const Session& session) {
+const Lesson& present_lesson(const Session& session) {
   if (session.lesson.lesson() == nullptr)
     throw CommandError("no lesson is open: lesson NAME opens one, lesson list names them");
   return *session.lesson.lesson();
@@ -24,7 +25,7 @@ void open_by_name(Session& session, const std::string& name, Arguments& argument
   const auto pages = static_cast<long long>(lesson->pages.size());
   const long long page = arguments.done() ? 1 : arguments.integer("a page", 1, pages);
   arguments.end();
-  session.lesson.open(session, *lesson, static_cast<std::size_t>(page) - 1);
+  open_lesson(session, *lesson, static_cast<std::size_t>(page) - 1);
 }
 
 void list(Session& session) {
@@ -46,18 +47,18 @@ void turn(Session& session, bool forwards) {
     session.status =
         forwards ? "This is the lesson's last page" : "This is the lesson's first page";
   } else {
-    session.lesson.open(session, *player.lesson(),
-                        forwards ? player.page_number() + 1 : player.page_number() - 1);
+    open_lesson(session, *player.lesson(),
+                forwards ? player.page_number() + 1 : player.page_number() - 1);
   }
 }
 
 void lesson(Session& session, Arguments& arguments) {
   const std::string word = arguments.word("a lesson's name, or what to do");
   if (word == "mesh") {
-    static_cast<void>(open_lesson(session));
+    static_cast<void>(present_lesson(session));
     const std::string name = arguments.word("a mesh's name");
     arguments.end();
-    return session.lesson.load_mesh(session, name);
+    return load_lesson_mesh(session, name);
   }
   constexpr std::string_view words[] = {"next", "back", "restart", "off", "show",
                                         "hide", "hint", "solve",   "list"};
@@ -66,12 +67,12 @@ void lesson(Session& session, Arguments& arguments) {
   arguments.end();
   if (word == "list") return list(session);
   if (word == "next" || word == "back") return turn(session, word == "next");
-  const Lesson& present = open_lesson(session);
-  if (word == "restart") session.lesson.open(session, present, session.lesson.page_number());
-  if (word == "off") session.lesson.leave(session, true);
+  const Lesson& present = present_lesson(session);
+  if (word == "restart") open_lesson(session, present, session.lesson.page_number());
+  if (word == "off") session.leave_lesson(true);
   if (word == "show" || word == "hide") session.lesson.shown = word == "show";
   if (word == "hint") session.lesson.hinted = !session.lesson.hinted;
-  if (word == "solve") session.lesson.solve(session);
+  if (word == "solve") solve_lesson(session);
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ void neighbours(Session& session, Arguments& arguments) {
     return;
   }
   session.refresh();
-  session.status = session.neighbours()
-                       ? session.neighbours()->words
+  session.status = session.sheet().inquiry().neighbours()
+                       ? session.sheet().inquiry().neighbours()->words
                        : "Neighbours: select one entity to see what lies around it";
 }
 

@@ -8,38 +8,38 @@ namespace aomd::scene {
 namespace {
 
 void angle(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.angle_deg = arguments.number("an angle in degrees", 0, 180);
   arguments.end();
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 void min_angle(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.min_angle_deg = arguments.number("an angle in degrees", 0, 60);
   arguments.end();
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 /// In units of the mesh from here on: those of the mesh that is there.
 void max_distance(Session& session, Arguments& arguments) {
   need_mesh(session);
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   const double percent = arguments.number("percent of the diagonal", 0, 100);
   arguments.end();
-  options.max_distance = percent / 100 * session.document.content().bounds.diagonal();
-  session.document.set_options(options);
+  options.max_distance = percent / 100 * session.document().content().bounds.diagonal();
+  session.document().set_options(options);
 }
 
 void no_intersections(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.no_intersections = arguments.flag(options.no_intersections);
   arguments.end();
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 void feature_angle(Session& session, Arguments& arguments) {
-  ClassifyOptions options = session.document.classify_options();
+  ClassifyOptions options = session.document().classify_options();
   const std::string text = arguments.word("an angle in degrees, or off");
   if (text == "off")
     options.feature_angle_deg.reset();
@@ -48,39 +48,39 @@ void feature_angle(Session& session, Arguments& arguments) {
         Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
   arguments.end();
   session.play(false);
-  session.point_out({});
-  session.document.end_trial();
-  session.document.reclassify(options);
+  session.sheet().point_out({});
+  session.document().end_trial();
+  session.document().reclassify(options);
 }
 
 void topology(Session& session, Arguments& arguments) {
   const std::string text = arguments.one_of({"safe", "paper"});
   arguments.end();
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.topology = text == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
-  session.document.set_options(options);
+  session.document().set_options(options);
   // The paper's loop knows no rule for edges with more than two faces.
-  ClassifyOptions classify = session.document.classify_options();
+  ClassifyOptions classify = session.document().classify_options();
   classify.nonmanifold_edges = options.topology == TopologyRule::Safe;
   const bool differs =
-      classify.nonmanifold_edges != session.document.classify_options().nonmanifold_edges;
-  if (differs && !session.document.empty() && session.facts().nonmanifold > 0)
-    session.document.reclassify(classify);
+      classify.nonmanifold_edges != session.document().classify_options().nonmanifold_edges;
+  if (differs && !session.document().empty() && session.sheet().facts().nonmanifold > 0)
+    session.document().reclassify(classify);
   else
-    session.document.set_classify_options(classify);
+    session.document().set_classify_options(classify);
 }
 
 void improve_passes(Session& session, Arguments& arguments) {
-  DecimationOptions options = session.document.options();
+  DecimationOptions options = session.document().options();
   options.improve_passes = static_cast<int>(arguments.integer("a number of passes", 0, 1000));
   arguments.end();
-  session.document.set_options(options);
+  session.document().set_options(options);
 }
 
 void snap(Session& session, Arguments& arguments) {
   const std::string text = arguments.one_of({"none", "model"});
   arguments.end();
-  session.document.set_snapping(text == "model");
+  session.document().set_snapping(text == "model");
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ void copy(Session& session, Arguments& arguments) {
   need_mesh(session);
   session.refresh();
   const bool json = table == "strategies" && std::filesystem::path(file).extension() == ".json";
-  if (json && !session.strategies())
+  if (json && !session.sheet().storage())
     arguments.fail("nothing has been compared yet: 'strategies run'");
   const std::string text =
-      json ? strategies_json(*session.strategies()) : table_text(session, table);
+      json ? storage_json(*session.sheet().storage()) : table_text(session, table);
   if (file.empty())
     session.clipboard.set(text);
   else

@@ -8,11 +8,12 @@ namespace aomd::scene {
 namespace {
 
 void play(Session& session, Arguments& arguments) {
-  const bool on = arguments.done() || arguments.flag(session.playing());
+  const bool on = arguments.done() || arguments.flag(session.sheet().playing());
   arguments.end();
   need_mesh(session);
   session.play(on);
-  if (on && !session.playing()) session.status = "Nothing to play: step, sweep or run first";
+  if (on && !session.sheet().playing())
+    session.status = "Nothing to play: step, sweep or run first";
 }
 
 void pause(Session& session, Arguments& arguments) {
@@ -25,7 +26,7 @@ void play_speed(Session& session, Arguments& arguments) {
   PlaySpeed wanted = speed;
   const std::string text = arguments.word("operations a second, or whole, faster or slower");
   if (text == "faster" || text == "slower") {
-    const std::size_t size = session.document.empty() ? 0 : session.document.journal().size();
+    const std::size_t size = session.document().empty() ? 0 : session.document().journal().size();
     wanted = speed.beside(size, text == "faster");
   } else if (text == "whole") {
     wanted = {0, speed.whole_s};

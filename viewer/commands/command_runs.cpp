@@ -11,8 +11,8 @@ namespace {
 void go_to(Session& session, const KeptRun& run, Arguments& arguments) {
   session.play(false);
   if (run.number == 0)
-    session.document.seek(0);
-  else if (!session.document.go_to_place(run.number))
+    session.document().seek(0);
+  else if (!session.document().go_to_place(run.number))
     arguments.fail("the branch of " + run.name + " is gone");
   session.status = run.name + ": " + counted(run.faces, "face");
 }
@@ -22,12 +22,13 @@ void remove(Session& session, Arguments& arguments) {
   if (again.word("a number, or all") != "all") {
     const KeptRun run = kept_run(session, arguments);
     arguments.end();
-    session.remove_run(run.number);
+    session.sheet().runs.remove(session.document(), run.number);
     session.status = "Forgot " + run.name;
     return;
   }
   again.end();
-  while (!session.runs.rows().empty()) session.remove_run(session.runs.rows().back().number);
+  while (!session.sheet().runs.rows().empty())
+    session.sheet().runs.remove(session.document(), session.sheet().runs.rows().back().number);
   session.status = "Forgot all runs";
 }
 
@@ -35,7 +36,7 @@ void runs(Session& session, Arguments& arguments) {
   need_decimable(session);
   const std::string what = arguments.one_of({"keep", "go", "remove", "measure"});
   if (what == "keep") {
-    session.document.cancel_run();
+    session.document().cancel_run();
     session.keep_run(arguments.done() ? "" : arguments.rest("a name"));
   } else if (what == "go") {
     const KeptRun run = kept_run(session, arguments);
@@ -55,7 +56,7 @@ KeptRun kept_run(const Session& session, Arguments& arguments) {
   const long long number = arguments.integer("a run's number");
   const KeptRun* run = number < 0 || number > 1'000'000'000
                            ? nullptr
-                           : session.runs.find(static_cast<unsigned>(number));
+                           : session.sheet().runs.find(static_cast<unsigned>(number));
   if (run == nullptr) arguments.fail("there is no run " + std::to_string(number));
   return *run;
 }

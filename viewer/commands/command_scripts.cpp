@@ -3,6 +3,7 @@
 
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
+#include "viewer/commands/lesson_commands.h"
 #include "viewer/explain/id_facts.h"
 
 namespace aomd::scene {
@@ -12,18 +13,20 @@ using Quantity = std::int64_t (*)(const Session&);
 
 std::int64_t models(const Session& s, int dim) {
   std::int64_t count = 0;
-  for (const ModelRef ref : s.document.mesh().class_lists()->models(dim))
+  for (const ModelRef ref : s.document().mesh().class_lists()->models(dim))
     count += ref.dimension() == dim;
   return count;
 }
 
 std::int64_t refused(const Session& s, Reason reason) {
-  const SweepStatistics* sweep = s.document.last_sweep();
+  const SweepStatistics* sweep = s.document().last_sweep();
   return sweep == nullptr ? 0 : sweep->refused[static_cast<std::size_t>(reason)];
 }
 
 std::int64_t neighbours(const Session& s) {
-  return s.neighbours() ? static_cast<std::int64_t>(s.neighbours()->entities.size()) : 0;
+  return s.sheet().inquiry().neighbours()
+             ? static_cast<std::int64_t>(s.sheet().inquiry().neighbours()->entities.size())
+             : 0;
 }
 
 std::int64_t signed_count(std::size_t n) { return static_cast<std::int64_t>(n); }
@@ -32,14 +35,14 @@ template <typename Of>
 std::int64_t hash_sum(const Session& s, Of&& of) {
   std::int64_t sum = 0;
   for (int level = 1; level < 4; ++level) {
-    const HashFacts facts = hash_facts(s.document.mesh(), level);
+    const HashFacts facts = hash_facts(s.document().mesh(), level);
     sum += static_cast<std::int64_t>(of(facts));
   }
   return sum;
 }
 
 std::int64_t free_ids(const Session& s, int level) {
-  return signed_count(s.document.mesh().ids(level).free_ids().size());
+  return signed_count(s.document().mesh().ids(level).free_ids().size());
 }
 
 struct Named {
@@ -48,10 +51,11 @@ struct Named {
 };
 
 constexpr std::array<Named, 33> quantities = {{
-    {"selected", [](const Session& s) { return static_cast<std::int64_t>(s.selection.size()); }},
+    {"selected",
+     [](const Session& s) { return static_cast<std::int64_t>(s.sheet().selection.size()); }},
     {"neighbours", [](const Session& s) { return neighbours(s); }},
     {"adjacency-bytes",
-     [](const Session& s) { return signed_count(s.document.mesh().adjacency_bytes()); }},
+     [](const Session& s) { return signed_count(s.document().mesh().adjacency_bytes()); }},
     {"hash-entities",
      [](const Session& s) { return hash_sum(s, [](auto& f) { return f.entities; }); }},
     {"hash-buckets",
@@ -62,35 +66,37 @@ constexpr std::array<Named, 33> quantities = {{
     {"free-edges", [](const Session& s) { return free_ids(s, 1); }},
     {"free-faces", [](const Session& s) { return free_ids(s, 2); }},
     {"same-result",
-     [](const Session& s) { return std::int64_t{s.strategies() && s.strategies()->same}; }},
-    {"vertices", [](const Session& s) { return s.facts().vertices; }},
-    {"edges", [](const Session& s) { return s.facts().edges; }},
-    {"faces", [](const Session& s) { return s.facts().faces; }},
-    {"regions", [](const Session& s) { return s.facts().regions; }},
-    {"outer-faces", [](const Session& s) { return s.facts().outer_faces; }},
-    {"euler", [](const Session& s) { return s.facts().euler(); }},
-    {"boundary", [](const Session& s) { return s.facts().boundary; }},
-    {"nonmanifold", [](const Session& s) { return s.facts().nonmanifold; }},
-    {"unused", [](const Session& s) { return s.facts().unused; }},
+     [](const Session& s) {
+       return std::int64_t{s.sheet().storage() && s.sheet().storage()->same};
+     }},
+    {"vertices", [](const Session& s) { return s.sheet().facts().vertices; }},
+    {"edges", [](const Session& s) { return s.sheet().facts().edges; }},
+    {"faces", [](const Session& s) { return s.sheet().facts().faces; }},
+    {"regions", [](const Session& s) { return s.sheet().facts().regions; }},
+    {"outer-faces", [](const Session& s) { return s.sheet().facts().outer_faces; }},
+    {"euler", [](const Session& s) { return s.sheet().facts().euler(); }},
+    {"boundary", [](const Session& s) { return s.sheet().facts().boundary; }},
+    {"nonmanifold", [](const Session& s) { return s.sheet().facts().nonmanifold; }},
+    {"unused", [](const Session& s) { return s.sheet().facts().unused; }},
     {"model-vertices", [](const Session& s) { return models(s, 0); }},
     {"model-edges", [](const Session& s) { return models(s, 1); }},
     {"model-faces", [](const Session& s) { return models(s, 2); }},
     {"model-regions", [](const Session& s) { return models(s, 3); }},
     {"steps",
-     [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().size()); }},
+     [](const Session& s) { return static_cast<std::int64_t>(s.document().journal().size()); }},
     {"cursor",
-     [](const Session& s) { return static_cast<std::int64_t>(s.document.journal().cursor()); }},
+     [](const Session& s) { return static_cast<std::int64_t>(s.document().journal().cursor()); }},
     {"commands",
-     [](const Session& s) { return static_cast<std::int64_t>(s.document.marks().size()); }},
+     [](const Session& s) { return static_cast<std::int64_t>(s.document().marks().size()); }},
     {"branches",
      [](const Session& s) {
-       return static_cast<std::int64_t>(s.document.tree().branches().size());
+       return static_cast<std::int64_t>(s.document().tree().branches().size());
      }},
     {"bookmarks",
      [](const Session& s) {
-       return static_cast<std::int64_t>(s.document.tree().bookmarks().size());
+       return static_cast<std::int64_t>(s.document().tree().bookmarks().size());
      }},
-    {"runs", [](const Session& s) { return signed_count(s.runs.size()); }},
+    {"runs", [](const Session& s) { return signed_count(s.sheet().runs.size()); }},
     {"refused-classification", [](const Session& s) { return refused(s, Reason::Classification); }},
     {"refused-topology", [](const Session& s) { return refused(s, Reason::Topology); }},
     {"refused-angle", [](const Session& s) { return refused(s, Reason::Angle); }},
@@ -126,6 +132,7 @@ void expect(Session& session, Arguments& arguments) {
 void wait_idle(Session& session, Arguments& arguments) {
   arguments.end();
   session.finish();
+  update_lesson(session);
 }
 
 void log(Session& session, Arguments& arguments) { session.log = arguments.rest("a text"); }

@@ -14,16 +14,17 @@ namespace {
 
 /// With the way to what is known of it, where that is not on the screen.
 void say(Session& session) {
-  session.status = "Selected: " + selection_text(session.selection);
+  session.status = "Selected: " + selection_text(session.sheet().selection);
   const Panels& panels = session.view.panels;
-  if (session.selection.single().valid() && !(panels.side && panels.page == Page::Selection))
+  if (session.sheet().selection.single().valid() &&
+      !(panels.side && panels.page == Page::Selection))
     session.status += ". P tells about it, and why it stays";
 }
 
 EntityRef entity(Session& session, Arguments& arguments, int dim) {
   const long long id = arguments.integer("an id");
   const EntityRef e(dim, static_cast<std::uint32_t>(id));
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   if (id < 0 || id >= mesh.capacity(dim) || !mesh.alive(e))
     arguments.fail("there is no " + std::string(entity_name(dim)) + " " + std::to_string(id));
   return e;
@@ -40,16 +41,16 @@ void select_box(Session& session, Arguments& arguments) {
   if (adds && arguments.word("add") != "add") arguments.fail("only 'add' may follow the box");
   arguments.end();
   const std::vector<EntityRef> found = session.pick(low, high);
-  adds ? session.selection.add(found) : session.selection.replace(found);
+  adds ? session.sheet().selection.add(found) : session.sheet().selection.replace(found);
 }
 
 void select_class(Session& session, Arguments& arguments) {
   const ModelRef ref = arguments.model_entity();
   arguments.end();
-  const auto ids = session.document.mesh().class_lists()->entities(ref.dimension(), ref);
+  const auto ids = session.document().mesh().class_lists()->entities(ref.dimension(), ref);
   std::vector<EntityRef> entities;
   for (const std::uint32_t id : ids) entities.emplace_back(ref.dimension(), id);
-  session.selection.replace(std::move(entities));
+  session.sheet().selection.replace(std::move(entities));
 }
 
 void select_refused(Session& session, Arguments& arguments) {
@@ -60,7 +61,7 @@ void select_refused(Session& session, Arguments& arguments) {
   for (int i = 0; i < reason_count; ++i) {
     const auto reason = static_cast<Reason>(i);
     if (word == reason_word(reason))
-      return session.selection.replace(session.edges_refused_for(reason));
+      return session.sheet().selection.replace(find_edges_refused_for(session.document(), reason));
     names += (i == 0 ? "" : ", ") + reason_word(reason);
   }
   arguments.fail("'" + word + "' is none of " + names);
@@ -68,15 +69,15 @@ void select_refused(Session& session, Arguments& arguments) {
 
 void select_bar(Session& session, Arguments& arguments) {
   const MarkedBar bar = bar_of_histogram(arguments);
-  if (session.document.running()) arguments.fail("nothing is counted before the run has ended");
-  session.selection.replace(session.counted_in(bar));
+  if (session.document().running()) arguments.fail("nothing is counted before the run has ended");
+  session.sheet().selection.replace(session.sheet().measure_counted_in(bar));
 }
 
 void select(Session& session, Arguments& arguments) {
   need_mesh(session);
   Arguments again = arguments;
   const std::string word = arguments.word("what to select");
-  Selection& selection = session.selection;
+  Selection& selection = session.sheet().selection;
   if (word == "none") {
     arguments.end();
     selection.clear();
@@ -94,7 +95,7 @@ void select(Session& session, Arguments& arguments) {
   } else if (word == "grow") {
     arguments.end();
     session.refresh();
-    selection.replace(grown(session.document.mesh(), selection));
+    selection.replace(grown(session.document().mesh(), selection));
   } else {
     selection.replace(listed_entities(session, again));
   }
@@ -108,9 +109,10 @@ void pick(Session& session, Arguments& arguments) {
   arguments.end();
   need_mesh(session);
   const EntityRef found = session.pick(at);
-  if (found.valid() && adds) session.selection.toggle(found);
+  if (found.valid() && adds) session.sheet().selection.toggle(found);
   if (!adds)
-    session.selection.replace(found.valid() ? std::vector{found} : std::vector<EntityRef>());
+    session.sheet().selection.replace(found.valid() ? std::vector{found}
+                                                    : std::vector<EntityRef>());
   say(session);
 }
 
@@ -132,7 +134,8 @@ void menu(Session& session, Arguments& arguments) {
   arguments.end();
   need_mesh(session);
   const EntityRef found = session.pick(at);
-  if (found.valid() && !session.selection.contains(found)) session.selection.replace({found});
+  if (found.valid() && !session.sheet().selection.contains(found))
+    session.sheet().selection.replace({found});
   session.view.menu = at;
   say(session);
 }
@@ -185,8 +188,9 @@ void why(Session& session, Arguments& arguments) {
   arguments.end();
   need_mesh(session);
   session.refresh();
-  if (!session.inspection()) arguments.fail("select one entity first");
-  session.log = inspection_text(*session.inspection(), session.judgement());
+  if (!session.sheet().inquiry().facts()) arguments.fail("select one entity first");
+  session.log =
+      entity_facts_text(*session.sheet().inquiry().facts(), session.sheet().inquiry().verdict());
 }
 
 }  // namespace

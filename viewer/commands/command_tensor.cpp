@@ -29,8 +29,8 @@ void build_set(Session& session, Arguments& arguments) {
   if (!arguments.done()) buckets = arguments.integer("a number of buckets", 1, most_buckets);
   arguments.end();
   need_mesh(session);
-  session.document.build_hash(level, static_cast<std::uint32_t>(buckets));
-  const HashFacts facts = hash_facts(session.document.mesh(), level);
+  session.document().build_hash(level, static_cast<std::uint32_t>(buckets));
+  const HashFacts facts = hash_facts(session.document().mesh(), level);
   session.status = "Hash set of the " + std::string(entity_plural(level)) + ": " +
                    grouped(facts.entities) + " in " + grouped(facts.statistics.buckets) +
                    " buckets, " + bytes_text(facts.bytes);
@@ -40,8 +40,8 @@ void release_set(Session& session, Arguments& arguments) {
   const int level = arguments.level(1);
   arguments.end();
   need_mesh(session);
-  const bool built = session.document.mesh().hash(level).built();
-  session.document.drop_hash(level);
+  const bool built = session.document().mesh().hash(level).built();
+  session.document().drop_hash(level);
   session.status = "Hash set of the " + std::string(entity_plural(level)) +
                    (built ? " is freed" : ": there was none");
 }

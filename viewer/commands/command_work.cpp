@@ -17,7 +17,7 @@ void unsaved(Session& session, Arguments& arguments) {
   const std::string answer = arguments.one_of({"save", "discard", "cancel"});
   arguments.end();
   if (answer == "save") {
-    const std::filesystem::path file = session.document.saved_file();
+    const std::filesystem::path file = session.document().saved_file();
     if (file.empty())
       session.view.dialog = Dialog::Save;  // whose `save` goes on with the line
     else

@@ -2,28 +2,16 @@
 // The commands: the only way in which menus, buttons, keys, scripts and tests change a session.
 
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "viewer/commands/session.h"
+#include "viewer/commands/command_error.h"
+#include "viewer/session/session.h"
 
 namespace aomd::scene {
 
 class Arguments;
-
-/// A command that cannot be carried out as it was given; what() says why and what would be right.
-class CommandError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// `expect` found something else.
-class ExpectationMissed : public CommandError {
- public:
-  using CommandError::CommandError;
-};
 
 /// A key that emits a line. Chords are written as app::chord_name() writes them.
 struct Shortcut {

@@ -27,8 +27,8 @@ void add_row(std::string& text, std::initializer_list<std::string> cells) {
 std::string plain(std::int64_t n) { return std::to_string(n); }
 
 std::string counts(const Session& session) {
-  const MeshFacts& now = session.facts();
-  const MeshFacts& then = session.loaded_facts();
+  const MeshFacts& now = session.sheet().facts();
+  const MeshFacts& then = session.sheet().loaded_facts();
   std::string text;
   add_row(text, {"Count", "Now", "As loaded"});
   const auto row = [&](const char* name, std::int64_t after, std::int64_t before) {
@@ -46,18 +46,18 @@ std::string counts(const Session& session) {
     row("Non-manifold edges", now.nonmanifold, then.nonmanifold);
     row("Euler number", now.euler(), then.euler());
   }
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   const auto bytes = [&](const char* name, std::size_t n) {
     add_row(text, {name, std::to_string(n), ""});
   };
   bytes("Mesh, bytes", mesh.entity_bytes());
   bytes("Adjacency, bytes", mesh.adjacency_bytes());
-  bytes("History, bytes", session.document.journal().bytes());
+  bytes("History, bytes", session.document().journal().bytes());
   return text;
 }
 
 std::string legend(const Session& session) {
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   std::string text;
   add_row(text, {"Model entity", "Mesh entities", "Hidden"});
   for (const int dim : {3, 2, 1, 0})
@@ -73,7 +73,7 @@ std::string legend(const Session& session) {
 }
 
 std::string adjacency(const Session& session) {
-  const Mesh& mesh = session.document.mesh();
+  const Mesh& mesh = session.document().mesh();
   std::string text;
   add_row(text, {"Relation", "Stored", "Set", "Requests", "Bytes", "Mean row", "Rows", "Asked by",
                  "Path"});
@@ -97,7 +97,7 @@ std::string hashes(const Session& session) {
             (length + 1 == HashFacts::bars ? " and more" : "");
   text += '\n';
   for (int level = 1; level < 4; ++level) {
-    const HashFacts facts = hash_facts(session.document.mesh(), level);
+    const HashFacts facts = hash_facts(session.document().mesh(), level);
     const EntityHash::Statistics& s = facts.statistics;
     text += std::string(entity_plural(level)) + "\t" + (facts.built ? "yes" : "no");
     for (const std::uint64_t n :
@@ -114,7 +114,7 @@ std::string ids(const Session& session) {
   std::string text;
   add_row(text, {"Level", "Alive", "Free", "Capacity", "Next", "Top of the stack"});
   for (int level = 0; level < 4; ++level) {
-    const IdFacts facts = id_facts(session.document.mesh(), level);
+    const IdFacts facts = id_facts(session.document().mesh(), level);
     std::string top;
     for (const std::uint32_t id : facts.top) top += (top.empty() ? "" : " ") + std::to_string(id);
     add_row(text, {entity_plural(level), plain(facts.alive), plain(facts.free),
@@ -124,13 +124,14 @@ std::string ids(const Session& session) {
 }
 
 std::string strategies(const Session& session) {
-  return strategies_table(session.strategies() ? *session.strategies() : StrategyResult());
+  return storage_table(session.sheet().storage() ? *session.sheet().storage()
+                                                 : StorageComparison());
 }
 
 std::string refusals(const Session& session) {
   std::string text;
   add_row(text, {"Reason", "Edges left by the last sweep"});
-  const SweepStatistics* sweep = session.document.last_sweep();
+  const SweepStatistics* sweep = session.document().last_sweep();
   if (sweep == nullptr) return text;
   for (std::size_t r = 1; r < reason_count; ++r)
     add_row(text, {reason_name(static_cast<Reason>(r)), plain(sweep->refused[r])});
@@ -142,7 +143,7 @@ std::string sweeps(const Session& session) {
   for (std::size_t r = 1; r < reason_count; ++r)
     text += std::string("\t") + reason_name(static_cast<Reason>(r));
   text += '\n';
-  const Decimation* decimation = session.document.decimation();
+  const Decimation* decimation = session.document().decimation();
   if (decimation == nullptr) return text;
   std::size_t number = 0;
   for (const SweepStatistics& s : decimation->sweeps()) {
@@ -154,12 +155,12 @@ std::string sweeps(const Session& session) {
   return text;
 }
 
-std::string runs(const Session& session) { return runs_table(session.runs); }
+std::string runs(const Session& session) { return runs_table(session.sheet().runs); }
 
 /// As `select` takes them.
 std::string selection(const Session& session) {
   std::string text;
-  for (const EntityRef e : session.selection.entities())
+  for (const EntityRef e : session.sheet().selection.entities())
     text += std::string(entity_name(e.dimension)) + " " + std::to_string(e.index) + "\n";
   return text;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "viewer/commands/session.h"
+#include "viewer/session/session.h"
 
 namespace aomd::scene {
 

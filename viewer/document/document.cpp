@@ -12,9 +12,9 @@
 namespace aomd::scene {
 
 HistoryPlace Document::place() const {
-  if (!loaded_) return {generation_, creations_, 0, 0, 0};
+  if (!loaded_) return {creations_, 0, 0, 0};
   const std::size_t last_cut = journal().epoch() == epoch_at_mark_ ? last_cut_ : mark_begin_;
-  return {generation_, creations_, journal().epoch(), journal().cursor(), last_cut};
+  return {creations_, journal().epoch(), journal().cursor(), last_cut};
 }
 
 bool Document::unsaved() const {
@@ -34,11 +34,11 @@ std::string_view Document::hindrance() const {
 }
 
 Column<Vertex, double> Document::wanted_lengths() const {
-  if (options_.spacing) return *options_.spacing;
-  if (options_.coarsest || options_.target_faces > 0 || loaded_->skin)
+  if (options().spacing) return *options().spacing;
+  if (options().coarsest || options().target_faces > 0 || loaded_->skin)
     return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   Column<Vertex, double> lengths = loaded_->edge_lengths;
-  for (std::uint32_t id = 0; id < lengths.size(); ++id) lengths[Vertex(id)] *= options_.factor;
+  for (std::uint32_t id = 0; id < lengths.size(); ++id) lengths[Vertex(id)] *= options().factor;
   return lengths;
 }
 
@@ -53,29 +53,18 @@ std::optional<std::size_t> Document::focus() const {
   return journal().cursor() - 1;
 }
 
-void Document::replace(std::unique_ptr<LoadedMesh> loaded) {
-  trial_.reset();
-  loaded_ = std::move(loaded);
+Document::Document(DocumentOptions& options, std::unique_ptr<LoadedMesh> loaded)
+    : loaded_(std::move(loaded)), options_(options) {
+  if (!loaded_) return;
   loaded_->journal.keep_cut(true);
-  tree_.clear();
-  as_loaded_.reset();
-  options_.spacing.reset();
-  options_.max_distance = 0;
-  marks_.clear();
-  ++generation_;
-  last_cut_ = mark_begin_ = 0;
-  epoch_at_mark_ = 0;
-  running_ = stale_ = focused_ = false;
-  adjacency_change_.reset();
-  last_work_ = {};
   mark_saved({});
 }
 
 void Document::restore(const SavedWork& work) {
   marks_ = work.marks;
-  options_ = work.options;
-  classify_ = work.classify;
-  snaps_ = work.snaps;
+  options_.set(work.options);
+  options_.classify = work.classify;
+  options_.snaps = work.snaps;
   epoch_at_mark_ = journal().epoch();
   for (const auto& [name, step] : work.bookmarks) tree_.set_bookmark(name, step);
   move_to(work.cursor, false);
@@ -122,7 +111,7 @@ void Document::visit(std::size_t step, const std::function<void()>& look) {
 }
 
 // Going there and back leaves all as it was: the decimation need not know.
-AsLoaded& Document::as_loaded() {
+AsLoaded& Document::copy_mesh_as_loaded() {
   const bool stale = stale_;
   if (!as_loaded_) visit(0, [&] { as_loaded_ = std::make_unique<AsLoaded>(loaded_->mesh); });
   stale_ = stale;
@@ -136,17 +125,17 @@ void Document::begin_strategy() {
   strategy_from_ = classified_start();
   visit(*strategy_from_, [&] {
     loaded_->decimation.reset();
-    loaded_->decimation.emplace(loaded_->mesh, options_);
+    loaded_->decimation.emplace(loaded_->mesh, options());
   });
 }
 
 /// The decimation, made at the first need and told what it has missed.
-Decimation& Document::prepared() {
+Decimation& Document::build_decimation() {
   const bool other = !decimation() || !keeps_to_original();
   const std::size_t start = classified_start();
   if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start)))
     begin_strategy();
-  DecimationOptions options = options_;
+  DecimationOptions options = this->options();
   options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
   stale_ = false;
@@ -157,28 +146,28 @@ Decimation& Document::prepared() {
 /// The present decimation has what it takes from the mesh as loaded: it need not begin there again.
 bool Document::keeps_to_original() const {
   const DecimationOptions& has = decimation()->options();
-  const bool measures = options_.max_distance <= 0 || has.max_distance == options_.max_distance;
-  return has.strategy == options_.strategy && measures;
+  const bool measures = options().max_distance <= 0 || has.max_distance == options().max_distance;
+  return has.strategy == options().strategy && measures;
 }
 
-Decimation* Document::for_judging() {
-  return loaded_ && hindrance().empty() ? &prepared() : nullptr;
+Decimation* Document::build_decimation_to_judge() {
+  return loaded_ && hindrance().empty() ? &build_decimation() : nullptr;
 }
 
 bool Document::judges_at_once() const {
   if (!loaded_ || !hindrance().empty()) return false;
   const bool ready = decimation() && !stale_ && keeps_to_original();
-  return ready || options_.strategy == Strategy::Paper;
+  return ready || options().strategy == Strategy::Paper;
 }
 
 void Document::set_spacing(const std::string& source) {
   cancel_run();
   const SpacingSource parsed = parse_spacing(source);
   visit(0, [&] {
-    options_.spacing =
-        std::make_shared<const Column<Vertex, double>>(evaluate_spacing(loaded_->mesh, parsed));
+    options_.set_spacing(
+        std::make_shared<const Column<Vertex, double>>(evaluate_spacing(loaded_->mesh, parsed)),
+        source);
   });
-  spacing_source_ = source;
 }
 
 void Document::open_mark(std::string label) {
@@ -221,7 +210,7 @@ std::size_t Document::record(std::string label, const std::function<void()>& edi
 
 /// An edit of the decimation: it may have to put the mesh back on its model first.
 std::size_t Document::operate(std::string label, const std::function<void()>& edit) {
-  if (snaps_ && loaded_->model) fit_to(*loaded_->model);
+  if (snaps() && loaded_->model) fit_to(*loaded_->model);
   const std::size_t made = record(std::move(label), [&] {
     edit();
     note_sweeps();
@@ -244,7 +233,7 @@ void Document::restore_file_classes() {
 }
 
 void Document::reclassify(const ClassifyOptions& options) {
-  classify_ = options;
+  options_.classify = options;
   if (!loaded_) return;
   record("classify", [&] {
     ClassifyOptions each = options;
@@ -259,7 +248,7 @@ void Document::reclassify(const ClassifyOptions& options) {
 
 std::size_t Document::step(std::size_t count) {
   const std::size_t made = operate("step", [&] {
-    Decimation& decimation = prepared();
+    Decimation& decimation = build_decimation();
     for (std::size_t i = 0; i < count && decimation.step(); ++i) {
     }
   });
@@ -269,27 +258,27 @@ std::size_t Document::step(std::size_t count) {
 
 std::size_t Document::sweep(std::size_t count) {
   return operate("sweep", [&] {
-    Decimation& decimation = prepared();
+    Decimation& decimation = build_decimation();
     for (std::size_t i = 0; i < count; ++i) decimation.sweep();
   });
 }
 
 std::size_t Document::swap() {
-  return operate("swap", [&] { prepared().swap_pass(); });
+  return operate("swap", [&] { build_decimation().swap_pass(); });
 }
 
 std::size_t Document::smooth() {
-  return operate("smooth", [&] { prepared().smooth_pass(); });
+  return operate("smooth", [&] { build_decimation().smooth_pass(); });
 }
 
 std::size_t Document::improve() {
-  return operate("improve", [&] { prepared().improve(); });
+  return operate("improve", [&] { build_decimation().improve(); });
 }
 
 void Document::start_run() {
   cancel_run();
-  if (snaps_ && loaded_->model) fit_to(*loaded_->model);
-  Decimation& decimation = prepared();
+  if (snaps() && loaded_->model) fit_to(*loaded_->model);
+  Decimation& decimation = build_decimation();
   if (decimation.done()) return;
   end_trial();
   open_mark("run");
@@ -321,7 +310,7 @@ double Document::run_progress() const {
 
 void Document::tick(std::optional<std::chrono::microseconds> budget) {
   if (!running_) return;
-  const Decimation::Stop stop = prepared().run(budget);
+  const Decimation::Stop stop = build_decimation().run(budget);
   keep_cut();
   if (stop == Decimation::Stop::Done) note_stop(end_run());
 }

@@ -11,6 +11,7 @@
 #include "core/model/class_rules.h"
 #include "viewer/document/adjacency.h"
 #include "viewer/document/as_loaded.h"
+#include "viewer/document/document_options.h"
 #include "viewer/document/feature_trial.h"
 #include "viewer/document/history_tree.h"
 #include "viewer/document/loaded_mesh.h"
@@ -24,10 +25,12 @@ namespace aomd::scene {
 /// What an edit of the classification would change; see core/model/class_edits.h.
 using ClassEdit = std::function<ClassOverlay(const Mesh&, double corner_angle_deg)>;
 
-/// Holds one mesh at a time, or none. A Run goes on from tick to tick; every other member that
-/// moves the history or replaces the mesh ends it first.
+/// Of one mesh, or without any. A run goes on from tick to tick; every other member that moves the
+/// history ends it first.
 class Document {
  public:
+  /// Reads and sets these options. Without a mesh where `loaded` is null.
+  Document(DocumentOptions& options, std::unique_ptr<LoadedMesh> loaded);
   [[nodiscard]] bool empty() const { return !loaded_; }
   [[nodiscard]] const LoadedMesh& content() const { return *loaded_; }
   [[nodiscard]] const Mesh& mesh() const { return loaded_->mesh; }
@@ -36,15 +39,12 @@ class Document {
   [[nodiscard]] const Decimation* decimation() const {
     return loaded_ && loaded_->decimation ? &*loaded_->decimation : nullptr;
   }
-  [[nodiscard]] const DecimationOptions& options() const { return options_; }
-  /// What the wanted lengths come from: a file, a formula or "curvature"; empty where the options
-  /// have none.
-  [[nodiscard]] std::string_view spacing_source() const {
-    return options_.spacing ? std::string_view(spacing_source_) : std::string_view();
-  }
-  [[nodiscard]] const ClassifyOptions& classify_options() const { return classify_; }
+  [[nodiscard]] const DecimationOptions& options() const { return options_.decimation(); }
+  [[nodiscard]] std::uint64_t options_revision() const { return options_.revision(); }
+  [[nodiscard]] std::string_view spacing_source() const { return options_.spacing_source(); }
+  [[nodiscard]] const ClassifyOptions& classify_options() const { return options_.classify; }
   /// Whether smoothing keeps vertices on the model: the given one, or else the faceted original.
-  [[nodiscard]] bool snaps() const { return snaps_; }
+  [[nodiscard]] bool snaps() const { return options_.snaps; }
   /// The CAD model of the present mesh; null where none was given.
   [[nodiscard]] const GivenModel* model() const {
     return loaded_ && loaded_->model ? &*loaded_->model : nullptr;
@@ -84,10 +84,9 @@ class Document {
   }
   /// The present mesh at the start of its history, made at the first need: O(steps + entities), and
   /// where steps are applied nothing may be running. A mesh of triangles must be there.
-  [[nodiscard]] AsLoaded& as_loaded();
-  /// Whether as_loaded() can be had now.
+  [[nodiscard]] AsLoaded& copy_mesh_as_loaded();
+  /// Whether that copy can be had now.
   [[nodiscard]] bool can_look_back() const { return as_loaded_ || !running_; }
-  void replace(std::unique_ptr<LoadedMesh> loaded);
   /// Takes over what had been done to the present mesh, which has just been loaded with that
   /// history, and what had been set. Throws as set_spacing and set_model, in the end: all else is
   /// then restored.
@@ -95,12 +94,12 @@ class Document {
   /// The mesh as it is now is in that file.
   void mark_saved(std::filesystem::path file);
   /// Keeps what has been done; cheap while nothing runs.
-  void set_options(const DecimationOptions& options) { options_ = options; }
+  void set_options(const DecimationOptions& options) { options_.set(options); }
   /// Lengths for the mesh as loaded, which must be there; another mesh drops them. Throws as
   /// parse_spacing and evaluate_spacing; the options are then as before.
   void set_spacing(const std::string& source);
   /// For the next mesh that is loaded; reclassify() for the present one.
-  void set_classify_options(const ClassifyOptions& options) { classify_ = options; }
+  void set_classify_options(const ClassifyOptions& options) { options_.classify = options; }
   /// Derives the classification anew; what the file says still wins. One command in the history. A
   /// volume gets all its faces and edges.
   void reclassify(const ClassifyOptions& options);
@@ -142,7 +141,7 @@ class Document {
   /// The decimation as it would go on now, for asking what it says about an edge; made where it is
   /// not there yet, which takes the quality strategy a second for a million faces. Null where the
   /// mesh cannot be decimated. Changes neither mesh nor history.
-  [[nodiscard]] Decimation* for_judging();
+  [[nodiscard]] Decimation* build_decimation_to_judge();
   /// Whether that costs next to nothing.
   [[nodiscard]] bool judges_at_once() const;
 
@@ -177,7 +176,7 @@ class Document {
   bool go_to_place(unsigned number);
 
  private:
-  Decimation& prepared();
+  Decimation& build_decimation();
   [[nodiscard]] bool keeps_to_original() const;
   void begin_strategy();
   void visit(std::size_t step, const std::function<void()>& look);
@@ -208,17 +207,13 @@ class Document {
   std::optional<FeatureTrial> trial_;  ///< holds on to the mesh
   /// The step whose mesh the decimation keeps to; none once the history has been before it.
   std::optional<std::size_t> strategy_from_;
-  DecimationOptions options_;
-  std::string spacing_source_;  ///< of options_.spacing
-  ClassifyOptions classify_;
-  bool snaps_ = false;
+  DocumentOptions& options_;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark>
       undone_marks_;  ///< cut off by the open mark; back where it comes to nothing
   /// Where the last command began, which cut there if the epoch has changed since.
   std::size_t mark_begin_ = 0;
   std::uint64_t epoch_at_mark_ = 0;
-  std::uint64_t generation_ = 0;
   std::uint64_t creations_ = 0;
   std::size_t last_cut_ = 0;  ///< by the commands before the last
   bool running_ = false;

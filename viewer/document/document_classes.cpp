@@ -42,7 +42,7 @@ const FeatureTrial& Document::try_feature_angle(double angle_deg) {
     trial_->needs = {mesh.request(2, 0), mesh.request(0, 1), mesh.request(2, 1),
                      mesh.request(1, 2)};
   }
-  ClassifyOptions options = classify_;
+  ClassifyOptions options = options_.classify;
   options.feature_angle_deg = trial_->angle_deg = angle_deg;
   trial_->preview = preview_features(mesh, options);
   return *trial_;

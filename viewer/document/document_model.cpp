@@ -78,13 +78,13 @@ void Document::drop_model() {
 }
 
 void Document::set_snapping(bool on) {
-  if (on == snaps_) return;
+  if (on == snaps()) return;
   cancel_run();
-  snaps_ = on;
+  options_.snaps = on;
 }
 
 const Model* Document::model_to_snap_to() {
-  if (!snaps_) return nullptr;
+  if (!snaps()) return nullptr;
   if (loaded_->model) return loaded_->model->model.get();
   if (!loaded_->original || loaded_->original->step != classified_at()) make_original();
   return loaded_->original->model.get();

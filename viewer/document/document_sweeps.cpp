@@ -45,7 +45,8 @@ void Document::note_last_work() {
 
 /// The run has gone to its end; its command is closed. One that changed nothing has left no mark.
 void Document::note_stop(std::size_t made) {
-  last_work_.stop = stop_words(edges_left(*loaded_->decimation, mesh()), options_, mesh().count(2));
+  last_work_.stop =
+      why_stopped(edges_left(*loaded_->decimation, mesh()), options(), mesh().count(2));
   if (made == 0) return;
   marks_.back().stop = last_work_.stop;
   marks_.back().stopped_at = journal().cursor();

@@ -72,14 +72,21 @@ const KeptRun& KeptRuns::keep(Document& document, const std::string& name,
   if (seconds) run.from = start_of_run(document);
   document.set_place(run.number);
   rows_.push_back(std::move(run));
-  if (size() > most) remove(document, rows_[has_original() ? 1 : 0].number);
+  if (size() > most) make_way(document);
   return rows_.back();
+}
+
+void KeptRuns::make_way(Document& document) {
+  const auto oldest = std::find_if(rows_.begin(), rows_.end(), [&](const KeptRun& row) {
+    return row.number > 0 && row.number != reference_;
+  });
+  remove(document, oldest->number);
 }
 
 void KeptRuns::keep_original(Document& document) {
   if (has_original()) return;
   KeptRun row;
-  const Mesh& mesh = document.as_loaded().mesh();
+  const Mesh& mesh = document.copy_mesh_as_loaded().mesh();
   row.name = "As loaded";
   row.faces = mesh.count(2);
   row.angles = measure::measure_quality(mesh);
@@ -112,6 +119,7 @@ const KeptRun* KeptRuns::shown(const Document& document) const {
 
 void KeptRuns::remove(Document& document, unsigned number) {
   document.forget_place(number);
+  if (reference_ == number) reference_ = 0;
   std::erase_if(rows_, [&](const KeptRun& r) { return r.number == number; });
 }
 

@@ -39,12 +39,11 @@ struct KeptRun {
 /// "factor 4", "3,000 faces", "coarsest", "spacing curvature"
 [[nodiscard]] std::string aim_words(const Document& document);
 
-/// A copy of the mesh each: about 50 bytes a face.
+/// Of one document: a copy of its mesh each, about 50 bytes a face.
 class KeptRuns {
  public:
-  static constexpr std::size_t most = 32;  ///< the oldest makes way
+  static constexpr std::size_t most = 32;  ///< the oldest makes way that is not the reference
 
-  void clear() { *this = {}; }
   /// The mesh as it is now. `name` may be empty; what is kept already gets the new name. O(size).
   const KeptRun& keep(Document& document, const std::string& name, std::optional<double> seconds);
   /// A row for the mesh as loaded, which is then the first one. Nothing may run. O(size) once.
@@ -53,8 +52,14 @@ class KeptRuns {
   [[nodiscard]] const KeptRun* find(unsigned number) const;
   /// The one that the document shows; null: none.
   [[nodiscard]] const KeptRun* shown(const Document& document) const;
+  /// The reference is the mesh as loaded then, where it was this one.
   void remove(Document& document, unsigned number);
   void set_distance(unsigned number, const RunDistance& distance);
+
+  /// What the present mesh is compared with, in pictures and histograms; null: the mesh as loaded.
+  [[nodiscard]] const KeptRun* reference() const { return find_kept(reference_); }
+  /// The number of one that is kept; 0: the mesh as loaded.
+  void set_reference(unsigned number) { reference_ = number; }
 
   /// By ascending numbers.
   [[nodiscard]] const std::vector<KeptRun>& rows() const { return rows_; }
@@ -66,8 +71,14 @@ class KeptRuns {
   [[nodiscard]] const KeptRun* at(const Document& document, std::size_t step) const;
   [[nodiscard]] std::string start_of_run(const Document& document) const;
 
+  [[nodiscard]] const KeptRun* find_kept(unsigned number) const {
+    return number == 0 ? nullptr : find(number);
+  }
+  void make_way(Document& document);
+
   std::vector<KeptRun> rows_;
   unsigned last_ = 0;
+  unsigned reference_ = 0;
 };
 
 /// A line of titles and one a row; columns separated by tabs.

@@ -17,10 +17,10 @@
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
 #include "viewer/base/box.h"
+#include "viewer/base/up_axis.h"
 #include "viewer/document/drawing_needs.h"
 #include "viewer/document/load_request.h"
 #include "viewer/document/skin.h"
-#include "viewer/drawing/camera.h"
 
 namespace aomd::scene {
 

@@ -35,6 +35,8 @@ class RecoveryKeeper {
   /// any more. To be called after commands and, while something goes on, every now and then: cheap
   /// where nothing has changed, a copy of the journal where it has.
   void update(const Document& document);
+  /// Another document begins.
+  void begin() { place_.reset(); }
   /// The same whatever the pauses, and waits until it is done.
   void write_now(const Document& document);
   /// The work has been restored here: its files go once this process has written its own.
@@ -60,8 +62,8 @@ class RecoveryKeeper {
   std::shared_ptr<const SavedWork> taken_over_;
   std::filesystem::path journal_;  ///< of the last complete writing; empty: nothing is on disk
   unsigned number_ = 0;
-  HistoryPlace place_;           ///< of the last writing begun
-  std::uint64_t bookmarks_ = 0;  ///< HistoryTree::version() then
+  std::optional<HistoryPlace> place_;  ///< of the last writing begun; none: of another document
+  std::uint64_t bookmarks_ = 0;        ///< HistoryTree::version() then
   Clock::time_point not_before_{};
   struct Written {
     std::filesystem::path journal;  ///< empty: it failed

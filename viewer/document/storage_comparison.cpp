@@ -20,7 +20,7 @@ class Runner {
       : mesh_(mesh), decimation_(mesh, options), going_on_(going_on) {}
 
   /// False where it was told to stop.
-  bool run(StrategyRun& run) {
+  bool run(StorageRun& run) {
     std::optional<bool> collapsed;
     while (!decimation_.done()) {
       const bool collapses = decimation_.phase() == Phase::Collapse;
@@ -34,7 +34,7 @@ class Runner {
   }
 
  private:
-  bool run_phase(StrategyPart& part) {
+  bool run_phase(StoragePart& part) {
     const auto before = Clock::now();
     const auto look = [&] {
       part.bytes = mesh_.adjacency_bytes();
@@ -74,20 +74,20 @@ std::shared_ptr<const Column<Vertex, T>> closed_up(
       aomd::closed_up(*column, std::span<const Vertex>(mesh.vertices().list())));
 }
 
-nlohmann::ordered_json json_of(const StrategyPart& part) {
+nlohmann::ordered_json json_of(const StoragePart& part) {
   return {{"ms", part.ms}, {"bytes_after", part.bytes}, {"bytes_peak", part.peak}};
 }
 
-std::string row(const char* way, const char* name, const StrategyPart& part) {
+std::string row(const char* way, const char* name, const StoragePart& part) {
   return std::string(way) + "\t" + name + "\t" + std::to_string(part.ms) + "\t" +
          std::to_string(part.bytes) + "\t" + std::to_string(part.peak) + "\n";
 }
 
 }  // namespace
 
-StrategyResult compare_strategies(const MeshData& data, const DecimationOptions& options,
+StorageComparison compare_storage(const MeshData& data, const DecimationOptions& options,
                                   const GoingOn& going_on) {
-  StrategyResult result;
+  StorageComparison result;
   std::array<Mesh, 2> meshes{Mesh(data), Mesh(data)};
   for (std::size_t way = 0; way < 2; ++way) {
     DecimationOptions each = options;
@@ -103,21 +103,21 @@ StrategyResult compare_strategies(const MeshData& data, const DecimationOptions&
   return result;
 }
 
-std::unique_ptr<Background<StrategyResult>> start_comparing(const Mesh& mesh,
-                                                            const DecimationOptions& options) {
+std::unique_ptr<Background<StorageComparison>> start_comparing(const Mesh& mesh,
+                                                               const DecimationOptions& options) {
   DecimationOptions each = options;
   each.spacing = closed_up(mesh, options.spacing);
   each.keep = closed_up(mesh, options.keep);
-  return std::make_unique<Background<StrategyResult>>(
+  return std::make_unique<Background<StorageComparison>>(
       [data = to_data(mesh), each](const std::stop_token& stop, std::atomic<double>& progress) {
-        return compare_strategies(data, each, [&](double part) {
+        return compare_storage(data, each, [&](double part) {
           progress = part;
           return !stop.stop_requested();
         });
       });
 }
 
-std::string strategies_table(const StrategyResult& result) {
+std::string storage_table(const StorageComparison& result) {
   std::string text = "Way\tPart\tMs\tBytes after it\tBytes at most\n";
   for (std::size_t way = 0; way < 2; ++way) {
     text += row(way_names[way], "collapses", result.ways[way].collapses);
@@ -126,10 +126,10 @@ std::string strategies_table(const StrategyResult& result) {
   return text;
 }
 
-std::string strategies_json(const StrategyResult& result) {
+std::string storage_json(const StorageComparison& result) {
   nlohmann::ordered_json json;
   for (std::size_t way = 0; way < 2; ++way) {
-    const StrategyRun& run = result.ways[way];
+    const StorageRun& run = result.ways[way];
     json[way == 0 ? "keep" : "exchange"] = {{"collapses", json_of(run.collapses)},
                                             {"swaps_and_smoothing", json_of(run.improvement)},
                                             {"exchanges", run.exchanges},

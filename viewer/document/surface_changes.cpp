@@ -14,15 +14,15 @@ constexpr std::size_t words_per_face = 12;
 }  // namespace
 
 bool ChangeReader::can_follow(const HistoryPlace& now) const {
-  if (now.generation != place_.generation || now.creations != place_.creations) return false;
+  if (!place_ || now.creations != place_->creations) return false;
   // A cut behind the place where this reader stood took nothing that it has seen.
-  return now.epoch == place_.epoch ||
-         (now.epoch == place_.epoch + 1 && place_.cursor <= now.last_cut);
+  return now.epoch == place_->epoch ||
+         (now.epoch == place_->epoch + 1 && place_->cursor <= now.last_cut);
 }
 
 /// Beyond a part of the mesh a fresh start costs less than following.
 bool ChangeReader::is_far(const Mesh& mesh, const Journal& journal, std::size_t cursor) const {
-  const auto [first, last] = std::minmax(place_.cursor, cursor);
+  const auto [first, last] = std::minmax(place_->cursor, cursor);
   return 3 * journal.words_of(first, last) > words_per_face * mesh.count(2);
 }
 
@@ -45,7 +45,7 @@ SurfaceChanges ChangeReader::read(const Mesh& mesh, const Journal& journal,
 void ChangeReader::collect(const Mesh& mesh, const Journal& journal, std::size_t cursor,
                            SurfaceChanges& changes) {
   IdSet* const sets[] = {&vertices_, &edges_, &faces_};
-  const auto [first, last] = std::minmax(place_.cursor, cursor);
+  const auto [first, last] = std::minmax(place_->cursor, cursor);
   journal.touched(first, last, [&](EntityRef e) {
     if (e.dimension < 3) sets[e.dimension]->add(e.index);
   });

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/mesh/journal.h"
@@ -14,11 +15,10 @@ namespace aomd::scene {
 /// Where a mesh stands in its history, and what a reader of it needs to know to go on from where it
 /// was.
 struct HistoryPlace {
-  std::uint64_t generation = 0;  ///< another mesh has another one
-  std::uint64_t creations = 0;   ///< changes of T that made entities, which no journal records
-  std::uint64_t epoch = 0;       ///< Journal::epoch
-  std::size_t cursor = 0;        ///< Journal::cursor
-  std::size_t last_cut = 0;      ///< steps before this one survived the cut that led to `epoch`
+  std::uint64_t creations = 0;  ///< changes of T that made entities, which no journal records
+  std::uint64_t epoch = 0;      ///< Journal::epoch
+  std::size_t cursor = 0;       ///< Journal::cursor
+  std::size_t last_cut = 0;     ///< steps before this one survived the cut that led to `epoch`
   friend bool operator==(const HistoryPlace&, const HistoryPlace&) = default;
 };
 
@@ -36,7 +36,7 @@ struct SurfaceChanges {
   }
 };
 
-/// Reads the changes of one mesh after the other. Keeps a copy of the triangles, since a journal
+/// Reads the changes of one mesh. Keeps a copy of the triangles, since a journal
 /// does not say what stood where a face is gone. The mesh must store T(0,1), T(0,2) and T(2,0).
 class ChangeReader {
  public:
@@ -54,7 +54,7 @@ class ChangeReader {
   void remember(const Mesh& mesh);
   void remember(const Mesh& mesh, Face face);
 
-  HistoryPlace place_;
+  std::optional<HistoryPlace> place_;             ///< none: nothing is read yet
   std::vector<std::array<Vertex, 3>> triangles_;  ///< by face id, as of `place_`
   IdSet vertices_, edges_, faces_;                ///< scratch
 };

@@ -76,8 +76,8 @@ EdgesByReason edges_left(Decimation& decimation, const Mesh& mesh) {
   return edges;
 }
 
-std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
-                       std::int64_t faces) {
+std::string why_stopped(const EdgesByReason& edges, const DecimationOptions& options,
+                        std::int64_t faces) {
   const std::string target = counted(options.target_faces, "face");
   if (options.target_faces > 0 && faces <= options.target_faces)
     return "Stopped at the aim of " + target + ".";

@@ -19,7 +19,7 @@ using EdgesByReason = std::array<std::int64_t, reason_count>;
 /// "Stopped, mostly by length: of 9,210 edges left, 7,030 are long enough for the spacing, 1,950
 /// would turn a face by more than 10 degrees and 230 would leave the model entity that they lie
 /// on."
-[[nodiscard]] std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
-                                     std::int64_t faces);
+[[nodiscard]] std::string why_stopped(const EdgesByReason& edges, const DecimationOptions& options,
+                                      std::int64_t faces);
 
 }  // namespace aomd::scene

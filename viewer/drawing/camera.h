@@ -10,10 +10,10 @@
 #include <glm/vec3.hpp>
 
 #include "viewer/base/box.h"
+#include "viewer/base/up_axis.h"
 
 namespace aomd::scene {
 
-enum class UpAxis { Y, Z };
 enum class StandardView { Iso, Front, Back, Left, Right, Top, Bottom };
 
 struct Ray {

@@ -58,17 +58,15 @@ void assign(Column<H, float>& column, const Column<H, double>& values) {
 }  // namespace
 
 void FieldKeeper::update(Coloring coloring, const FieldSource& source, SurfaceChanges& changes) {
-  const std::uint64_t generation = source.document.place().generation;
   if (!has_field(coloring, source.skin)) {
     *this = {};
     return;
   }
-  const bool anew = !field_ || field_->kind != coloring || generation != generation_;
+  const bool anew = !field_ || field_->kind != coloring;
   if (anew) {
     field_ = std::make_shared<ScalarField>();
     field_->kind = coloring;
     shown_ = field_;
-    generation_ = generation;
     pending_ = false;
     measured_.clear();
   }
@@ -92,8 +90,8 @@ void FieldKeeper::set_scale(const FieldScale& scale) {
 }
 
 void FieldKeeper::spacing(const FieldSource& source, bool anew) {
-  if (!anew && options_ == source.document.options()) return;
-  options_ = source.document.options();
+  if (!anew && options_ == source.document.options_revision()) return;
+  options_ = source.document.options_revision();
   Column<Vertex, double> wanted = source.document.wanted_lengths();
   if (source.run != nullptr)
     wanted = closed_up(wanted, std::span<const Vertex>(*source.run->vertices));
@@ -143,7 +141,7 @@ void FieldKeeper::distance(const FieldSource& source, SurfaceChanges& changes) {
 bool FieldKeeper::measure_distances(const FieldSource& source) {
   constexpr std::size_t between_checks = 32;
   const auto start = std::chrono::steady_clock::now();
-  AsLoaded& original = source.document.as_loaded();
+  AsLoaded& original = source.document.copy_mesh_as_loaded();
   const double percent = 100 / source.document.content().bounds.diagonal();
   std::size_t made = 0;
   for (; next_ < source.mesh.capacity(2); ++next_) {
@@ -179,7 +177,7 @@ void FieldKeeper::curvature(const FieldSource& source, const SurfaceChanges& cha
   const double diagonal = source.document.content().bounds.diagonal();
   // One scale for before and after, that of before.
   if (source.as_loaded) {
-    AsLoaded& original = source.document.as_loaded();
+    AsLoaded& original = source.document.copy_mesh_as_loaded();
     assign(field_->vertices, original.curvatures());
     field_->scale = curvature_scale(original.mesh(), original.curvatures(), diagonal);
   } else {
@@ -188,8 +186,8 @@ void FieldKeeper::curvature(const FieldSource& source, const SurfaceChanges& cha
     if (source.skin)
       field_->scale = curvature_scale(source.mesh, values, diagonal);
     else
-      field_->scale = curvature_scale(source.document.as_loaded().mesh(),
-                                      source.document.as_loaded().curvatures(), diagonal);
+      field_->scale = curvature_scale(source.document.copy_mesh_as_loaded().mesh(),
+                                      source.document.copy_mesh_as_loaded().curvatures(), diagonal);
   }
   ++field_->version;
 }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/decimate/options.h"
 #include "viewer/document/document.h"
 #include "viewer/document/kept_runs.h"
 #include "viewer/document/surface_changes.h"
@@ -25,10 +24,10 @@ struct FieldSource {
   std::optional<std::chrono::microseconds> budget = {};  ///< for what takes long; none: all at once
 };
 
-/// Quality is measured with every change and needs no longer than drawing; Spacing when the options
-/// change. Distance (about 20 microseconds a changed face) and Curvature (O(faces)) wait until
-/// nothing runs: until then changed faces have no colour, or that of before. Distance is measured
-/// in slices of time.
+/// Of one mesh. Quality is measured with every change and needs no longer than drawing; Spacing
+/// when the options change. Distance (about 20 microseconds a changed face) and Curvature
+/// (O(faces)) wait until nothing runs: until then changed faces have no colour, or that of before.
+/// Distance is measured in slices of time.
 class FieldKeeper {
  public:
   /// Brings the field that `coloring` names up to date, or lets go of it. `changes` are those of
@@ -52,8 +51,7 @@ class FieldKeeper {
 
   std::shared_ptr<ScalarField> field_;
   std::shared_ptr<const ScalarField> shown_;  ///< the same
-  DecimationOptions options_;                 ///< that Spacing was evaluated for
-  std::uint64_t generation_ = 0;
+  std::uint64_t options_ = 0;                 ///< revision of those that Spacing was evaluated for
   bool pending_ = false;
   std::uint32_t next_ = 0;      ///< faces before it have been looked at since the last change
   std::vector<Face> measured_;  ///< and these got a value, which is not drawn yet

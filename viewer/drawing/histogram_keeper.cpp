@@ -76,12 +76,12 @@ bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool 
   }
   const HistoryPlace place = document.place();
   const unsigned number = reference == nullptr ? 0 : reference->number;
-  const bool other = !histograms_ || place.generation != place_.generation || number != reference_;
-  const bool reset = other || options_ != document.options();
+  const std::uint64_t options = document.options_revision();
+  const bool reset = !histograms_ || number != reference_ || options_ != options;
   if (!reset && place == place_) return false;
   if (!still) return false;
   if (reset) {
-    options_ = document.options();
+    options_ = options;
     histograms_.emplace();
     histograms_->volume = document.content().volume();
     measure_before(document, reference);
@@ -95,7 +95,7 @@ bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool 
 
 void HistogramKeeper::measure_before(Document& document, const KeptRun* reference) {
   const bool skin = document.content().skin.has_value();
-  const Mesh& mesh = skin ? document.mesh() : document.as_loaded().mesh();
+  const Mesh& mesh = skin ? document.mesh() : document.copy_mesh_as_loaded().mesh();
   lengths_ = document.wanted_lengths();
   histograms_->wanted_lengths = some_wanted(mesh, lengths_);
   if (!histograms_->wanted_lengths) lengths_.assign(mesh.capacity(0), mean_length(mesh));

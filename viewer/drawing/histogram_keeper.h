@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/decimate/options.h"
 #include "core/measure/histogram.h"
 #include "viewer/document/document.h"
 #include "viewer/document/kept_runs.h"
@@ -63,7 +62,7 @@ class HistogramKeeper {
   Column<Vertex, double> lengths_;  ///< what edges are held against
   HistoryPlace place_;
   unsigned reference_ = 0;
-  DecimationOptions options_;
+  std::uint64_t options_ = 0;  ///< revision of the options
 };
 
 }  // namespace aomd::scene

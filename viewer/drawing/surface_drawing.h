@@ -18,9 +18,9 @@
 #include "viewer/document/surface_changes.h"
 #include "viewer/drawing/corner_normals.h"
 #include "viewer/drawing/drawable.h"
+#include "viewer/drawing/edge_codes.h"
 #include "viewer/drawing/scalar_field.h"
 #include "viewer/drawing/view.h"
-#include "viewer/explain/edge_verdicts.h"
 
 namespace aomd::scene {
 

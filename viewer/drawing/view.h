@@ -97,7 +97,18 @@ struct TensorSections {
   bool hash_sets = false, ids = false, strategies = false;
 };
 
-struct View {
+/// What of a view belongs to the mesh that is shown: another mesh begins without any of it.
+struct MeshView {
+  std::optional<Clip> clip;
+  double shrink = 0;  ///< how far faces and regions are pulled towards their centres, 0..0.9
+  std::set<ModelRef> hidden;
+  std::optional<ModelRef> highlighted;
+  std::optional<MarkedBar> marked;
+  std::optional<glm::dvec2>
+      menu;  ///< where a menu for what is selected is open in the picture, -1..1
+};
+
+struct View : MeshView {
   Camera camera;
   double aspect = 1.5;     ///< width by height of the picture; whoever draws keeps it true
   double height_px = 600;  ///< of the picture, logical pixels; likewise
@@ -113,12 +124,7 @@ struct View {
   PlaySpeed play_speed;
   bool original = false;        ///< the reference as glass over the present mesh
   bool side_by_side = false;    ///< the reference on the left, the present mesh on the right
-  unsigned reference = 0;       ///< number of the kept state to compare with; 0: the mesh as loaded
   bool interior_edges = false;  ///< of a volume, through a surface of glass
-  std::optional<Clip> clip;
-  double shrink = 0;  ///< how far faces and regions are pulled towards their centres, 0..0.9
-  std::set<ModelRef> hidden;
-  std::optional<ModelRef> highlighted;
   PickLevel pick_level = PickLevel::Automatic;
   bool preview = true;  ///< what an operation on the selected edge or vertex would lead to, or a
                         ///< collapse of the edge that the mouse points at
@@ -127,9 +133,6 @@ struct View {
   bool labels_everywhere = false;  ///< also at all else, as far as there is room
   std::optional<int> neighbours;   ///< the level whose entities around the selected one light up
   TensorSections sections;
-  std::optional<MarkedBar> marked;
-  std::optional<glm::dvec2>
-      menu;              ///< where a menu for what is selected is open in the picture, -1..1
   std::string bar_menu;  ///< which menu of the menu bar is open: "File"; empty: none by a command
   Theme theme = Theme::Light;
   Panels panels;

@@ -13,22 +13,14 @@
 #include "core/decimate/decimation.h"
 #include "core/mesh/column.h"
 #include "viewer/document/surface_changes.h"
-#include "viewer/drawing/palette.h"
+#include "viewer/drawing/edge_codes.h"
 
 namespace aomd::scene {
 
-/// By edge: a Reason, or `unjudged`. Four bits of CornerFlag hold one.
-using EdgeCodes = Column<Edge, std::uint8_t>;
-inline constexpr std::uint8_t unjudged = 15;
-static_assert(reason_count <= unjudged);
-
 /// A reason as commands name it, the keys of reports in small letters: "angle".
 [[nodiscard]] std::string reason_word(Reason reason);
-/// The colour of an edge with this code; safe for colour-blind eyes as far as eleven can be.
-[[nodiscard]] Color verdict_color(std::uint8_t code);
-
 /// Judges edges in slices of time, first all of them, then those whose surroundings have changed.
-class VerdictField {
+class EdgeVerdicts {
  public:
   /// All edges wait to be judged again.
   void start(const Mesh& mesh);

@@ -41,7 +41,7 @@ AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
 }
 
 /// Only of surfaces that store T(0,2): the angle between the normals of an edge's two faces.
-void add_fold(const Mesh& mesh, std::span<const std::uint32_t> faces, Inspection& result) {
+void add_fold(const Mesh& mesh, std::span<const std::uint32_t> faces, EntityFacts& result) {
   if (faces.size() != 2) return;
   std::array<glm::dvec3, 2> normals;
   VertexBuffer buffer;
@@ -53,7 +53,7 @@ void add_fold(const Mesh& mesh, std::span<const std::uint32_t> faces, Inspection
   result.facts.emplace_back("Fold", degrees_text(degrees(cosine_between(normals[0], normals[1]))));
 }
 
-void add_edge_facts(const Document& document, EntityRef e, Inspection& result) {
+void add_edge_facts(const Document& document, EntityRef e, EntityFacts& result) {
   const Mesh& mesh = document.mesh();
   VertexBuffer buffer;
   const auto ends = mesh.vertices_of(e, buffer);
@@ -68,7 +68,7 @@ void add_edge_facts(const Document& document, EntityRef e, Inspection& result) {
     if (l.level == 2 && mesh.dimension() == 2) add_fold(mesh, l.ids, result);
 }
 
-void add_face_facts(const Mesh& mesh, EntityRef e, Inspection& result) {
+void add_face_facts(const Mesh& mesh, EntityRef e, EntityFacts& result) {
   VertexBuffer buffer;
   const auto v = mesh.vertices_of(e, buffer);
   double area = 0, least = 180, most = 0;
@@ -85,7 +85,7 @@ void add_face_facts(const Mesh& mesh, EntityRef e, Inspection& result) {
   result.facts.emplace_back("Angles", short_number(least, 1) + " to " + degrees_text(most));
 }
 
-void add_vertex_facts(const Document& document, Vertex v, Inspection& result) {
+void add_vertex_facts(const Document& document, Vertex v, EntityFacts& result) {
   result.facts.emplace_back("At", point_text(document.mesh().position(v)));
   for (const AdjacentLevel& l : result.adjacent)
     if (l.level == 1 && l.known) result.facts.emplace_back("Valence", std::to_string(l.ids.size()));
@@ -96,7 +96,7 @@ void add_vertex_facts(const Document& document, Vertex v, Inspection& result) {
 }
 
 template <typename H>
-void add_attached(const Mesh& mesh, H h, Inspection& result) {
+void add_attached(const Mesh& mesh, H h, EntityFacts& result) {
   for (const auto& column : mesh.columns(H::dimension)) {
     const std::string& name = column->name();
     if (const auto* number = mesh.find_column<H, double>(name))
@@ -108,7 +108,7 @@ void add_attached(const Mesh& mesh, H h, Inspection& result) {
   }
 }
 
-void add_attached(const Mesh& mesh, EntityRef e, Inspection& result) {
+void add_attached(const Mesh& mesh, EntityRef e, EntityFacts& result) {
   if (e.dimension == 0) add_attached(mesh, Vertex(e.index), result);
   if (e.dimension == 1) add_attached(mesh, Edge(e.index), result);
   if (e.dimension == 2) add_attached(mesh, Face(e.index), result);
@@ -121,7 +121,7 @@ std::string mark(CheckResult::State state) {
                                                : "-";
 }
 
-std::string judgement_text(const Judgement& j) {
+std::string judgement_text(const EntityVerdict& j) {
   std::string text;
   for (const CollapseWay& way : j.ways) {
     text += way_title(way) + ": " + way.words + "\n ";
@@ -145,9 +145,9 @@ std::string entity_label(EntityRef e) {
 
 std::string model_words(ModelRef ref) { return ref.valid() ? name_of(ref) : "not classified"; }
 
-Inspection inspect(const Document& document, EntityRef e) {
+EntityFacts entity_facts(const Document& document, EntityRef e) {
   const Mesh& mesh = document.mesh();
-  Inspection result{e, {}, {}};
+  EntityFacts result{e, {}, {}};
   for (int level = 0; level < 4; ++level)
     if (level != e.dimension && (level < 3 || mesh.count(3) > 0))
       result.adjacent.push_back(adjacent_level(mesh, e, level));
@@ -161,7 +161,7 @@ Inspection inspect(const Document& document, EntityRef e) {
   return result;
 }
 
-std::string inspection_text(const Inspection& inspection, const Judgement* judgement) {
+std::string entity_facts_text(const EntityFacts& inspection, const EntityVerdict* judgement) {
   std::string text = entity_title(inspection.entity) + "\n";
   for (const auto& [name, value] : inspection.facts) text += name + ": " + value + "\n";
   for (const AdjacentLevel& level : inspection.adjacent) {

@@ -19,14 +19,14 @@ struct AdjacentLevel {
   std::string how;    ///< "stored", or the path that answers it; where there is none, what to store
 };
 
-struct Inspection {
+struct EntityFacts {
   EntityRef entity;
   std::vector<std::pair<std::string, std::string>> facts;  ///< "Length", "0.012"
   std::vector<AdjacentLevel> adjacent;                     ///< the three other levels, lowest first
 };
 
 /// The entity must be alive. Through explain() (core/mesh/derive.h); never builds a hash set.
-[[nodiscard]] Inspection inspect(const Document& document, EntityRef e);
+[[nodiscard]] EntityFacts entity_facts(const Document& document, EntityRef e);
 
 /// "Edge 812"
 [[nodiscard]] std::string entity_title(EntityRef e);
@@ -35,6 +35,7 @@ struct Inspection {
 /// "model face 3", or "not classified".
 [[nodiscard]] std::string model_words(ModelRef ref);
 /// All of it as lines of text, the judgement included where there is one.
-[[nodiscard]] std::string inspection_text(const Inspection& inspection, const Judgement* judgement);
+[[nodiscard]] std::string entity_facts_text(const EntityFacts& inspection,
+                                            const EntityVerdict* judgement);
 
 }  // namespace aomd::scene

@@ -61,9 +61,9 @@ void draw_change(const Change& change, EntityRef decided, Sketch& sketch) {
 
 }  // namespace
 
-std::optional<Judgement> judge(Decimation& decimation, const Mesh& mesh, EntityRef e) {
+std::optional<EntityVerdict> judge(Decimation& decimation, const Mesh& mesh, EntityRef e) {
   constexpr const char* later = "This strategy judges it once its collapses are done.";
-  Judgement j;
+  EntityVerdict j;
   j.entity = e;
   if (e.dimension == 1) {
     for (const CollapseOutlook& o : decimation.outlook(Edge(e.index)))
@@ -83,7 +83,7 @@ std::optional<Judgement> judge(Decimation& decimation, const Mesh& mesh, EntityR
   return j;
 }
 
-std::string short_words(const Judgement& judgement) {
+std::string short_words(const EntityVerdict& judgement) {
   return judgement.ways.empty() ? std::string() : judgement.ways[judgement.best].words;
 }
 

@@ -20,7 +20,7 @@ struct CollapseWay {
 };
 
 /// What is said about one entity: collapses and swap of an edge, smoothing of a vertex.
-struct Judgement {
+struct EntityVerdict {
   EntityRef entity;
   std::vector<CollapseWay> ways;
   std::size_t best = 0;  ///< the way that is allowed, else the one that got furthest
@@ -30,10 +30,11 @@ struct Judgement {
 };
 
 /// O(faces around it). Nothing for faces and regions.
-[[nodiscard]] std::optional<Judgement> judge(Decimation& decimation, const Mesh& mesh, EntityRef e);
+[[nodiscard]] std::optional<EntityVerdict> judge(Decimation& decimation, const Mesh& mesh,
+                                                 EntityRef e);
 
 /// One line for what the mouse points at: the best way of an edge.
-[[nodiscard]] std::string short_words(const Judgement& judgement);
+[[nodiscard]] std::string short_words(const EntityVerdict& judgement);
 /// "Vertex 12 into vertex 13"
 [[nodiscard]] std::string way_title(const CollapseWay& way);
 

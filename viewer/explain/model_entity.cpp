@@ -9,8 +9,8 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/names.h"
 #include "core/model/model.h"
+#include "viewer/base/entity_text.h"
 #include "viewer/base/text.h"
-#include "viewer/commands/arguments.h"
 
 namespace aomd::scene {
 namespace {

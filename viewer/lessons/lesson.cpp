@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/io/io.h"
-#include "viewer/commands/commands.h"
 #include "viewer/lessons/lesson_texts.h"
 
 namespace aomd::scene {
@@ -45,7 +44,8 @@ std::string defect_of(const Lesson& lesson) {
 /// Reads a file from top to bottom: a line that begins with @ says what the lines below it are.
 class LessonReader {
  public:
-  LessonReader(const std::string& file, std::string_view text) : text_(text) {
+  LessonReader(const std::string& file, std::string_view text, const IsCommand& is_command)
+      : text_(text), is_command_(is_command) {
     lesson_.file = file;
     const std::size_t dash = file.find('-');
     const std::size_t begin = dash == std::string::npos ? 0 : dash + 1;
@@ -149,7 +149,7 @@ class LessonReader {
       return text_line(line);
     if (line.empty() || line.front() == '#') return;
     if (section_ == Section::Head) fail("this line belongs to no page");
-    if (!is_command(line)) fail("there is no command '" + line + "'");
+    if (is_command_ && !is_command_(line)) fail("there is no command '" + line + "'");
     if (section_ == Section::Check && line.rfind("expect ", 0) != 0)
       fail("a check consists of expect lines");
     lines().push_back({line, number_});
@@ -170,7 +170,7 @@ class LessonReader {
 
   Paragraph paragraph(const std::string& text, std::size_t line) const {
     try {
-      return parse_paragraph(text);
+      return parse_paragraph(text, is_command_);
     } catch (const std::invalid_argument& error) {
       fail(error.what(), line);
     }
@@ -207,6 +207,7 @@ class LessonReader {
   }
 
   std::string_view text_;
+  const IsCommand& is_command_;
   Lesson lesson_;
   Section section_ = Section::Head;
   std::size_t number_ = 0;
@@ -218,8 +219,8 @@ class LessonReader {
 
 }  // namespace
 
-Lesson parse_lesson(const std::string& file, std::string_view text) {
-  return LessonReader(file, text).read();
+Lesson parse_lesson(const std::string& file, std::string_view text, const IsCommand& is_command) {
+  return LessonReader(file, text, is_command).read();
 }
 
 std::span<const Lesson> lessons() {

@@ -2,6 +2,7 @@
 // Lessons: pages of text, with commands that set the scene, tasks, and what tells that a task is
 // done. Their files are described in docs/LESSONS.md.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -22,9 +23,12 @@ struct TextSpan {
 };
 using Paragraph = std::vector<TextSpan>;
 
+/// Whether a line begins with the name of a command; where there is none, every line does.
+using IsCommand = std::function<bool(std::string_view)>;
+
 /// From `*emphasis*`, `` `code` ``, `{Key}` and `[a link](command)`. Throws std::invalid_argument
 /// saying what is not closed, or which link has no such command.
-[[nodiscard]] Paragraph parse_paragraph(std::string_view text);
+[[nodiscard]] Paragraph parse_paragraph(std::string_view text, const IsCommand& is_command = {});
 /// Without marks.
 [[nodiscard]] std::string plain_text(const Paragraph& paragraph);
 
@@ -61,7 +65,8 @@ struct Lesson {
 };
 
 /// Throws io::ReadError that names file and line.
-[[nodiscard]] Lesson parse_lesson(const std::string& file, std::string_view text);
+[[nodiscard]] Lesson parse_lesson(const std::string& file, std::string_view text,
+                                  const IsCommand& is_command = {});
 
 /// Those of the program, in their order; read once.
 [[nodiscard]] std::span<const Lesson> lessons();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "viewer/commands/commands.h"
 #include "viewer/lessons/lesson.h"
 
 namespace aomd::scene {
@@ -36,7 +35,7 @@ std::string until(std::string_view& text, char close, const char* what) {
   return inside;
 }
 
-TextSpan marked(std::string_view& text, const Mark& mark) {
+TextSpan marked(std::string_view& text, const Mark& mark, const IsCommand& is_command) {
   text.remove_prefix(1);
   TextSpan span{mark.kind, until(text, mark.close, mark.name), {}};
   if (mark.kind != TextSpan::Kind::Link) return span;
@@ -44,18 +43,18 @@ TextSpan marked(std::string_view& text, const Mark& mark) {
     throw std::invalid_argument("the link '" + span.text + "' has no (command)");
   text.remove_prefix(1);
   span.line = until(text, ')', "a link's command");
-  if (!is_command(span.line))
+  if (is_command && !is_command(span.line))
     throw std::invalid_argument("there is no command '" + span.line + "'");
   return span;
 }
 
 }  // namespace
 
-Paragraph parse_paragraph(std::string_view text) {
+Paragraph parse_paragraph(std::string_view text, const IsCommand& is_command) {
   Paragraph spans;
   while (!text.empty()) {
     if (const Mark* mark = mark_at(text.front())) {
-      spans.push_back(marked(text, *mark));
+      spans.push_back(marked(text, *mark, is_command));
       continue;
     }
     const std::size_t end = std::min(text.find_first_of("*`{["), text.size());

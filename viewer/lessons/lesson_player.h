@@ -6,20 +6,32 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "viewer/document/loaded_mesh.h"
-#include "viewer/document/surface_changes.h"
+#include "viewer/document/document_options.h"
+#include "viewer/document/load_request.h"
 #include "viewer/drawing/view.h"
 #include "viewer/lessons/lesson.h"
 
 namespace aomd::scene {
 
-class Session;
+/// What the user had before the first page of a lesson.
+struct BeforeLesson {
+  LoadRequest source;
+  View view;
+  DecimationOptions options;
+  ClassifyOptions classify;
+  bool snaps = false;
+};
 
-/// A page always begins in the same way: the commands of the pages up to it are carried out from a
-/// session without options, whatever the user has done. Its meshes are for practice: changing them
-/// is no work that could be lost.
+/// The view with which a lesson begins: as after the start of the program, but for how the window
+/// looks.
+[[nodiscard]] View view_for_lesson(const View& present);
+/// The view of before, but for the camera and for what the window looks like now.
+[[nodiscard]] View view_after_lesson(const View& before, const View& present);
+
+/// Knows where a lesson stands and changes nothing else: lesson_commands.h carries out its lines.
 class LessonPlayer {
  public:
   /// Null: no lesson is open.
@@ -33,19 +45,18 @@ class LessonPlayer {
   [[nodiscard]] bool done() const { return done_; }
   /// While its pages' commands are carried out: what they load is for practice.
   [[nodiscard]] bool entering() const { return entering_; }
+  void set_entering(bool on) { entering_ = on; }
 
-  /// Opens a page of a lesson. Blocks while it is made; throws CommandError naming the line that
-  /// failed.
-  void open(Session& session, const Lesson& lesson, std::size_t page);
-  /// Loads one of its meshes.
-  void load_mesh(Session& session, const std::string& name);
-  /// Carries out what does the page's task.
-  void solve(Session& session);
-  /// Puts back options and view, and loads what was there before; another file's mesh may be there
-  /// already.
-  void leave(Session& session, bool reload);
-  /// Looks whether the task is done, where something has happened since. Cheap.
-  void update(Session& session);
+  /// Another page is being entered. `before` counts where no lesson was open.
+  void begin(const Lesson& lesson, std::size_t page, BeforeLesson before);
+  /// Its commands have been carried out.
+  void begin_task();
+  /// The result of looking at every check of the page.
+  void take(std::vector<bool> met);
+  /// Counts a lesson whose last page is done.
+  void note_completion();
+  /// What was there before; none where no lesson is open.
+  [[nodiscard]] std::optional<BeforeLesson> end();
 
   bool shown = true;                ///< its tab is in front of the mesh's
   bool hinted = false;              ///< the hint is open
@@ -55,33 +66,25 @@ class LessonPlayer {
   enum class Hint { None, First, Again };
   Hint suggested = Hint::None;
 
- private:
-  /// What the user had before the first page.
-  struct Before {
-    LoadRequest source;
-    View view;
-    DecimationOptions options;
-    ClassifyOptions classify;
-    bool snaps = false;
-  };
   /// What checks can depend on.
   struct Stamp {
     std::uint64_t executed = 0;
-    HistoryPlace place;
-    bool idle = false;
+    std::size_t cursor = 0;
+    std::uint64_t epoch = 0;
     friend bool operator==(const Stamp&, const Stamp&) = default;
   };
+  /// False where the checks have been looked at with this stamp.
+  [[nodiscard]] bool differs(const Stamp& now) const { return looked_at_ != now; }
+  void set_looked_at(const Stamp& now) { looked_at_ = now; }
 
-  void carry_out(Session& session, const std::vector<LessonLine>& lines, bool to_the_end);
-  [[nodiscard]] bool holds(Session& session, const LessonCheck& check) const;
-
+ private:
   const Lesson* lesson_ = nullptr;
   std::size_t page_ = 0;
   std::vector<bool> met_;
   bool done_ = false;
   bool entering_ = false;
   std::optional<Stamp> looked_at_;
-  std::unique_ptr<Before> before_;
+  std::optional<BeforeLesson> before_;
 };
 
 }  // namespace aomd::scene

@@ -6,7 +6,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
-#include "viewer/explain/edge_verdicts.h"
+#include "viewer/drawing/edge_codes.h"
 
 namespace aomd::render {
 

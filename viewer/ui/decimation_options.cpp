@@ -79,7 +79,8 @@ Aim aim_of(const DecimationOptions& options) {
 
 /// Faces as opened: the upper end of the slider.
 std::int64_t faces_at_most(const Frame& frame) {
-  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.loaded_facts().faces, 8) : 100'000;
+  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.sheet().loaded_facts().faces, 8)
+                          : 100'000;
 }
 
 void take_aim(Frame& frame, Aim aim) {

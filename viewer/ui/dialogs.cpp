@@ -16,12 +16,12 @@ namespace {
 using scene::Dialog;
 
 std::string stem_of(const scene::Session& session) {
-  if (session.document.empty()) return "mesh";
-  return std::filesystem::path(session.document.content().name).stem().string();
+  if (session.document().empty()) return "mesh";
+  return std::filesystem::path(session.document().content().name).stem().string();
 }
 
 std::string suggested_name(const scene::Session& session) {
-  const bool volume = !session.document.empty() && session.document.content().volume();
+  const bool volume = !session.document().empty() && session.document().content().volume();
   return stem_of(session) + (volume ? "-copy.msh" : "-decimated.ply");
 }
 

@@ -50,7 +50,7 @@ void field_legend(const Frame& frame) {
   const scene::Coloring coloring = frame.session.view.coloring;
   if (!scene::is_field(coloring)) return;
   const scene::FieldText words = scene::field_text(coloring);
-  const scene::ScalarField* field = frame.session.field();
+  const scene::ScalarField* field = frame.session.sheet().field();
   heading(frame, std::string(words.title).c_str());
   tooltip(words.help);
   ImGui::PushTextWrapPos(0);

@@ -81,8 +81,10 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Smooth", "smooth", false, frame.can_decimate());
   command_item(frame, "Improve", "improve", false, frame.can_decimate());
   ImGui::Separator();
-  command_item(frame, "Select nothing", "select none", false, !frame.session.selection.empty());
-  command_item(frame, "Grow selection", "select grow", false, !frame.session.selection.empty());
+  command_item(frame, "Select nothing", "select none", false,
+               !frame.session.sheet().selection.empty());
+  command_item(frame, "Grow selection", "select grow", false,
+               !frame.session.sheet().selection.empty());
   ImGui::Separator();
   command_item(frame, "Run", "run", false, frame.can_decimate());
   command_item(frame, "Cancel", "cancel", false, !frame.session.idle());
@@ -148,7 +150,7 @@ void view_menu(Frame& frame) {
   const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   command_item(frame, "Show what is selected", "fit selection", false,
-               !frame.session.selection.empty());
+               !frame.session.sheet().selection.empty());
   camera_menu(frame);
   color_menu(frame);
   clip_menu(frame);

@@ -43,7 +43,7 @@ void class_items(Frame& frame, EntityRef e) {
 }
 
 void items(Frame& frame) {
-  const scene::Selection& selection = frame.session.selection;
+  const scene::Selection& selection = frame.session.sheet().selection;
   const EntityRef e = selection.single();
   const bool some = !selection.empty();
   title(frame, selection);

@@ -40,7 +40,7 @@ void transport(Frame& frame) {
   const bool back = document.can_undo();
   const bool forward = document.can_redo();
   const bool still = !document.running();
-  const bool playing = frame.session.playing();
+  const bool playing = frame.session.sheet().playing();
   transport_button(frame, "first", Icon::First, "seek 0", back && still);
   transport_button(frame, "back", Icon::Back, "step -1", back && still);
   transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle",
