@@ -110,7 +110,7 @@ struct Case {
   std::string name;
   Lines window;
   Lines first;
-  std::string second = "sample torus 8";
+  std::string second = "sample torus 24";
   Lines then = {"run", "compare with 1", "compare side", "select edge 3", "color quality"};
 };
 
@@ -132,17 +132,17 @@ TEST_P(SecondMesh, LooksAsInANewSession) {
 
 std::vector<Case> cases() {
   const std::string mesh = "sample bracket 6";
-  const Lines of_a_volume = {"highlight region:1"};
+  const Lines of_a_volume = {"clip x 0.4 cells", "select region 2", "highlight region:1"};
   return {
       {"Runs", {"compare side"}, {mesh, "run", "compare with 1"}},
-      {"TheSameRun", {"compare side"}, {"sample torus 8", "run", "compare with 1"}},
+      {"TheSameRun", {"compare side"}, {"sample torus 24", "run", "compare with 1"}},
       {"MeasuredRuns",
        {"panel runs on"},
        {mesh, "run", "undo", "step 9", "runs keep", "runs measure"}},
       {"Glass", {"show original on", "color distance"}, {mesh, "sweep"}},
-      {"Selection", {}, {mesh, "select vertex 3 4 5"}},
+      {"Selection", {}, {mesh, "select vertex 3 6 9"}},
       {"OneEdge", {"preview 2", "panel selection on"}, {mesh, "select edge 5"}},
-      {"Neighbours", {"neighbours vertex"}, {mesh, "select vertex 5"}},
+      {"Neighbours", {"sample torus 24", "neighbours vertex"}, {mesh, "select vertex 5"}},
       {"Hover", {}, {mesh, "hover 0 0"}},
       {"Menu", {}, {mesh, "menu 0 0"}},
       {"Mark", {"panel histograms on"}, {mesh, "mark valence 6"}},
@@ -160,9 +160,9 @@ std::vector<Case> cases() {
       {"Curvature", {"color curvature"}, {mesh, "step 4"}},
       {"Verdicts", {"color verdict"}, {mesh, "step 4"}},
       {"Storage", {"strategies on"}, {mesh, "strategies run"}},
-      {"Trial", {}, {mesh, "feature-preview 30"}},
+      {"Trial", {}, {"sample sphere 8", "feature-preview 30"}},
       {"Adjacency", {}, {mesh, "adjacency 3 0 on", "hash-sets build edge"}},
-      {"Classes", {}, {mesh, "split-face face:1", "step"}},
+      {"Classes", {}, {"sample sphere 8", "promote edge 5", "step"}},
       {"Camera", {}, {mesh, "orbit 30 20", "pan 0.2 0.1", "zoom 3", "camera up=y"}},
       {"Lesson", {}, {"lesson stored 2"}},
       {"Volume", {}, {"sample mixed", "highlight region:1", "clip x 0.5", "select region 3"}},
@@ -170,7 +170,7 @@ std::vector<Case> cases() {
       {"Sections2", {"show interior-edges on"}, {"sample mixed", "mark angle 40"}},
       {"ThenAVolume",
        {},
-       {mesh, "run", "select vertex 3", "clip x 0.5"},
+       {mesh, "run", "reset", "select vertex 3", "clip x 0.5"},
        "sample mixed",
        of_a_volume},
       {"VolumeThenVolume",
@@ -189,7 +189,7 @@ std::string after_interrupting(const Lines& before, const Lines& under_way) {
   Session s;
   drive_all(s, before);
   for (const std::string& line : under_way) execute(s, line);
-  execute(s, "sample torus 8");
+  execute(s, "sample torus 24");
   s.finish();
   drive(s, {"step 3"});
   return seen(s);
@@ -198,7 +198,7 @@ std::string after_interrupting(const Lines& before, const Lines& under_way) {
 TEST(SecondMeshMeanwhile, WhatGoesOnEndsWithItsMesh) {
   const aomd::test::TemporaryFolder folder;
   Session fresh;
-  drive(fresh, {"sample torus 8", "step 3"});
+  drive(fresh, {"sample torus 24", "step 3"});
   const std::string expected = seen(fresh);
   const Lines mesh = {"sample bracket 6"}, history = {"sample bracket 6", "step 50", "reset"};
   EXPECT_EQ(after_interrupting(mesh, {"run"}), expected);
@@ -210,9 +210,9 @@ TEST(SecondMeshMeanwhile, WhatGoesOnEndsWithItsMesh) {
 TEST(SecondMeshMeanwhile, ASeriesOfPicturesEndsWithItsMesh) {
   const aomd::test::TemporaryFolder folder;
   Session fresh, s;
-  drive(fresh, {"sample torus 8"});
+  drive(fresh, {"sample torus 24"});
   drive(s, {"sample bracket 6", "step 9"});
-  execute(s, "sample torus 8");
+  execute(s, "sample torus 24");
   execute(s, "export history " + (folder / "h").string() + " 4");
   s.advance_series();
   s.finish();
