@@ -3,19 +3,16 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <chrono>
 #include <cmath>
 #include <iostream>
 #include <utility>
 
-#include "core/io/png.h"
 #include "core/model/gmsh_model.h"
 #include "core/samples/samples.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/lesson_commands.h"
-#include "viewer/render/picture_target.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {
@@ -29,8 +26,6 @@ constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
-constexpr int frames_of_picture = 3;
-constexpr double widest = 1.4;  // aspect from which on more width shows nothing more of most shapes
 
 std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
   if (folder.empty()) return {};
@@ -42,12 +37,6 @@ std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path&
 float double_click_time(std::chrono::microseconds drawing_time) {
   constexpr float usual_s = 0.3f, frames = 4;
   return usual_s + frames * std::chrono::duration<float>(drawing_time).count();
-}
-
-/// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
-scene::Camera seen_in(scene::Camera camera, double before, double now) {
-  camera.distance *= std::max(1.0, std::min(before, widest) / std::min(now, widest));
-  return camera;
 }
 
 }  // namespace
@@ -159,7 +148,7 @@ void Viewer::update_aspect() {
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
   if (!session_.document().empty())
     session_.view.camera.distance *=
-        std::min(before, widest) / std::min(session_.view.aspect, widest);
+        std::min(before, widest_aspect) / std::min(session_.view.aspect, widest_aspect);
 }
 
 render::RenderSettings Viewer::settings(bool transparent) const {
@@ -229,60 +218,6 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top},
              destination, transparent);
   layer_->draw(*ImGui::GetDrawData(), destination);
-}
-
-io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
-  ImGuiIO& io = ImGui::GetIO();
-  const scene::Camera camera = session_.view.camera;
-  const double aspect = session_.view.aspect;
-  const ImVec2 display = io.DisplaySize;
-  const ImVec2 framebuffer = io.DisplayFramebufferScale;
-  const ImVec2 mouse = io.MousePos;
-  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x,
-                          static_cast<float>(size.y) / framebuffer.y);
-  io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-  const render::PictureTarget target(gl_, size);
-  for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
-  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
-  draw_frame(size, target.framebuffer(), transparent);
-  lines_.clear();
-  io::Image image = target.read(transparent);
-  session_.view.camera = camera;
-  session_.view.aspect = aspect;
-  io.DisplaySize = display;
-  io.MousePos = mouse;
-  return image;
-}
-
-io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
-  session_.refresh();
-  const double aspect = static_cast<double>(size.x) / size.y;
-  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
-  const render::PictureTarget target(gl_, size);
-  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
-  return target.read(transparent);
-}
-
-void Viewer::take_screenshots() {
-  while (!session_.screenshots.empty()) {
-    const scene::ScreenshotRequest request = session_.screenshots.front();
-    session_.screenshots.pop_front();
-    const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
-    io::write_png(request.file, request.interface ? picture(size, request.transparent)
-                                                  : scene_picture(size, request.transparent));
-    if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
-  }
-  session_.advance_series();
-}
-
-void Viewer::take_screenshots_or_tell() {
-  try {
-    take_screenshots();
-  } catch (const std::exception& error) {
-    session_.cancel_series();
-    session_.screenshots.clear();
-    session_.error = error.what();
-  }
 }
 
 /// In a window they are shown as errors are; without one they go where errors go, and nothing ends.

@@ -20,6 +20,9 @@ struct ImGuiContext;
 
 namespace aomd::app {
 
+/// From this aspect on, more width shows nothing more of most shapes.
+inline constexpr double widest_aspect = 1.4;
+
 /// The command that the program starts with: what opens FILE or the first sample; empty where a
 /// script decides.
 [[nodiscard]] std::string first_command(const Options& options);
