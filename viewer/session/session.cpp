@@ -49,6 +49,7 @@ void Session::show(std::unique_ptr<LoadedMesh> loaded) {
   cancel_series();
   options.let_go_of_mesh();
   static_cast<MeshView&>(view) = {};
+  sheet_ = std::make_unique<Sheet>(options, view);  // what was there need not wait for the next
   sheet_ = std::make_unique<Sheet>(options, view, std::move(loaded));
   if (recovery) recovery->begin();
   arrived_ = true;
