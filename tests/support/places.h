@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/layout.h"
 
 namespace aomd::test {

@@ -6,8 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/session.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/lesson_commands.h"
+#include "viewer/session/session.h"
 
 namespace aomd::scene::test {
 
@@ -16,6 +17,7 @@ inline void drive(Session& session, std::initializer_list<std::string_view> line
   for (const std::string_view line : lines) {
     execute(session, line);
     session.finish();
+    update_lesson(session);
     session.refresh();
   }
 }

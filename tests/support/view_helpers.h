@@ -6,13 +6,13 @@
 namespace aomd::scene::test {
 
 inline void load(Session& s, const MeshData& data) {
-  s.document.replace(make_loaded(data, "test"));
-  s.drawing().set_bounds(s.document.content().bounds);
+  s.show(make_loaded(data, "test"));
+  s.sheet().drawing().set_bounds(s.document().content().bounds);
   s.refresh();
 }
 
 inline std::span<const Corner> corners(Session& s) {
-  return s.drawing().drawable().corners.values();
+  return s.sheet().drawing().drawable().corners.values();
 }
 
 /// n x n x n unit cubes.

@@ -9,7 +9,7 @@
 #include "core/measure/image_diff.h"
 #include "core/samples/samples.h"
 #include "tests/support/places.h"
-#include "viewer/scene/commands.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tests/support/io_helpers.h"
 #include "tests/support/x_screen.h"
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/layout.h"
 
 namespace aomd::test {

@@ -1,4 +1,4 @@
-#include "viewer/scene/camera.h"
+#include "viewer/drawing/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include "core/mesh/verify.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/model_entity.h"
-#include "viewer/scene/selection_drawing.h"
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/model_entity.h"
 
 namespace aomd::scene {
 namespace {
@@ -37,10 +37,10 @@ class ClassCommandsTest : public testing::Test {
   ClassCommandsTest() { take(zoo::grid(2)); }
 
   void take(const MeshData& data) {
-    s.document.replace(make_loaded(data, "grid"));
+    s.show(make_loaded(data, "grid"));
     s.refresh();
   }
-  const Mesh& mesh() const { return s.document.mesh(); }
+  const Mesh& mesh() const { return s.document().mesh(); }
   std::string edge(std::uint32_t a, std::uint32_t b) const {
     return std::to_string(mesh().find_edge(Vertex(a), Vertex(b)).index);
   }
@@ -53,7 +53,7 @@ TEST_F(ClassCommandsTest, PromotingIsOneCommandThatUndoTakesBack) {
   drive(s, {"select edge " + line(), "promote", "expect model-edges = 7",
             "expect model-vertices = 6", "expect commands = 1", "undo", "expect model-edges = 4",
             "expect model-vertices = 4", "redo", "expect model-edges = 7"});
-  EXPECT_EQ(s.document.marks()[0].label, "promote");
+  EXPECT_EQ(s.document().marks()[0].label, "promote");
   drive(s, {"demote edge " + line(), "expect model-edges = 6", "demote vertex 3 5",
             "expect model-edges = 4", "expect model-vertices = 4", "expect commands = 3"});
 }
@@ -73,7 +73,8 @@ TEST_F(ClassCommandsTest, ARefusalNamesTheRuleAndChangesNothing) {
             "demote: edge " + edge(0, 1) +
                 " has 1 face and would lie inside model face 1: inside a model face every edge has "
                 "two faces");
-  EXPECT_FALSE(s.drawing().drawable().selected.lines.empty()) << "what breaks the rule is shown";
+  EXPECT_FALSE(s.sheet().drawing().drawable().selected.lines.empty())
+      << "what breaks the rule is shown";
   EXPECT_NE(refusal(s, "assign face:7 face 0")
                 .find("what bounds an entity lies on the same model entity"),
             std::string::npos);
@@ -81,8 +82,8 @@ TEST_F(ClassCommandsTest, ARefusalNamesTheRuleAndChangesNothing) {
   EXPECT_EQ(refusal(s, "promote edge " + edge(0, 1)), "promote: nothing would change");
   EXPECT_NE(refusal(s, "promote").find("nothing is selected"), std::string::npos);
   EXPECT_NE(refusal(s, "split-face edge:1").find("only a model face"), std::string::npos);
-  EXPECT_EQ(s.document.journal().size(), 0u);
-  EXPECT_EQ(s.document.marks().size(), 0u);
+  EXPECT_EQ(s.document().journal().size(), 0u);
+  EXPECT_EQ(s.document().marks().size(), 0u);
   drive(s, {"sample mixed"});
   EXPECT_NE(refusal(s, "promote vertex 0").find("cannot be edited"), std::string::npos);
 }
@@ -112,9 +113,9 @@ TEST_F(ClassCommandsTest, AModelEdgePromotedFirstIsPartOfTheOriginal) {
   take(zoo::grid(8));
   std::string ids;
   for (std::uint32_t i = 0; i < 8; ++i) ids += " " + edge(36 + i, 37 + i);
-  DecimationOptions options = s.document.options();
+  DecimationOptions options = s.document().options();
   options.max_distance = 0.01;
-  s.document.set_options(options);
+  s.document().set_options(options);
   drive(s, {"run", "undo", "promote edge" + ids, "run"});
   std::uint32_t left = 0;
   for (const Vertex v : mesh().vertices()) left += mesh().position(v).y == 4;
@@ -133,19 +134,19 @@ TEST_F(ClassCommandsTest, BranchesKeepTheirClassification) {
 
 TEST_F(ClassCommandsTest, AFeatureAngleIsTriedOutWithoutChangingAnything) {
   take(zoo::torus(9, 7));
-  const auto count = [&] { return s.document.journal().size(); };
+  const auto count = [&] { return s.document().journal().size(); };
   drive(s, {"feature-preview 30"});
-  ASSERT_NE(s.document.trial(), nullptr);
-  const FeaturePreview preview = s.document.trial()->preview;
+  ASSERT_NE(s.document().trial(), nullptr);
+  const FeaturePreview preview = s.document().trial()->preview;
   EXPECT_EQ(count(), 0u);
-  EXPECT_FALSE(s.drawing().drawable().selected.lines.empty());
+  EXPECT_FALSE(s.sheet().drawing().drawable().selected.lines.empty());
   drive(s, {"feature-angle 30"});
-  EXPECT_EQ(s.document.trial(), nullptr);
-  EXPECT_EQ(s.document.content().classified.model_edges, preview.model_edges);
-  EXPECT_EQ(s.document.content().classified.model_vertices, preview.model_vertices);
+  EXPECT_EQ(s.document().trial(), nullptr);
+  EXPECT_EQ(s.document().content().classified.model_edges, preview.model_edges);
+  EXPECT_EQ(s.document().content().classified.model_vertices, preview.model_vertices);
   drive(s, {"feature-preview 10", "feature-preview off"});
-  EXPECT_EQ(s.document.trial(), nullptr);
-  EXPECT_TRUE(s.drawing().drawable().selected.lines.empty());
+  EXPECT_EQ(s.document().trial(), nullptr);
+  EXPECT_TRUE(s.sheet().drawing().drawable().selected.lines.empty());
 }
 
 TEST_F(ClassCommandsTest, AModelEntityIsTold) {
@@ -188,7 +189,7 @@ TEST_F(ClassCommandsTest, FitTakesEntitiesAndModelEntities) {
   drive(s, {"fit face 0"});
   EXPECT_LT(s.view.camera.distance, whole);
   drive(s, {"select class edge:1", "fit", "fit edge:1"});
-  EXPECT_EQ(s.view.camera.target, box_of(mesh(), s.selection.entities()).center());
+  EXPECT_EQ(s.view.camera.target, box_of(mesh(), s.sheet().selection.entities()).center());
   EXPECT_NE(refusal(s, "fit face:77").find("nothing lies on face:77"), std::string::npos);
   EXPECT_NE(refusal(s, "fit nonsense 3").find("none of vertex"), std::string::npos);
 }
@@ -227,7 +228,7 @@ TEST_F(ClassCommandsTest, AnyProgramOfEditsIsUndoneToTheStart) {
       s.refresh();
       ASSERT_TRUE(verify(mesh()).empty());
     }
-    while (s.document.undo()) {
+    while (s.document().undo()) {
     }
     EXPECT_EQ(to_data(mesh()), start);
   }

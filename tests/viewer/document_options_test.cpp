@@ -23,11 +23,11 @@ struct State {
 };
 
 State state(const Session& s) {
-  const MeshData data = to_data(s.document.mesh());
+  const MeshData data = to_data(s.document().mesh());
   return {data.positions, {data.faces.vertices.begin(), data.faces.vertices.end()}};
 }
 
-std::size_t size(const Session& s) { return s.document.journal().size(); }
+std::size_t size(const Session& s) { return s.document().journal().size(); }
 
 constexpr auto quality = {"sample scan 3000", "strategy quality", "target-faces 500"};
 
@@ -40,12 +40,12 @@ TEST(Quality, ARunIsUndoneAndRedoneExactly) {
   drive_quality(s);
   const State start = state(s);
   drive(s, {"run"});
-  EXPECT_LE(s.facts().faces, 500);
-  EXPECT_GE(s.facts().faces, 495);
-  EXPECT_EQ(s.facts().euler(), 2);
+  EXPECT_LE(s.sheet().facts().faces, 500);
+  EXPECT_GE(s.sheet().facts().faces, 495);
+  EXPECT_EQ(s.sheet().facts().euler(), 2);
   const State end = state(s);
   drive(s, {"undo"});
-  EXPECT_EQ(s.facts(), s.loaded_facts());
+  EXPECT_EQ(s.sheet().facts(), s.sheet().loaded_facts());
   EXPECT_TRUE(state(s) == start);
   drive(s, {"redo"});
   EXPECT_TRUE(state(s) == end);
@@ -64,17 +64,17 @@ TEST(Quality, StepByStepEqualsARun) {
   EXPECT_EQ(size(steps), size(whole));
   EXPECT_TRUE(state(steps) == state(whole));
   drive(steps, {"seek 0"});
-  EXPECT_EQ(steps.facts(), steps.loaded_facts());
+  EXPECT_EQ(steps.sheet().facts(), steps.sheet().loaded_facts());
 }
 
 TEST(Quality, GoesOnAfterStepsWereTakenBack) {
   Session s;
   drive_quality(s);
   drive(s, {"step 500", "step -200", "run"});
-  EXPECT_LE(s.facts().faces, 500);
-  EXPECT_EQ(s.facts().euler(), 2);
+  EXPECT_LE(s.sheet().facts().faces, 500);
+  EXPECT_EQ(s.sheet().facts().euler(), 2);
   drive(s, {"reset"});
-  EXPECT_EQ(s.facts(), s.loaded_facts());
+  EXPECT_EQ(s.sheet().facts(), s.sheet().loaded_facts());
 }
 
 TEST(Quality, ARunAfterAResetIsTheSameAgain) {
@@ -91,9 +91,9 @@ TEST(Quality, KeepsToTheMeshAsLoadedWhateverAnotherStrategyHasDone) {
   Session s;
   drive(s, {"sample sphere 24", "angle 40", "sweep", "strategy quality", "smooth"});
   double sum = 0;
-  for (const Vertex v : s.document.mesh().vertices())
-    sum += glm::length(s.document.mesh().position(v));
-  EXPECT_GT(sum / s.document.mesh().count(0), 1.001);
+  for (const Vertex v : s.document().mesh().vertices())
+    sum += glm::length(s.document().mesh().position(v));
+  EXPECT_GT(sum / s.document().mesh().count(0), 1.001);
 }
 
 TEST(Quality, ProgressOfALaterRunStaysBetween0And1) {
@@ -101,13 +101,13 @@ TEST(Quality, ProgressOfALaterRunStaysBetween0And1) {
   drive_quality(s);
   drive(s, {"run", "reset", "target-faces 400"});
   execute(s, "run");
-  double last = s.document.run_progress();
+  double last = s.document().run_progress();
   EXPECT_GE(last, 0);
   EXPECT_LT(last, 0.2);
-  while (s.document.running()) {
-    s.document.tick(std::chrono::microseconds(1));
-    EXPECT_LE(s.document.run_progress(), 1);
-    last = s.document.run_progress();
+  while (s.document().running()) {
+    s.document().tick(std::chrono::microseconds(1));
+    EXPECT_LE(s.document().run_progress(), 1);
+    last = s.document().run_progress();
   }
   EXPECT_DOUBLE_EQ(last, 1);
 }
@@ -115,14 +115,14 @@ TEST(Quality, ProgressOfALaterRunStaysBetween0And1) {
 TEST(Options, OneAimEndsTheOthers) {
   Session s;
   drive(s, {"sample sphere 12", "coarsest on", "target-faces 100"});
-  const DecimationOptions& options = s.document.options();
+  const DecimationOptions& options = s.document().options();
   EXPECT_FALSE(options.coarsest);
   EXPECT_EQ(options.target_faces, 100u);
   drive(s, {"spacing 2 * h"});
   EXPECT_EQ(options.target_faces, 0u);
-  EXPECT_EQ(s.document.spacing_source(), "2 * h");
+  EXPECT_EQ(s.document().spacing_source(), "2 * h");
   drive(s, {"coarsest on"});
-  EXPECT_EQ(s.document.spacing_source(), "");
+  EXPECT_EQ(s.document().spacing_source(), "");
   EXPECT_TRUE(options.coarsest);
   drive(s, {"spacing curvature", "factor 3"});
   EXPECT_FALSE(options.spacing || options.coarsest || options.target_faces > 0);
@@ -133,7 +133,7 @@ TEST(Options, OneAimEndsTheOthers) {
 
 TEST(Options, TheUsualAngleFollowsTheStrategyAndAnotherStays) {
   Session s;
-  const DecimationOptions& options = s.document.options();
+  const DecimationOptions& options = s.document().options();
   EXPECT_EQ(options.strategy, Strategy::Paper);
   EXPECT_EQ(options.angle_deg, 10);
   drive(s, {"strategy quality"});
@@ -147,31 +147,31 @@ TEST(Options, TheUsualAngleFollowsTheStrategyAndAnotherStays) {
 TEST(Options, SpacingIsThatOfTheMeshAsLoaded) {
   Session s;
   drive(s, {"sample sphere 12", "spacing 2 * h"});
-  const auto wanted = s.document.wanted_lengths();
+  const auto wanted = s.document().wanted_lengths();
   drive(s, {"sweep"});
   ASSERT_GT(size(s), 50u);
   const State present = state(s);
   drive(s, {"spacing 2 * h"});
   EXPECT_TRUE(state(s) == present);
-  const auto again = s.document.wanted_lengths();
-  for (const Vertex v : s.document.mesh().vertices()) EXPECT_EQ(again[v], wanted[v]);
+  const auto again = s.document().wanted_lengths();
+  for (const Vertex v : s.document().mesh().vertices()) EXPECT_EQ(again[v], wanted[v]);
   drive(s, {"sample sphere 8"});
-  EXPECT_EQ(s.document.spacing_source(), "");
-  EXPECT_FALSE(s.document.options().spacing);
+  EXPECT_EQ(s.document().spacing_source(), "");
+  EXPECT_FALSE(s.document().options().spacing);
 }
 
 TEST(Options, WrongOnesChangeNothingAndSayWhy) {
   Session s;
   EXPECT_THROW(execute(s, "spacing h"), CommandError) << "without a mesh";
   drive(s, {"sample sphere 8", "spacing 3 * h"});
-  const DecimationOptions before = s.document.options();
+  const DecimationOptions before = s.document().options();
   for (const char* line : {"strategy", "strategy best", "strategy paper now", "regularity 1.5",
                            "regularity", "target-faces 0", "target-faces many", "target-faces 5 6",
                            "min-angle 61", "min-angle -1", "max-distance -1", "max-distance 101",
                            "no-intersections maybe", "spacing", "spacing 2 *", "spacing x"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
-  EXPECT_TRUE(s.document.options() == before);
-  EXPECT_EQ(s.document.spacing_source(), "3 * h");
+  EXPECT_TRUE(s.document().options() == before);
+  EXPECT_EQ(s.document().spacing_source(), "3 * h");
   EXPECT_EQ(
       aomd::test::message([&] { execute(s, "spacing 2 *"); }),
       "spacing \"2 *\", character 4: something is missing at the end (and there is no such file)");
@@ -180,28 +180,28 @@ TEST(Options, WrongOnesChangeNothingAndSayWhy) {
 TEST(Options, ADistanceIsToTheMeshAsLoadedWheneverItIsSet) {
   Session s;
   drive(s, {"sample sphere 24", "strategy paper", "angle 60", "coarsest on", "step 300"});
-  const Mesh original(to_data(s.document.as_loaded().mesh()));
+  const Mesh original(to_data(s.document().copy_mesh_as_loaded().mesh()));
   const measure::Surface as_loaded(original);
   const auto distance = [&] {
-    return measure::distance_from(measure::Surface(s.document.mesh()), as_loaded, 20'000).max;
+    return measure::distance_from(measure::Surface(s.document().mesh()), as_loaded, 20'000).max;
   };
-  const double percent = 120 * distance() / s.document.content().bounds.diagonal();
+  const double percent = 120 * distance() / s.document().content().bounds.diagonal();
   drive(s, {"max-distance " + std::to_string(percent), "run"});
-  EXPECT_LE(distance(), s.document.options().max_distance);
-  const auto faces = s.document.mesh().count(2);
+  EXPECT_LE(distance(), s.document().options().max_distance);
+  const auto faces = s.document().mesh().count(2);
   drive(s, {"max-distance 0", "run"});
-  EXPECT_LT(s.document.mesh().count(2), faces);
-  EXPECT_GT(distance(), 2 * percent / 100 * s.document.content().bounds.diagonal());
+  EXPECT_LT(s.document().mesh().count(2), faces);
+  EXPECT_GT(distance(), 2 * percent / 100 * s.document().content().bounds.diagonal());
   drive(s, {"max-distance 1", "sample sphere 8"});
-  EXPECT_EQ(s.document.options().max_distance, 0) << "its unit was another mesh's";
+  EXPECT_EQ(s.document().options().max_distance, 0) << "its unit was another mesh's";
 }
 
 TEST(Options, NoIntersectionsIsAnOption) {
   Session s;
   drive(s, {"sample sphere 12", "no-intersections on"});
-  EXPECT_TRUE(s.document.options().no_intersections);
+  EXPECT_TRUE(s.document().options().no_intersections);
   drive(s, {"run", "no-intersections toggle"});
-  EXPECT_FALSE(s.document.options().no_intersections);
+  EXPECT_FALSE(s.document().options().no_intersections);
 }
 
 TEST(Options, AMinAngleIsCounted) {

@@ -10,22 +10,22 @@
 #include "core/io/error.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/script.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/script.h"
 
 namespace aomd::scene {
 namespace {
 
 using test::drive;
 
-std::size_t cursor(const Session& s) { return s.document.journal().cursor(); }
-std::size_t size(const Session& s) { return s.document.journal().size(); }
+std::size_t cursor(const Session& s) { return s.document().journal().cursor(); }
+std::size_t size(const Session& s) { return s.document().journal().size(); }
 
 TEST(Document, UndoAndRedoMoveByWholeCommands) {
   Session s;
   drive(s, {"sample sphere 12", "step", "step 3", "sweep"});
-  EXPECT_EQ(s.document.marks().size(), 3u);
+  EXPECT_EQ(s.document().marks().size(), 3u);
   const std::size_t all = size(s);
   ASSERT_GT(all, 5u);
   drive(s, {"undo"});
@@ -34,7 +34,7 @@ TEST(Document, UndoAndRedoMoveByWholeCommands) {
   EXPECT_EQ(cursor(s), 1u);
   drive(s, {"undo", "undo", "undo"});
   EXPECT_EQ(cursor(s), 0u);
-  EXPECT_EQ(s.facts(), s.loaded_facts());
+  EXPECT_EQ(s.sheet().facts(), s.sheet().loaded_facts());
   drive(s, {"redo", "redo"});
   EXPECT_EQ(cursor(s), 4u);
   drive(s, {"redo"});
@@ -44,19 +44,19 @@ TEST(Document, UndoAndRedoMoveByWholeCommands) {
 TEST(Document, AfterScrubbingUndoGoesToTheStartOfTheCommandAndRedoToItsEnd) {
   Session s;
   drive(s, {"sample sphere 12", "sweep", "swap"});
-  const std::size_t sweep_end = s.document.marks().at(1).begin;
+  const std::size_t sweep_end = s.document().marks().at(1).begin;
   drive(s, {"seek 5", "redo"});
   EXPECT_EQ(cursor(s), sweep_end);
   drive(s, {"seek 5", "undo"});
   EXPECT_EQ(cursor(s), 0u);
-  EXPECT_EQ(s.document.mark_of(sweep_end).label, "swap");
+  EXPECT_EQ(s.document().mark_of(sweep_end).label, "swap");
 }
 
 TEST(Document, NewWorkAfterUndoCutsWhatWasUndone) {
   Session s;
   drive(s, {"sample sphere 12", "step 10", "undo", "angle 30", "step 2"});
   EXPECT_EQ(size(s), 2u);
-  EXPECT_EQ(s.document.marks().size(), 1u);
+  EXPECT_EQ(s.document().marks().size(), 1u);
 }
 
 TEST(Document, CommandsThatDoNothingKeepWhatCanBeRedone) {
@@ -66,7 +66,7 @@ TEST(Document, CommandsThatDoNothingKeepWhatCanBeRedone) {
   const std::size_t before = size(s);
   drive(s, {"factor 1", "step"});
   EXPECT_EQ(size(s), before);
-  EXPECT_TRUE(s.document.can_redo());
+  EXPECT_TRUE(s.document().can_redo());
   drive(s, {"redo"});
   EXPECT_EQ(cursor(s), before);
 }
@@ -75,36 +75,36 @@ TEST(Document, SingleStepsGoBackAndForth) {
   Session s;
   drive(s, {"sample sphere 12", "step 10", "step -3"});
   EXPECT_EQ(cursor(s), 7u);
-  EXPECT_EQ(s.document.focus(), 6u);
+  EXPECT_EQ(s.document().focus(), 6u);
   drive(s, {"seek end"});
   EXPECT_EQ(cursor(s), 10u);
   drive(s, {"step -100"});
   EXPECT_EQ(cursor(s), 0u);
-  EXPECT_FALSE(s.document.focus());
+  EXPECT_FALSE(s.document().focus());
 }
 
 TEST(Document, ARunIsOneCommandAndCanBeResetAndRedone) {
   Session s;
   drive(s, {"sample sphere 12", "run"});
-  const MeshFacts after = s.facts();
-  EXPECT_LT(after.faces, s.loaded_facts().faces);
-  EXPECT_EQ(s.document.marks().size(), 1u);
-  EXPECT_DOUBLE_EQ(s.document.run_progress(), 1);
+  const MeshFacts after = s.sheet().facts();
+  EXPECT_LT(after.faces, s.sheet().loaded_facts().faces);
+  EXPECT_EQ(s.document().marks().size(), 1u);
+  EXPECT_DOUBLE_EQ(s.document().run_progress(), 1);
   drive(s, {"reset"});
-  EXPECT_EQ(s.facts(), s.loaded_facts());
+  EXPECT_EQ(s.sheet().facts(), s.sheet().loaded_facts());
   drive(s, {"redo"});
-  EXPECT_EQ(s.facts(), after);
+  EXPECT_EQ(s.sheet().facts(), after);
 }
 
 TEST(Document, ACancelledRunKeepsWhatItDid) {
   Session s;
   drive(s, {"sample sphere 24"});
   execute(s, "run");
-  EXPECT_TRUE(s.document.running());
-  s.document.tick(std::chrono::microseconds(1));
+  EXPECT_TRUE(s.document().running());
+  s.document().tick(std::chrono::microseconds(1));
   const std::size_t done = cursor(s);
   drive(s, {"cancel"});
-  EXPECT_FALSE(s.document.running());
+  EXPECT_FALSE(s.document().running());
   EXPECT_EQ(cursor(s), done);
   drive(s, {"undo"});
   EXPECT_EQ(cursor(s), 0u);
@@ -113,7 +113,7 @@ TEST(Document, ACancelledRunKeepsWhatItDid) {
 TEST(Document, FeatureAngleIsOneCommandThatCanBeUndone) {
   Session s;
   drive(s, {"sample sphere 8", "expect model-faces = 1", "feature-angle 3"});
-  EXPECT_EQ(s.document.marks().size(), 1u);
+  EXPECT_EQ(s.document().marks().size(), 1u);
   EXPECT_THROW(drive(s, {"expect model-faces = 1"}), ExpectationMissed);
   drive(s, {"undo", "expect model-faces = 1"});
 }
@@ -122,12 +122,12 @@ TEST(Document, WhatTheFileSaysWinsAgainWhenAnglesChange) {
   Session s;
   MeshData data = zoo::square();
   data.faces.classes = {ModelRef(2, 5), ModelRef(2, 9)};
-  s.document.replace(make_loaded(data, "two faces"));
+  s.show(make_loaded(data, "two faces"));
   s.refresh();
-  EXPECT_TRUE(s.document.content().classified_by_file());
+  EXPECT_TRUE(s.document().content().classified_by_file());
   drive(s, {"feature-angle 1", "expect model-faces = 2", "feature-angle off",
             "expect model-faces = 2"});
-  EXPECT_EQ(s.document.mesh().classification(Face(1)), ModelRef(2, 9));
+  EXPECT_EQ(s.document().mesh().classification(Face(1)), ModelRef(2, 9));
 }
 
 TEST(Document, PlayGoesToTheEndAndStartsOverThere) {
@@ -147,7 +147,7 @@ TEST(Adjacency, SettingStoresAndUnsettingFreesUnlessARequestHoldsIt) {
   drive(s, {"sample sphere 8", "expect adjacency 2 1 = off", "adjacency 2 1 on",
             "expect adjacency 2 1 = on"});
   EXPECT_EQ(s.status,
-            "T(2,1) is stored: " + bytes_text(s.document.mesh().representation().bytes(2, 1)));
+            "T(2,1) is stored: " + bytes_text(s.document().mesh().representation().bytes(2, 1)));
   drive(s, {"adjacency 2 1 off", "expect adjacency 2 1 = off"});
   EXPECT_EQ(s.status, "T(2,1) is freed");
   drive(s, {"adjacency 0 2 on", "adjacency 0 2 off", "expect adjacency 0 2 = on"});
@@ -159,16 +159,16 @@ TEST(Adjacency, SettingStoresAndUnsettingFreesUnlessARequestHoldsIt) {
 TEST(Adjacency, ARefusalIsAValueAndChangesNothing) {
   Session s;
   drive(s, {"sample sphere 8", "adjacency 1 0 on", "step 2"});
-  const std::size_t bytes = s.document.mesh().adjacency_bytes();
+  const std::size_t bytes = s.document().mesh().adjacency_bytes();
   drive(s, {"adjacency 1 0 off"});
-  ASSERT_NE(s.document.last_adjacency_change(), nullptr);
-  EXPECT_EQ(s.document.last_adjacency_change()->refusal, s.status);
+  ASSERT_NE(s.document().last_adjacency_change(), nullptr);
+  EXPECT_EQ(s.document().last_adjacency_change()->refusal, s.status);
   EXPECT_NE(s.status.find("T(1,0) defines the edges"), std::string::npos) << s.status;
-  EXPECT_TRUE(adjacency_cell(s.document.mesh(), 1, 0).set);
-  EXPECT_EQ(s.document.mesh().adjacency_bytes(), bytes);
+  EXPECT_TRUE(adjacency_cell(s.document().mesh(), 1, 0).set);
+  EXPECT_EQ(s.document().mesh().adjacency_bytes(), bytes);
   EXPECT_EQ(cursor(s), 2u);
   drive(s, {"sample sphere 8"});
-  EXPECT_EQ(s.document.last_adjacency_change(), nullptr);
+  EXPECT_EQ(s.document().last_adjacency_change(), nullptr);
 }
 
 TEST(Adjacency, CellsAndWordsOfASquare) {
@@ -206,7 +206,7 @@ TEST(Errors, AFileThatCannotBeReadKeepsThePresentMesh) {
   EXPECT_TRUE(s.loading());
   EXPECT_THROW(s.finish(), io::ReadError);
   EXPECT_TRUE(s.idle());
-  EXPECT_EQ(s.document.content().name, "sphere");
+  EXPECT_EQ(s.document().content().name, "sphere");
   EXPECT_EQ(cursor(s), 2u);
 }
 
@@ -216,7 +216,7 @@ TEST(Errors, CancelledLoadingIsDropped) {
   execute(s, "sample torus");
   execute(s, "cancel");
   s.finish();
-  EXPECT_EQ(s.document.content().name, "sphere");
+  EXPECT_EQ(s.document().content().name, "sphere");
 }
 
 TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
@@ -300,7 +300,7 @@ TEST(Script, NamesTheLineThatMissed) {
   Script script(file);
   try {
     while (!script.done()) {
-      script.advance(s);
+      script.advance(s, [&](const std::string& line) { execute(s, line); });
       s.finish();
     }
     FAIL();

@@ -66,16 +66,16 @@ void expect_as_from_scratch(Session& s) {
   SurfaceChanges everything;
   everything.everything = true;
   SurfaceDrawing fresh;
-  fresh.set_bounds(s.document.content().bounds);
+  fresh.set_bounds(s.document().content().bounds);
   FieldKeeper fields;
   SurfaceChanges none;
-  fields.update(s.view.coloring, {s.document.mesh(), s.document}, none);
+  fields.update(s.view.coloring, {s.document().mesh(), s.document()}, none);
   fresh.set_field(fields.field());
-  fresh.update(s.document.mesh(), s.view, everything);
+  fresh.update(s.document().mesh(), s.view, everything);
   FactsKeeper facts;
-  facts.update(s.document.mesh(), everything);
-  EXPECT_EQ(s.facts(), facts.facts());
-  EXPECT_TRUE(content(s.drawing().drawable()) == content(fresh.drawable()));
+  facts.update(s.document().mesh(), everything);
+  EXPECT_EQ(s.sheet().facts(), facts.facts());
+  EXPECT_TRUE(content(s.sheet().drawing().drawable()) == content(fresh.drawable()));
 }
 
 /// Random operations, scrubbing, restyling; after each the patched drawable must be the rebuilt
@@ -134,8 +134,8 @@ TEST(Drawing, PatchedIsAsFromScratchOverAWholeRun) {
   Session s;
   drive(s, {"sample scan 6000"});
   execute(s, "run");
-  while (s.document.running()) {
-    s.document.tick(std::chrono::microseconds(300));
+  while (s.document().running()) {
+    s.document().tick(std::chrono::microseconds(300));
     expect_as_from_scratch(s);
     ASSERT_FALSE(HasFailure());
   }
@@ -144,15 +144,15 @@ TEST(Drawing, PatchedIsAsFromScratchOverAWholeRun) {
 TEST(Drawing, OneCollapseTouchesLittle) {
   Session s;
   drive(s, {"sample sphere 40", "show operation off"});
-  const std::size_t whole = s.drawing().drawable().corners.size() * sizeof(Corner);
+  const std::size_t whole = s.sheet().drawing().drawable().corners.size() * sizeof(Corner);
   std::size_t most = 0;
   std::size_t sum = 0;
   constexpr std::size_t steps = 200;
   for (std::size_t i = 0; i < steps; ++i) {
-    clean(s.drawing().drawable());
+    clean(s.sheet().drawing().drawable());
     drive(s, {"step"});
-    most = std::max(most, dirty_bytes(s.drawing().drawable()));
-    sum += dirty_bytes(s.drawing().drawable());
+    most = std::max(most, dirty_bytes(s.sheet().drawing().drawable()));
+    sum += dirty_bytes(s.sheet().drawing().drawable());
   }
   RecordProperty("mean_bytes", static_cast<int>(sum / steps));
   RecordProperty("most_bytes", static_cast<int>(most));
@@ -165,21 +165,21 @@ TEST(Drawing, OneCollapseTouchesLittle) {
 TEST(Drawing, UndoAndNewWorkInBetweenNeedsNoFreshStart) {
   Session s;
   drive(s, {"sample sphere 40", "step 20", "undo"});
-  clean(s.drawing().drawable());
+  clean(s.sheet().drawing().drawable());
   drive(s, {"angle 50", "step"});
-  EXPECT_LT(dirty_bytes(s.drawing().drawable()), 16384u);
+  EXPECT_LT(dirty_bytes(s.sheet().drawing().drawable()), 16384u);
   expect_as_from_scratch(s);
 }
 
 TEST(Drawing, NormalsAreCrispAtModelEdgesAndSmoothElsewhere) {
   Session s;
   drive(s, {"sample box 3"});
-  for (const Corner& c : s.drawing().drawable().corners.values()) {
+  for (const Corner& c : s.sheet().drawing().drawable().corners.values()) {
     const glm::vec3 n = glm::abs(unpack_normal(c.normal));
     EXPECT_NEAR(std::max({n.x, n.y, n.z}), 1, 0.01);
   }
   drive(s, {"sample sphere 24"});
-  const Drawable& sphere = s.drawing().drawable();
+  const Drawable& sphere = s.sheet().drawing().drawable();
   for (const Corner& c : sphere.corners.values()) {
     const glm::vec3 outward = glm::normalize(c.position + glm::vec3(sphere.origin));
     EXPECT_GT(glm::dot(glm::normalize(unpack_normal(c.normal)), outward), 0.995f);
@@ -189,10 +189,10 @@ TEST(Drawing, NormalsAreCrispAtModelEdgesAndSmoothElsewhere) {
 TEST(Drawing, HiddenFacesAreDeadSlotsAndHighlightedOnesBrightWithoutAFreshStart) {
   Session s;
   drive(s, {"sample box 3"});
-  clean(s.drawing().drawable());
+  clean(s.sheet().drawing().drawable());
   drive(s, {"highlight face:1"});
   const auto flagged = [&] {
-    const auto corners = s.drawing().drawable().corners.values();
+    const auto corners = s.sheet().drawing().drawable().corners.values();
     return std::count_if(corners.begin(), corners.end(),
                          [](const Corner& c) { return c.flags == highlighted; });
   };
@@ -209,73 +209,73 @@ TEST(Drawing, HiddenFacesAreDeadSlotsAndHighlightedOnesBrightWithoutAFreshStart)
 //  0--1
 TEST(SpacingColors, AreTheWantedLengthsOfTheVertices) {
   Session s;
-  s.document.replace(make_loaded(zoo::square(), "square"));
+  s.show(make_loaded(zoo::square(), "square"));
   drive(s, {"color spacing", "factor 3"});
-  ASSERT_NE(s.field(), nullptr);
-  EXPECT_DOUBLE_EQ(s.field()->scale.low, 3);
-  EXPECT_DOUBLE_EQ(s.field()->scale.high, 2 + std::sqrt(2.0));
+  ASSERT_NE(s.sheet().field(), nullptr);
+  EXPECT_DOUBLE_EQ(s.sheet().field()->scale.low, 3);
+  EXPECT_DOUBLE_EQ(s.sheet().field()->scale.high, 2 + std::sqrt(2.0));
   const auto color = [&](std::size_t corner) {
-    return s.drawing().drawable().corners.values()[corner].color;
+    return s.sheet().drawing().drawable().corners.values()[corner].color;
   };
   for (const std::size_t long_one : {0, 2, 3, 4})
     EXPECT_EQ(color(long_one), ramp_color(1)) << long_one;
   for (const std::size_t short_one : {1, 5})
     EXPECT_EQ(color(short_one), ramp_color(0)) << short_one;
   drive(s, {"factor 6"});
-  EXPECT_DOUBLE_EQ(s.field()->scale.low, 6) << "it follows the options";
+  EXPECT_DOUBLE_EQ(s.sheet().field()->scale.low, 6) << "it follows the options";
   drive(s, {"coarsest on"});
-  EXPECT_TRUE(s.field()->scale.empty());
+  EXPECT_TRUE(s.sheet().field()->scale.empty());
   EXPECT_EQ(color(0), plain_face_color());
   drive(s, {"color classification"});
-  EXPECT_EQ(s.field(), nullptr);
-  EXPECT_EQ(color(0), color_of(s.document.mesh().classification(Face(0))));
+  EXPECT_EQ(s.sheet().field(), nullptr);
+  EXPECT_EQ(color(0), color_of(s.document().mesh().classification(Face(0))));
 }
 
 TEST(SpacingColors, StayWithTheVerticesWhileTheMeshChanges) {
   Session s;
-  s.document.replace(make_loaded(zoo::torus(12, 9), "torus"));
+  s.show(make_loaded(zoo::torus(12, 9), "torus"));
   drive(s, {"color spacing"});
-  const ScalarField before = *s.field();
+  const ScalarField before = *s.sheet().field();
   drive(s, {"sweep", "undo", "redo"});
-  EXPECT_EQ(s.field()->scale.low, before.scale.low);
-  EXPECT_EQ(s.field()->scale.high, before.scale.high);
-  const Mesh& mesh = s.document.mesh();
+  EXPECT_EQ(s.sheet().field()->scale.low, before.scale.low);
+  EXPECT_EQ(s.sheet().field()->scale.high, before.scale.high);
+  const Mesh& mesh = s.document().mesh();
   for (const Face f : mesh.faces())
     for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_EQ(s.drawing().drawable().corners.values()[3 * f.index + i].color,
+      EXPECT_EQ(s.sheet().drawing().drawable().corners.values()[3 * f.index + i].color,
                 before.color(f, mesh.triangle(f)[i]));
 }
 
 TEST(SpacingColors, AnotherMeshHasItsOwnAndAVolumeHasNone) {
   Session s;
-  s.document.replace(make_loaded(zoo::torus(12, 9), "torus"));
+  s.show(make_loaded(zoo::torus(12, 9), "torus"));
   drive(s, {"color spacing"});
-  s.document.replace(make_loaded(zoo::grid(20), "grid"));
+  s.show(make_loaded(zoo::grid(20), "grid"));
   drive(s, {"factor 2"});
-  EXPECT_DOUBLE_EQ(s.field()->scale.low, 2);
-  s.document.replace(make_loaded(zoo::hybrid(), "hybrid"));
+  EXPECT_DOUBLE_EQ(s.sheet().field()->scale.low, 2);
+  s.show(make_loaded(zoo::hybrid(), "hybrid"));
   s.refresh();
-  EXPECT_EQ(s.field(), nullptr);
-  s.document.replace(make_loaded(zoo::grid(3), "grid"));
+  EXPECT_EQ(s.sheet().field(), nullptr);
+  s.show(make_loaded(zoo::grid(3), "grid"));
   s.refresh();
-  ASSERT_NE(s.field(), nullptr);
-  EXPECT_EQ(s.field()->vertices.size(), 16u);
+  ASSERT_NE(s.sheet().field(), nullptr);
+  EXPECT_EQ(s.sheet().field()->vertices.size(), 16u);
 }
 
 TEST(Facts, OfTinyMeshes) {
   Session s;
-  s.document.replace(make_loaded(zoo::square(), "square"));
+  s.show(make_loaded(zoo::square(), "square"));
   s.refresh();
-  EXPECT_EQ(s.facts().euler(), 1);
-  EXPECT_EQ(s.facts().boundary, 4);
-  EXPECT_EQ(s.facts().edges, 5);
+  EXPECT_EQ(s.sheet().facts().euler(), 1);
+  EXPECT_EQ(s.sheet().facts().boundary, 4);
+  EXPECT_EQ(s.sheet().facts().edges, 5);
   MeshData with_unused = zoo::tetrahedron();
   with_unused.positions.emplace_back(9, 9, 9);
-  s.document.replace(make_loaded(with_unused, "tetrahedron"));
+  s.show(make_loaded(with_unused, "tetrahedron"));
   s.refresh();
-  EXPECT_EQ(s.facts().unused, 1);
-  EXPECT_EQ(s.facts().euler(), 2);
-  EXPECT_EQ(s.facts().boundary, 0);
+  EXPECT_EQ(s.sheet().facts().unused, 1);
+  EXPECT_EQ(s.sheet().facts().euler(), 2);
+  EXPECT_EQ(s.sheet().facts().boundary, 0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using test::drive;
 
-std::size_t cursor(const Session& s) { return s.document.journal().cursor(); }
+std::size_t cursor(const Session& s) { return s.document().journal().cursor(); }
 
 TEST(HistoryPlaces, CommandsBothWays) {
   Session s;
@@ -26,8 +26,8 @@ TEST(HistoryPlaces, CommandsBothWays) {
 TEST(HistoryPlaces, PhasesAreOperationsOfOneKindInARow) {
   Session s;
   drive(s, {"sample sphere 12", "factor 3", "run"});
-  const Journal& journal = s.document.journal();
-  ASSERT_EQ(s.document.marks().size(), 1u);
+  const Journal& journal = s.document().journal();
+  ASSERT_EQ(s.document().marks().size(), 1u);
   std::vector<std::size_t> begins = {0};
   for (std::size_t i = 1; i < journal.size(); ++i)
     if (journal.step(i).kind != journal.step(i - 1).kind) begins.push_back(i);
@@ -48,13 +48,13 @@ TEST(HistoryPlaces, ForwardGoesThroughWhatIsKnownAndMakesNothingNewBeforeItsEnd)
   Session s;
   drive(s, {"sample sphere 12", "step 5", "seek 1", "forward"});
   EXPECT_EQ(cursor(s), 2u);
-  EXPECT_EQ(s.document.focus(), 1u);
+  EXPECT_EQ(s.document().focus(), 1u);
   drive(s, {"forward 100"});
   EXPECT_EQ(cursor(s), 5u);
-  EXPECT_EQ(s.document.marks().size(), 1u);
+  EXPECT_EQ(s.document().marks().size(), 1u);
   drive(s, {"forward 2"});
   EXPECT_EQ(cursor(s), 7u);
-  EXPECT_EQ(s.document.marks().size(), 2u);
+  EXPECT_EQ(s.document().marks().size(), 2u);
 }
 
 TEST(PlaySpeed, IsChosenAndGoesByTheLadder) {

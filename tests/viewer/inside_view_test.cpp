@@ -71,7 +71,7 @@ TEST(Clip, CutsASectionThroughEveryRegion) {
   Session s;
   load(s, cubes(2));
   drive(s, {"clip x 0.25"});
-  const auto cells = s.drawing().drawable().cells.values();
+  const auto cells = s.sheet().drawing().drawable().cells.values();
   EXPECT_EQ(cells.size(), 3u * 2 * 4);
   EXPECT_NEAR(area(cells), 4, 1e-5);
   for (const Corner& corner : cells) {
@@ -86,19 +86,19 @@ TEST(Clip, CutsASectionThroughEveryRegion) {
               0)
         << "seen from what is cut off";
   drive(s, {"clip x 0.25 flip"});
-  EXPECT_LT(unpack_normal(s.drawing().drawable().cells[0].normal).x, -0.99);
+  EXPECT_LT(unpack_normal(s.sheet().drawing().drawable().cells[0].normal).x, -0.99);
   drive(s, {"hide region:1"});
-  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 0u);
 }
 
 TEST(Clip, SectionsOfTetrahedraFillTheSquare) {
   Session s;
   drive(s, {"sample mixed", "clip z 0.37"});
-  const Box& box = s.document.content().bounds;
+  const Box& box = s.document().content().bounds;
   const double square = (box.high.x - box.low.x) * (box.high.y - box.low.y);
-  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), square, 1e-4 * square);
+  EXPECT_NEAR(area(s.sheet().drawing().drawable().cells.values()), square, 1e-4 * square);
   drive(s, {"clip off"});
-  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 0u);
 }
 
 TEST(Shrink, PullsFacesAndRegionsToTheirMiddles) {
@@ -110,23 +110,24 @@ TEST(Shrink, PullsFacesAndRegionsToTheirMiddles) {
   load(s, cubes(2));
   drive(s, {"shrink 0.5"});
   EXPECT_EQ(drawn(corners(s)), 0u);
-  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 8);
-  EXPECT_NEAR(area(s.drawing().drawable().cells.values()), 8 * 6 * 0.25, 1e-5);
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 3u * 12 * 8);
+  EXPECT_NEAR(area(s.sheet().drawing().drawable().cells.values()), 8 * 6 * 0.25, 1e-5);
   drive(s, {"clip x 0.5 cells"});
-  EXPECT_EQ(s.drawing().drawable().cells.size(), 3u * 12 * 4);
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 3u * 12 * 4);
   drive(s, {"shrink 0", "clip off"});
-  EXPECT_EQ(s.drawing().drawable().cells.size(), 0u);
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 0u);
   EXPECT_THROW(execute(s, "shrink 1"), CommandError);
 }
 
 TEST(InteriorEdges, AreThoseOnNoOuterSide) {
   Session s;
   load(s, cubes(2));
-  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 0u);
+  EXPECT_EQ(s.sheet().drawing().drawable().interior_edges.size(), 0u);
   drive(s, {"show interior-edges on"});
-  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 6u);
+  EXPECT_EQ(s.sheet().drawing().drawable().interior_edges.size(), 6u);
   drive(s, {"clip x 0.5 cells"});
-  EXPECT_EQ(s.drawing().drawable().interior_edges.size(), 1u) << "what was inside now lies outside";
+  EXPECT_EQ(s.sheet().drawing().drawable().interior_edges.size(), 1u)
+      << "what was inside now lies outside";
 }
 
 TEST(Clip, CommandsSayWhatIsWrong) {

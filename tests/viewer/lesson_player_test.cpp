@@ -6,7 +6,7 @@
 
 #include "core/io/journal_file.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/lesson_texts.h"
+#include "viewer/lessons/lesson_texts.h"
 
 namespace aomd::scene {
 namespace {
@@ -16,10 +16,10 @@ using test::drive;
 /// All that a page sets and a user may change.
 struct State {
   explicit State(Session& s)
-      : mesh(io::fingerprint(s.document.mesh())),
-        options(s.document.options()),
-        cursor(s.document.journal().cursor()),
-        selected(s.selection.entities().begin(), s.selection.entities().end()),
+      : mesh(io::fingerprint(s.document().mesh())),
+        options(s.document().options()),
+        cursor(s.document().journal().cursor()),
+        selected(s.sheet().selection.entities().begin(), s.sheet().selection.entities().end()),
         coloring(s.view.coloring),
         labels(s.view.labels),
         side_by_side(s.view.side_by_side),
@@ -27,7 +27,7 @@ struct State {
         eye(s.view.camera.azimuth_deg, s.view.camera.elevation_deg, s.view.camera.distance) {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        if (i != j && s.document.mesh().stored(i, j)) stored.emplace(i, j);
+        if (i != j && s.document().mesh().stored(i, j)) stored.emplace(i, j);
   }
   bool operator==(const State&) const = default;
 
@@ -47,7 +47,7 @@ class EachLesson : public testing::TestWithParam<EmbeddedText> {};
 /// Page after page: what its text says holds (its own expectations), its task is not done before
 /// its solution and is afterwards, and it begins in the same way when one comes back to it.
 TEST_P(EachLesson, HoldsFromPageToPage) {
-  const Lesson lesson = parse_lesson(std::string(GetParam().name), GetParam().text);
+  const Lesson lesson = parse_lesson(std::string(GetParam().name), GetParam().text, is_command);
   EXPECT_TRUE(std::any_of(lesson.pages.begin(), lesson.pages.end(), [](const LessonPage& p) {
     return !p.checks.empty();
   })) << "something to try";
@@ -125,13 +125,13 @@ TEST(LessonPlayer, LeavingPutsBackWhatWasThere) {
   Session s;
   drive(s, {"sample sphere 8", "factor 7", "angle 33", "color quality", "panel histograms on",
             "lesson stored", "lesson next"});
-  EXPECT_EQ(s.document.options().factor, 4);
+  EXPECT_EQ(s.document().options().factor, 4);
   EXPECT_EQ(s.view.coloring, Coloring::Classification);
   drive(s, {"lesson off"});
   EXPECT_EQ(s.lesson.lesson(), nullptr);
-  EXPECT_EQ(s.document.content().name, "sphere");
-  EXPECT_EQ(s.document.options().factor, 7);
-  EXPECT_EQ(s.document.options().angle_deg, 33);
+  EXPECT_EQ(s.document().content().name, "sphere");
+  EXPECT_EQ(s.document().options().factor, 7);
+  EXPECT_EQ(s.document().options().angle_deg, 33);
   EXPECT_EQ(s.view.coloring, Coloring::Quality);
   EXPECT_EQ(s.view.panels.page, Page::Histograms);
 }
@@ -140,8 +140,8 @@ TEST(LessonPlayer, AnotherMeshEndsIt) {
   Session s;
   drive(s, {"sample sphere 8", "factor 7", "lesson directions", "sample torus 8"});
   EXPECT_EQ(s.lesson.lesson(), nullptr);
-  EXPECT_EQ(s.document.content().name, "torus");
-  EXPECT_EQ(s.document.options().factor, 7);
+  EXPECT_EQ(s.document().content().name, "torus");
+  EXPECT_EQ(s.document().options().factor, 7);
 }
 
 TEST(LessonPlayer, UnsavedWorkIsAskedAboutAndPracticeIsNone) {
@@ -150,7 +150,7 @@ TEST(LessonPlayer, UnsavedWorkIsAskedAboutAndPracticeIsNone) {
   EXPECT_TRUE(asks_first(s, "lesson stored"));
   EXPECT_EQ(s.view.dialog, Dialog::Unsaved);
   drive(s, {"lesson collapses", "coarsest on", "step"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
   EXPECT_FALSE(asks_first(s, "lesson next"));
   EXPECT_FALSE(asks_first(s, "quit"));
 }

@@ -7,7 +7,8 @@
 
 #include "core/io/error.h"
 #include "tests/support/message.h"
-#include "viewer/scene/lesson.h"
+#include "viewer/commands/commands.h"
+#include "viewer/lessons/lesson.h"
 
 namespace aomd::scene {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const std::string head = "@lesson A title\n@about One line\n@minutes 3\n";
 
 std::string error_of(const std::string& text) {
-  return test::message([&] { static_cast<void>(parse_lesson("01-x.lesson", text)); });
+  return test::message([&] { static_cast<void>(parse_lesson("01-x.lesson", text, is_command)); });
 }
 
 TEST(LessonText, MarksMakeSpans) {
@@ -35,7 +36,7 @@ TEST(LessonText, WhatIsNotClosedOrNoCommandIsNamed) {
   EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("a {}")); }), "a key is empty");
   EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("[go] there")); }),
             "the link 'go' has no (command)");
-  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("[go](stride 2)")); }),
+  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("[go](stride 2)", is_command)); }),
             "there is no command 'stride 2'");
 }
 
@@ -118,7 +119,7 @@ TEST(LessonFile, DamageIsAnErrorAndNothingWorse) {
       head +
       "@mesh one.off\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n@page A *b* {c}\nSee [x](step) "
       "`y`.\n@do\nstep\n@task\nT.\n@hint\nH.\n@check C\nexpect faces = 1\n@solution\nstep\n";
-  ASSERT_NO_THROW(static_cast<void>(parse_lesson("s.lesson", sound)));
+  ASSERT_NO_THROW(static_cast<void>(parse_lesson("s.lesson", sound, is_command)));
   std::mt19937 random(7);
   const std::string_view signs = "@*`{}[]()\n\r 0A\xff";
   for (int round = 0; round < 4000; ++round) {
@@ -131,7 +132,7 @@ TEST(LessonFile, DamageIsAnErrorAndNothingWorse) {
         text.insert(at, 1, signs[random() % signs.size()]);
     }
     try {
-      static_cast<void>(parse_lesson("s.lesson", text));
+      static_cast<void>(parse_lesson("s.lesson", text, is_command));
     } catch (const io::FileError& error) {
       EXPECT_EQ(std::string_view(error.what()).rfind("s.lesson:", 0), 0u) << error.what();
     }

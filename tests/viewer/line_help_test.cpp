@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "viewer/scene/command_search.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/line_help.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/command_search.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/line_help.h"
 
 namespace aomd::scene {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 
 namespace aomd::scene {
 namespace {
@@ -38,8 +38,8 @@ double distance_to(const Model& model, const Mesh& mesh) {
 
 double distance_to_original(const Session& s, const char* sample, int size) {
   Mesh mesh(make_sample(sample, size));
-  classify(mesh, s.document.content().classify_options);
-  return distance_to(DiscreteModel(mesh), s.document.mesh());
+  classify(mesh, s.document().content().classify_options);
+  return distance_to(DiscreteModel(mesh), s.document().mesh());
 }
 
 std::string error_of(Session& session, const std::string& line) {
@@ -57,7 +57,7 @@ TEST(SnapCommand, VerticesStayOnTheFacetsOfTheMeshAsOpened) {
   EXPECT_GT(distance_to_original(s, "cylinder", 12), 1e-4);
   drive(s, {"reset", "snap model", "sweep 2", "improve", "run"});
   EXPECT_LT(distance_to_original(s, "cylinder", 12), 1e-13);
-  EXPECT_GT(s.document.last_sweep()->faces, 0u);
+  EXPECT_GT(s.document().last_sweep()->faces, 0u);
   drive(s, {"sample bracket", "run"});  // it holds for the next mesh too
   EXPECT_LT(distance_to_original(s, "bracket", 0), 1e-13);
 }
@@ -66,17 +66,17 @@ TEST(SnapCommand, TheOriginalIsTheMeshAsOpenedHoweverLateItIsAskedFor) {
   Session s;
   drive(s, {"sample cylinder 12", "factor 3", "improve-passes 0",
             "sweep"});  // collapses keep vertices where they are
-  const std::size_t done = s.document.journal().size();
+  const std::size_t done = s.document().journal().size();
   drive(s, {"step -3", "snap model", "snap none", "snap model"});
-  EXPECT_EQ(s.document.journal().size(), done);
+  EXPECT_EQ(s.document().journal().size(), done);
   drive(s, {"smooth"});
-  EXPECT_GT(s.document.journal().size(), done - 3);
+  EXPECT_GT(s.document().journal().size(), done - 3);
   EXPECT_LT(distance_to_original(s, "cylinder", 12), 1e-13);
-  const MeshFacts after = s.facts();
+  const MeshFacts after = s.sheet().facts();
   drive(s, {"undo", "redo"});
-  EXPECT_EQ(s.facts(), after);
+  EXPECT_EQ(s.sheet().facts(), after);
   drive(s, {"reset"});
-  EXPECT_EQ(s.facts(), s.loaded_facts());
+  EXPECT_EQ(s.sheet().facts(), s.sheet().loaded_facts());
 }
 
 TEST(SnapCommand, AnotherClassificationStartsAnotherOriginal) {
@@ -91,7 +91,7 @@ TEST(SnapCommand, AClassificationInTheSamePlaceOfTheHistoryIsAnotherOne) {
   Session s;
   drive(s, {"sample scan 2000", "snap model", "feature-angle 14", "smooth", "undo", "undo"});
   drive(s, {"feature-angle 7", "smooth"});
-  EXPECT_EQ(s.document.marks().size(), 2u);
+  EXPECT_EQ(s.document().marks().size(), 2u);
   EXPECT_LT(distance_to_original(s, "scan", 2000), 1e-13);
 }
 
@@ -99,9 +99,9 @@ TEST(SnapCommand, SettingItEndsARun) {
   Session s;
   drive(s, {"sample sphere 24"});
   execute(s, "run");
-  s.document.tick(std::chrono::microseconds(1));
+  s.document().tick(std::chrono::microseconds(1));
   drive(s, {"snap model"});
-  EXPECT_FALSE(s.document.running());
+  EXPECT_FALSE(s.document().running());
   drive(s, {"run", "snap none", "run"});
   EXPECT_THROW(drive(s, {"snap facets"}), CommandError);
   EXPECT_THROW(drive(s, {"snap"}), CommandError);
@@ -116,9 +116,9 @@ TEST(ModelCommand, WrongFilesAreRefusedAndKeepEverything) {
   for (const char* name : {"bad.step", "absent.geo"}) {
     const std::string path = folder / name;
     EXPECT_NE(error_of(s, "model \"" + path + "\"").find(path), std::string::npos) << name;
-    EXPECT_EQ(s.document.model(), nullptr);
-    EXPECT_EQ(s.document.journal().cursor(), 2u);
-    EXPECT_EQ(s.document.marks().size(), 1u);
+    EXPECT_EQ(s.document().model(), nullptr);
+    EXPECT_EQ(s.document().journal().cursor(), 2u);
+    EXPECT_EQ(s.document().marks().size(), 1u);
   }
   EXPECT_THROW(drive(s, {"model"}), CommandError);
   drive(s, {"model none", "snap model", "sweep"});
@@ -141,15 +141,15 @@ class ModelCommandTest : public testing::Test {
     data.vertex_classes.clear();
     data.edges = {};
     data.faces.classes.clear();
-    session_.document.replace(make_loaded(data, "bare"));
+    session_.show(make_loaded(data, "bare"));
     session_.refresh();
   }
   /// Of the side, and the circles around it; the seam is no part of the mesh.
   [[nodiscard]] double distance() const {
     double largest = 0;
-    for (const Vertex v : session_.document.mesh().vertices()) {
-      const glm::dvec3 p = session_.document.mesh().position(v);
-      if (session_.document.mesh().row<2>(v).empty()) continue;
+    for (const Vertex v : session_.document().mesh().vertices()) {
+      const glm::dvec3 p = session_.document().mesh().position(v);
+      if (session_.document().mesh().row<2>(v).empty()) continue;
       const double radius = std::hypot(p.x, p.y);
       const bool inside_a_lid = std::abs(p.z) < 1e-9 || std::abs(p.z - 3) < 1e-9;
       if (!inside_a_lid) largest = std::max(largest, std::abs(radius - 1));
@@ -164,26 +164,26 @@ class ModelCommandTest : public testing::Test {
 TEST_F(ModelCommandTest, ABareMeshIsClassifiedOnItAndStaysOnIt) {
   drive(session_, {give("cylinder.geo")});
   EXPECT_EQ(session_.status, "Model cylinder.geo: 1 region, 3 faces, 3 edges, 2 vertices");
-  EXPECT_TRUE(session_.document.lies_on_model());
-  const std::int64_t faces = session_.facts().faces;
+  EXPECT_TRUE(session_.document().lies_on_model());
+  const std::int64_t faces = session_.sheet().facts().faces;
   drive(session_, {"expect model-faces = 3", "snap model", "factor 2", "angle 30", "run"});
-  EXPECT_LT(session_.facts().faces, faces);
+  EXPECT_LT(session_.sheet().facts().faces, faces);
   EXPECT_LT(distance(), 1e-9);
   drive(session_, {"undo", "undo"});
-  EXPECT_FALSE(session_.document.lies_on_model());
+  EXPECT_FALSE(session_.document().lies_on_model());
   drive(session_, {"feature-angle 5", "smooth"});  // puts it back on the model first
-  EXPECT_TRUE(session_.document.lies_on_model());
+  EXPECT_TRUE(session_.document().lies_on_model());
   EXPECT_LT(distance(), 1e-9);
 }
 
 TEST_F(ModelCommandTest, AModelThatDoesNotFitIsRefused) {
   drive(session_, {give("cylinder.geo"), "step 4"});
-  const std::size_t cursor = session_.document.journal().cursor();
+  const std::size_t cursor = session_.document().journal().cursor();
   const std::string error = error_of(session_, give("box.geo"));
   EXPECT_NE(error.find("box.geo"), std::string::npos) << error;
-  EXPECT_EQ(session_.document.model()->file.filename(), "cylinder.geo");
-  EXPECT_EQ(session_.document.journal().cursor(), cursor);
-  EXPECT_TRUE(session_.document.lies_on_model());
+  EXPECT_EQ(session_.document().model()->file.filename(), "cylinder.geo");
+  EXPECT_EQ(session_.document().journal().cursor(), cursor);
+  EXPECT_TRUE(session_.document().lies_on_model());
 }
 
 TEST_F(ModelCommandTest, AMeshThatLeftItsModelCannotBeSnappedUntilItIsBack) {
@@ -193,19 +193,19 @@ TEST_F(ModelCommandTest, AMeshThatLeftItsModelCannotBeSnappedUntilItIsBack) {
   drive(session_, {"reset", give("cylinder.geo"), "snap model", "reset", "snap none", "smooth",
                    "snap model"});
   EXPECT_NE(error_of(session_, "smooth").find("cylinder.geo"), std::string::npos);
-  EXPECT_EQ(session_.document.marks().size(), 1u);
+  EXPECT_EQ(session_.document().marks().size(), 1u);
   drive(session_, {"reset", "smooth"});
   EXPECT_LT(distance(), 1e-9);
 }
 
 TEST_F(ModelCommandTest, AnotherMeshOrNoneDropsIt) {
   drive(session_, {give("cylinder.geo"), "snap model", "sweep", "model none", "sweep"});
-  EXPECT_EQ(session_.document.model(), nullptr);
+  EXPECT_EQ(session_.document().model(), nullptr);
   drive(session_, {"sample sphere 8"});
   open_bare_cylinder();
   drive(session_, {give("cylinder.geo"), "improve", "sample sphere 8"});
-  EXPECT_EQ(session_.document.model(), nullptr);
-  EXPECT_TRUE(session_.document.snaps());
+  EXPECT_EQ(session_.document().model(), nullptr);
+  EXPECT_TRUE(session_.document().snaps());
   drive(session_, {"improve"});
 }
 

@@ -113,20 +113,20 @@ TEST(Neighbours, StoredOnesAreSolidAndDerivedOnesAreDashed) {
 TEST(Neighbours, FollowSelectionAndRelations) {
   Session s;
   drive(s, {"sample sphere 8", "neighbours face"});
-  EXPECT_EQ(s.neighbours(), nullptr);
+  EXPECT_EQ(s.sheet().inquiry().neighbours(), nullptr);
   EXPECT_EQ(s.status, "Neighbours: select one entity to see what lies around it");
   drive(s, {"select vertex 30", "expect neighbours = 6"});
-  EXPECT_TRUE(s.neighbours()->stored());
-  const std::size_t lit = s.drawing().drawable().preview.faces.size();
+  EXPECT_TRUE(s.sheet().inquiry().neighbours()->stored());
+  const std::size_t lit = s.sheet().drawing().drawable().preview.faces.size();
   EXPECT_EQ(lit, 18u);
   drive(s, {"neighbours edge", "adjacency 2 1 on", "select face 4"});
-  EXPECT_TRUE(s.neighbours()->stored());
+  EXPECT_TRUE(s.sheet().inquiry().neighbours()->stored());
   drive(s, {"adjacency 2 1 off", "expect neighbours = 3"});
-  EXPECT_FALSE(s.neighbours()->stored()) << "the change of T is seen at once";
-  EXPECT_EQ(s.inspection()->adjacent[1].stored, false);
+  EXPECT_FALSE(s.sheet().inquiry().neighbours()->stored()) << "the change of T is seen at once";
+  EXPECT_EQ(s.sheet().inquiry().facts()->adjacent[1].stored, false);
   drive(s, {"neighbours off"});
-  EXPECT_EQ(s.neighbours(), nullptr);
-  EXPECT_EQ(s.drawing().drawable().preview.faces.size(), 0u);
+  EXPECT_EQ(s.sheet().inquiry().neighbours(), nullptr);
+  EXPECT_EQ(s.sheet().drawing().drawable().preview.faces.size(), 0u);
   EXPECT_THROW(execute(s, "neighbours"), CommandError);
   EXPECT_THROW(execute(s, "neighbours node"), CommandError);
 }
@@ -136,7 +136,7 @@ TEST(Neighbours, LookingChangesNoResult) {
   drive(plain, {"sample torus", "sweep", "run"});
   drive(looking, {"sample torus", "select vertex 3", "neighbours face", "sweep", "select edge 40",
                   "neighbours vertex", "run", "neighbours edge"});
-  const Mesh &a = plain.document.mesh(), &b = looking.document.mesh();
+  const Mesh &a = plain.document().mesh(), &b = looking.document().mesh();
   ASSERT_EQ(a.count(2), b.count(2));
   for (const Face f : a.faces()) ASSERT_EQ(a.triangle(f), b.triangle(f));
   for (int level = 0; level < 3; ++level) EXPECT_EQ(a.ids(level), b.ids(level));

@@ -93,6 +93,45 @@ TEST_F(Outputs, SizesThatNobodyCouldReadAreRefused) {
   EXPECT_EQ(run("sample sphere 8\nscreenshot a.png 16384x16384\n"), 2);
   EXPECT_NE(text("err.txt").find("8192x8192"), std::string::npos) << text("err.txt");
   EXPECT_EQ(run("sample sphere 8\nscreenshot a.png 0x4\n"), 2);
+  EXPECT_EQ(run("sample sphere 8\n", "--size 16384x16384"), 2);
+  EXPECT_NE(text("err.txt").find("8192x8192"), std::string::npos) << text("err.txt");
+}
+
+TEST_F(Outputs, NothingIsWrittenOverWhatAnOptionNames) {
+  const std::string script = "sample sphere 8\n";
+  fs::create_symlink("script.aomd", at("link"));
+  for (const char* options :
+       {"--record script.aomd", "--record ./script.aomd", "--record link",
+        "--record ../$(basename $PWD)/script.aomd", "--screenshot script.aomd",
+        "--screenshot a.png --record a.png", "--compare a.png --screenshot a.png",
+        "--compare a.diff.png --screenshot a.png",
+        "--compare b.result.png --record b.result.result.png"}) {
+    EXPECT_EQ(run(script, options), 2) << options;
+    EXPECT_EQ(text("script.aomd"), script) << options;
+    EXPECT_NE(text("err.txt").find("are one file"), std::string::npos) << text("err.txt");
+  }
+  EXPECT_EQ(run(script, "--record /dev/null --screenshot a.png"), 0);
+}
+
+TEST_F(Outputs, ARecordHoldsWhatTheScriptDid) {
+  ASSERT_EQ(run("# a ball\n\nsample sphere 12  # of 440 faces\nstep 9\nunsaved cancel\nexpect "
+                "cursor = 9\n",
+                "--record done.aomd"),
+            0)
+      << text("err.txt");
+  EXPECT_EQ(text("done.aomd"), "sample sphere 12\nstep 9\nunsaved cancel\nexpect cursor = 9\n");
+}
+
+TEST_F(Outputs, AScriptThatCannotBeReadIsAnError) {
+  EXPECT_EQ(run("", "--script ."), 0) << "the last one counts";
+  fs::create_directory(at("folder"));
+  const std::string program = "cd '" + at("").string() + "' && '" AOMD_VIEW "' --headless ";
+  for (const char* script : {"folder", "none", "/proc/self/mem"}) {
+    const int status = std::system((program + "--script " + script + " 2>err.txt").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 3) << script;
+    EXPECT_EQ(text("err.txt").rfind("aomd-view: " + std::string(script) + ": ", 0), 0u)
+        << text("err.txt");
+  }
 }
 
 TEST_F(Outputs, ATurntableComesBackToWhereItBegan) {
@@ -166,7 +205,7 @@ TEST(Series, TakesOnePictureAfterTheOtherAndPutsEverythingBack) {
   execute(s, "export history " + (folder / "h").string() + " 4");
   EXPECT_FALSE(s.idle());
   EXPECT_EQ(take_all(s), 4);
-  EXPECT_EQ(s.document.journal().cursor(), 5u);
+  EXPECT_EQ(s.document().journal().cursor(), 5u);
   EXPECT_TRUE(s.view.operation);
   execute(s, "export turntable " + (folder / "t").string() + " 7 64x64");
   EXPECT_EQ(take_all(s), 7);
@@ -180,10 +219,10 @@ TEST(Series, CancelPutsEverythingBackToo) {
   scene::test::drive(s, {"sample sphere 12", "step 9"});
   execute(s, "export history " + (folder / "h").string() + " 4");
   s.advance_series();
-  EXPECT_EQ(s.document.journal().cursor(), 0u);
+  EXPECT_EQ(s.document().journal().cursor(), 0u);
   EXPECT_THROW(execute(s, "step"), CommandError);  // it would be in the pictures
   execute(s, "cancel");
-  EXPECT_EQ(s.document.journal().cursor(), 9u);
+  EXPECT_EQ(s.document().journal().cursor(), 9u);
   EXPECT_TRUE(s.screenshots.empty());
   EXPECT_NO_THROW(execute(s, "step"));
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "viewer/scene/command_search.h"
+#include "viewer/commands/command_search.h"
 
 namespace aomd::scene {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/loaded_mesh.h"
-#include "viewer/scene/picking.h"
+#include "viewer/document/loaded_mesh.h"
+#include "viewer/drawing/picking.h"
 
 namespace aomd::scene {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "viewer/scene/drawable.h"
+#include "viewer/drawing/drawable.h"
 
 namespace aomd::scene {
 namespace {

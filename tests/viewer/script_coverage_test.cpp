@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/scene/commands.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::scene {
 namespace {

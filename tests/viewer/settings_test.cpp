@@ -30,6 +30,15 @@ TEST(Settings, ComeBackAsTheyWere) {
   EXPECT_EQ(parse_settings(settings_text({})), Settings());
 }
 
+TEST(Settings, BringTheWindowBackWhetherItWasMaximisedOrNot) {
+  Settings left = some();
+  left.window->maximized = false;
+  EXPECT_EQ(parse_settings(settings_text(left)), left);
+  const std::optional<WindowPlace> expected = WindowPlace{{10, 20}, {800, 600}, false};
+  EXPECT_EQ(parse_settings("window=10 20 800 600").window, expected);
+  EXPECT_EQ(parse_settings("window=10 20 800").window, std::nullopt);
+}
+
 TEST(Settings, AreTheUsualOnesWithoutAFile) {
   EXPECT_EQ(read_settings("/nowhere/settings"), Settings());
   EXPECT_NO_THROW(write_settings("/proc/nowhere/settings", some()));

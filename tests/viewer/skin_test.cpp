@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/palette.h"
+#include "viewer/drawing/palette.h"
 
 namespace aomd::scene {
 namespace {
@@ -175,28 +175,28 @@ TEST(SkinSurface, BordersAreLinesWhereTheMeshNamesNoModelEdge) {
 }
 
 void show(Session& s, const MeshData& data) {
-  s.document.replace(make_loaded(data, "made"));
+  s.show(make_loaded(data, "made"));
   s.refresh();
 }
 
 TEST(Volume, IsShownWithoutStoringMoreThanItsDataLists) {
   Session s;
   show(s, two_cubes(left, right));
-  const Mesh& mesh = s.document.mesh();
+  const Mesh& mesh = s.document().mesh();
   EXPECT_EQ(mesh.count(1) + mesh.count(2), 0u);
   EXPECT_FALSE(mesh.complete(2));
   drive(s, {"expect regions = 2", "expect outer-faces = 10", "expect model-regions = 2",
             "expect unused = 0", "expect adjacency 3 0 = on", "expect adjacency 2 3 = off",
             "expect faces = 0"});
-  EXPECT_EQ(s.drawing().drawable().corners.size(), 3u * 22);
+  EXPECT_EQ(s.sheet().drawing().drawable().corners.size(), 3u * 22);
   drive(s, {"adjacency 2 3 on", "expect faces = 11", "expect adjacency 2 3 = on",
             "expect outer-faces = 10"});
   EXPECT_TRUE(mesh.complete(2));
-  EXPECT_EQ(s.drawing().drawable().corners.size(), 3u * 22);
+  EXPECT_EQ(s.sheet().drawing().drawable().corners.size(), 3u * 22);
   drive(s, {"hide region:1"});
-  EXPECT_EQ(s.drawing().drawable().corners.size(), 3u * 12);
+  EXPECT_EQ(s.sheet().drawing().drawable().corners.size(), 3u * 12);
   drive(s, {"hide", "show interfaces off"});
-  EXPECT_EQ(s.drawing().drawable().corners.size(), 3u * 20);
+  EXPECT_EQ(s.sheet().drawing().drawable().corners.size(), 3u * 20);
 }
 
 TEST(Volume, RefusesDecimationWithASentenceAndKeepsTheRest) {
@@ -220,9 +220,9 @@ TEST(Volume, CountsShapesAndUnusedVertices) {
   data.positions.emplace_back(9, 9, 9);
   Session s;
   show(s, data);
-  EXPECT_EQ(s.facts().shapes[static_cast<std::size_t>(Shape::Tetrahedron)], 2);
-  EXPECT_EQ(s.facts().unused, 1);
-  EXPECT_DOUBLE_EQ(s.document.content().bounds.high.x, 3);
+  EXPECT_EQ(s.sheet().facts().shapes[static_cast<std::size_t>(Shape::Tetrahedron)], 2);
+  EXPECT_EQ(s.sheet().facts().unused, 1);
+  EXPECT_DOUBLE_EQ(s.document().content().bounds.high.x, 3);
 }
 
 TEST(Volume, WithoutAnyClassGetsOneFromItsAngles) {
@@ -231,7 +231,7 @@ TEST(Volume, WithoutAnyClassGetsOneFromItsAngles) {
   drive(s, {"expect model-regions = 1", "expect model-faces = 6", "expect model-edges = 12"});
   const auto drawn = [&] {
     std::set<ModelRef> models;
-    for (const SkinFace& face : s.document.content().skin->faces()) models.insert(face.model);
+    for (const SkinFace& face : s.document().content().skin->faces()) models.insert(face.model);
     return models.size();
   };
   EXPECT_EQ(drawn(), 6u);
@@ -245,10 +245,10 @@ TEST(Quads, AreCountedAndDrawnButNotDecimated) {
   Session s;
   show(s, two_quads());
   drive(s, {"expect faces = 2", "expect edges = 7", "expect boundary = 6", "expect euler = 1"});
-  EXPECT_EQ(s.facts().shapes[static_cast<std::size_t>(Shape::Quad)], 2);
-  EXPECT_EQ(s.drawing().drawable().corners.size(), 3u * 4);
+  EXPECT_EQ(s.sheet().facts().shapes[static_cast<std::size_t>(Shape::Quad)], 2);
+  EXPECT_EQ(s.sheet().drawing().drawable().corners.size(), 3u * 4);
   EXPECT_THROW(drive(s, {"sweep"}), CommandError);
-  EXPECT_NE(s.document.hindrance().find("quads"), std::string_view::npos);
+  EXPECT_NE(s.document().hindrance().find("quads"), std::string_view::npos);
 }
 
 }  // namespace

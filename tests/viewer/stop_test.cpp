@@ -7,7 +7,7 @@
 
 #include "core/decimate/explain/stop_words.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/verdict_field.h"
+#include "viewer/explain/edge_verdicts.h"
 
 namespace aomd::scene {
 namespace {
@@ -49,34 +49,34 @@ TEST(StopWords, OfARunCountTheEdgesThatAreLeft) {
   for (const std::string_view strategy : {"strategy paper", "strategy quality"}) {
     Session s;
     drive(s, {"sample torus 20", strategy, "run", "color verdict"});
-    const EdgesByReason left = s.document.for_judging()->edges_left();
+    const EdgesByReason left = s.document().build_decimation_to_judge()->edges_left();
     EXPECT_EQ(std::accumulate(left.begin(), left.end(), std::int64_t{0}),
-              s.document.mesh().count(1));
+              s.document().mesh().count(1));
     for (std::size_t r = 0; r < left.size(); ++r)
-      EXPECT_EQ(left[r], s.verdicts()->counts()[r]) << strategy;
-    EXPECT_EQ(s.document.stop(),
-              stop_words(left, s.document.options(), s.document.mesh().count(2)));
+      EXPECT_EQ(left[r], s.sheet().verdicts()->counts()[r]) << strategy;
+    EXPECT_EQ(s.document().stop(),
+              stop_words(left, s.document().options(), s.document().mesh().count(2)));
   }
 }
 
 TEST(Stop, BelongsToTheEndOfItsRun) {
   Session s;
   drive(s, {"sample bracket 4", "strategy paper", "sweep"});
-  EXPECT_EQ(s.document.stop(), "");
+  EXPECT_EQ(s.document().stop(), "");
   drive(s, {"run"});
-  const std::string first(s.document.stop());
+  const std::string first(s.document().stop());
   ASSERT_EQ(first.substr(0, 7), "Stopped");
   drive(s, {"step -1"});
-  EXPECT_EQ(s.document.stop(), "");
+  EXPECT_EQ(s.document().stop(), "");
   drive(s, {"seek end"});
-  EXPECT_EQ(s.document.stop(), first);
+  EXPECT_EQ(s.document().stop(), first);
   drive(s, {"seek 20", "angle 30", "run"});
-  const std::string second(s.document.stop());
+  const std::string second(s.document().stop());
   EXPECT_NE(second, first);
   drive(s, {"branch switch 1"});
-  EXPECT_EQ(s.document.stop(), first);
+  EXPECT_EQ(s.document().stop(), first);
   drive(s, {"runs go 2"});
-  EXPECT_EQ(s.document.stop(), second);
+  EXPECT_EQ(s.document().stop(), second);
 }
 
 /// The command of the first run is cut in its middle: neither its end nor its last sweeps are on
@@ -84,10 +84,10 @@ TEST(Stop, BelongsToTheEndOfItsRun) {
 TEST(Stop, OfARunThatWasCutIsNotShownWhereAnotherEndsAfterAsManyOperations) {
   Session s;
   drive(s, {"sample bracket 4", "strategy paper", "run"});
-  const std::size_t end = s.document.journal().cursor();
+  const std::size_t end = s.document().journal().cursor();
   drive(s, {"seek 20", "angle 40", "step " + std::to_string(end - 20)});
-  ASSERT_EQ(s.document.journal().cursor(), end);
-  EXPECT_EQ(s.document.stop(), "");
+  ASSERT_EQ(s.document().journal().cursor(), end);
+  EXPECT_EQ(s.document().stop(), "");
 }
 
 class LastSweep : public testing::TestWithParam<const char*> {};
@@ -99,11 +99,11 @@ TEST_P(LastSweep, IsTheOneBeforeThePresentPlace) {
       seen;  // the operations of each sweep, one by one
   drive(s, {"run"});
   std::size_t operations = 0;
-  for (const SweepStatistics& each : s.document.decimation()->sweeps())
+  for (const SweepStatistics& each : s.document().decimation()->sweeps())
     operations += std::size_t{each.collapses} + each.swaps + each.smooths;
-  ASSERT_EQ(operations, s.document.journal().size()) << "each is a step";
+  ASSERT_EQ(operations, s.document().journal().size()) << "each is a step";
   std::size_t end = 0;
-  for (const SweepStatistics& each : s.document.decimation()->sweeps()) {
+  for (const SweepStatistics& each : s.document().decimation()->sweeps()) {
     end += std::size_t{each.collapses} + each.swaps + each.smooths;
     if (each.collapses > 0) seen.emplace_back(end, each);
   }
@@ -111,14 +111,14 @@ TEST_P(LastSweep, IsTheOneBeforeThePresentPlace) {
   for (const auto& [place, statistics] : seen) {
     if (place == end) continue;
     drive(s, {"seek " + std::to_string(place)});
-    ASSERT_NE(s.document.last_sweep(), nullptr);
-    EXPECT_EQ(s.document.last_sweep()->collapses, statistics.collapses) << place;
+    ASSERT_NE(s.document().last_sweep(), nullptr);
+    EXPECT_EQ(s.document().last_sweep()->collapses, statistics.collapses) << place;
     drive(s, {"seek " + std::to_string(place - 1)});
-    const SweepStatistics* before = s.document.last_sweep();
+    const SweepStatistics* before = s.document().last_sweep();
     EXPECT_TRUE(before == nullptr || *before != statistics) << place;
   }
   drive(s, {"seek 0"});
-  EXPECT_EQ(s.document.last_sweep(), nullptr);
+  EXPECT_EQ(s.document().last_sweep(), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, LastSweep,
@@ -128,12 +128,12 @@ INSTANTIATE_TEST_SUITE_P(Strategies, LastSweep,
 TEST(LastSweep, ThatChangedNothingCountsToo) {
   Session s;
   drive(s, {"sample bracket 4", "strategy paper", "run"});
-  const auto refused = [&] { return s.document.last_sweep()->refused; };
+  const auto refused = [&] { return s.document().last_sweep()->refused; };
   const auto before = refused();
   drive(s, {"factor 1", "sweep"});
   EXPECT_NE(refused(), before);
   drive(s, {"step -1", "seek end"});
-  EXPECT_EQ(s.document.last_sweep()->refused.size(), before.size());
+  EXPECT_EQ(s.document().last_sweep()->refused.size(), before.size());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
-#include "viewer/scene/tables.h"
+#include "viewer/commands/tables.h"
 
 namespace aomd::scene {
 namespace {
@@ -51,15 +51,16 @@ TEST(Tables, CountsAreThoseOfThePanelNowAndAsLoaded) {
   Session s;
   drive(s, {"sample sphere 8", "step 4", "copy counts"});
   const auto rows = rows_of(s.clipboard.get());
-  EXPECT_EQ(cell(rows, "Faces", 1), std::to_string(s.facts().faces));
-  EXPECT_EQ(cell(rows, "Faces", 2), std::to_string(s.loaded_facts().faces));
+  EXPECT_EQ(cell(rows, "Faces", 1), std::to_string(s.sheet().facts().faces));
+  EXPECT_EQ(cell(rows, "Faces", 2), std::to_string(s.sheet().loaded_facts().faces));
   EXPECT_EQ(cell(rows, "Euler number", 1), "2");
 }
 
 TEST(Tables, CountsOfAVolumeHaveItsRegions) {
   Session s;
   drive(s, {"sample tet-box 2", "copy counts"});
-  EXPECT_EQ(cell(rows_of(s.clipboard.get()), "Regions", 1), std::to_string(s.facts().regions));
+  EXPECT_EQ(cell(rows_of(s.clipboard.get()), "Regions", 1),
+            std::to_string(s.sheet().facts().regions));
 }
 
 TEST(Tables, TheLegendSaysWhatIsHidden) {
@@ -68,7 +69,7 @@ TEST(Tables, TheLegendSaysWhatIsHidden) {
   const auto rows = rows_of(s.clipboard.get());
   EXPECT_EQ(cell(rows, "face:2", 2), "yes");
   EXPECT_EQ(cell(rows, "face:1", 2), "no");
-  const auto faces = s.document.mesh().class_lists()->entities(2, ModelRef(2, 1)).size();
+  const auto faces = s.document().mesh().class_lists()->entities(2, ModelRef(2, 1)).size();
   EXPECT_EQ(cell(rows, "face:1", 1), std::to_string(faces));
 }
 
@@ -88,7 +89,8 @@ TEST(Tables, RefusalsAndSweepsAreTitlesAloneBeforeTheFirstSweep) {
   EXPECT_EQ(rows_of(table_text(s, "refusals")).size(), 1u);
   EXPECT_EQ(rows_of(table_text(s, "sweeps")).size(), 1u);
   drive(s, {"sweep 2"});
-  EXPECT_EQ(rows_of(table_text(s, "sweeps")).size(), 1 + s.document.decimation()->sweeps().size());
+  EXPECT_EQ(rows_of(table_text(s, "sweeps")).size(),
+            1 + s.document().decimation()->sweeps().size());
 }
 
 TEST(Tables, CopyWritesAFileWhereOneIsNamed) {

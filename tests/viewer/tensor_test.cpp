@@ -8,8 +8,8 @@
 #include "core/samples/samples.h"
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/id_facts.h"
+#include "viewer/document/adjacency.h"
+#include "viewer/explain/id_facts.h"
 
 namespace aomd::scene {
 namespace {
@@ -60,7 +60,7 @@ TEST(HashFacts, CrowdedBucketsAndGrowthAreCountedExactly) {
 TEST(HashFacts, BuiltSmallItGrowsAndTheBarsSumToTheEntities) {
   Session s;
   drive(s, {"sample sphere 8", "hash-sets build edge 61", "expect hash-entities = 1920"});
-  const HashFacts facts = hash_facts(s.document.mesh(), 1);
+  const HashFacts facts = hash_facts(s.document().mesh(), 1);
   EXPECT_GE(facts.rehashes.size(), 1u);
   EXPECT_EQ(facts.rehashes[0].before, 61u);
   EXPECT_EQ(facts.rehashes[0].after, 611u);
@@ -90,7 +90,7 @@ TEST(HashFacts, TheLastBarIsThatOfTheCrowdedBuckets) {
 TEST(IdFacts, ACollapsePushesIdsAndUndoTakesThemBack) {
   Session s;
   drive(s, {"sample sphere 8"});
-  const Mesh& mesh = s.document.mesh();
+  const Mesh& mesh = s.document().mesh();
   EXPECT_EQ(id_facts(mesh, 2).next, mesh.count(2)) << "an empty stack: the next id is fresh";
   drive(s, {"coarsest on", "angle 60", "step", "expect free-vertices = 1", "expect free-edges = 3",
             "expect free-faces = 2"});
@@ -108,7 +108,7 @@ TEST(IdFacts, ACollapsePushesIdsAndUndoTakesThemBack) {
 TEST(Askers, AreNamedWhileTheyHoldARelation) {
   Session s;
   drive(s, {"sample sphere 8"});
-  const Mesh& mesh = s.document.mesh();
+  const Mesh& mesh = s.document().mesh();
   EXPECT_EQ(askers(mesh, 0, 2), "drawing");
   EXPECT_EQ(askers(mesh, 1, 2), "");
   drive(s, {"step"});
@@ -132,7 +132,7 @@ TEST(Strategies, BothLeadToTheSameMeshAndFreeWhatTheyDoNotHold) {
     DecimationOptions options;
     options.angle_deg = 30;
     const MeshData data = make_sample(sample, sample[1] == 'c' ? 2000 : 0);
-    const StrategyResult result = compare_strategies(data, options);
+    const StorageComparison result = compare_storage(data, options);
     EXPECT_TRUE(result.same) << sample;
     EXPECT_EQ(result.ways[0].counts, result.ways[1].counts) << sample;
     EXPECT_EQ(result.ways[0].exchanges, 0u);
@@ -147,13 +147,13 @@ TEST(Strategies, WiresWithoutFacesGuardsAndThePrintedTopologyToo) {
   wired.edges.add(Shape::Line, {0, 50});
   DecimationOptions options;
   options.angle_deg = 40;
-  EXPECT_TRUE(compare_strategies(wired, options).same);
+  EXPECT_TRUE(compare_storage(wired, options).same);
   options.topology = TopologyRule::Paper;
-  EXPECT_TRUE(compare_strategies(make_sample("nonmanifold", 0), options).same);
+  EXPECT_TRUE(compare_storage(make_sample("nonmanifold", 0), options).same);
   options.topology = TopologyRule::Safe;
   options.no_intersections = true;
   options.max_distance = 0.05;
-  EXPECT_TRUE(compare_strategies(make_sample("torus", 0), options).same);
+  EXPECT_TRUE(compare_storage(make_sample("torus", 0), options).same);
 }
 
 TEST(Strategies, WhileItSwapsNothingIsHeldThatSwapsDoNotRead) {
@@ -177,10 +177,10 @@ TEST(Strategies, WhileItSwapsNothingIsHeldThatSwapsDoNotRead) {
 TEST(Strategies, RunInTheBackgroundOfASessionAndCanBeCancelled) {
   Session s;
   drive(s, {"sample torus", "sweep", "strategies run", "expect same-result = 1", "strategies on"});
-  ASSERT_NE(s.strategies(), nullptr);
+  ASSERT_NE(s.sheet().storage(), nullptr);
   EXPECT_TRUE(s.view.panels.side && s.view.panels.page == Page::Adjacency &&
               s.view.sections.strategies);
-  EXPECT_EQ(s.document.journal().size(), s.document.journal().cursor())
+  EXPECT_EQ(s.document().journal().size(), s.document().journal().cursor())
       << "the present mesh is left alone";
   drive(s, {"copy strategies"});
   EXPECT_EQ(s.clipboard.get().rfind(
@@ -190,7 +190,7 @@ TEST(Strategies, RunInTheBackgroundOfASessionAndCanBeCancelled) {
   EXPECT_FALSE(s.idle());
   execute(s, "cancel");
   EXPECT_TRUE(s.idle());
-  EXPECT_EQ(s.strategies(), nullptr);
+  EXPECT_EQ(s.sheet().storage(), nullptr);
   drive(s, {"sample tet-box"});
   EXPECT_THROW(execute(s, "strategies run"), CommandError);
 }

@@ -14,45 +14,45 @@ using test::drive;
 
 TEST(Unsaved, IsWhatDiffersFromTheMeshAsLoaded) {
   Session s;
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
   drive(s, {"sample sphere 12"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
   drive(s, {"step 3"});
-  EXPECT_TRUE(s.document.unsaved());
+  EXPECT_TRUE(s.document().unsaved());
   drive(s, {"reset"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
   drive(s, {"redo", "sample sphere 8"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
 }
 
 TEST(Unsaved, SavingEndsItUntilTheMeshMoves) {
   const aomd::test::TemporaryFolder folder;
   Session s;
   drive(s, {"sample sphere 12", "step 5", "save " + (folder / "a.ply").string()});
-  EXPECT_FALSE(s.document.unsaved());
-  EXPECT_EQ(s.document.saved_file(), folder / "a.ply");
+  EXPECT_FALSE(s.document().unsaved());
+  EXPECT_EQ(s.document().saved_file(), folder / "a.ply");
   drive(s, {"step -1"});
-  EXPECT_TRUE(s.document.unsaved());
+  EXPECT_TRUE(s.document().unsaved());
   drive(s, {"step 1"});  // not a redo: what stood there is cut off and made again
-  EXPECT_TRUE(s.document.unsaved());
+  EXPECT_TRUE(s.document().unsaved());
 }
 
 TEST(Unsaved, WorkThatIsTakenBackAfterSavingIsNot) {
   const aomd::test::TemporaryFolder folder;
   Session s;
   drive(s, {"sample sphere 12", "step 5", "save " + (folder / "a.ply").string(), "step 2"});
-  EXPECT_TRUE(s.document.unsaved());
+  EXPECT_TRUE(s.document().unsaved());
   drive(s, {"undo"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
   drive(s, {"swap", "undo"});
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
 }
 
 TEST(Unsaved, AFailedSaveLeavesItUnsaved) {
   Session s;
   drive(s, {"sample sphere 12", "step 5"});
   EXPECT_ANY_THROW(execute(s, "save /nowhere/at/all.ply"));
-  EXPECT_TRUE(s.document.unsaved());
+  EXPECT_TRUE(s.document().unsaved());
 }
 
 TEST(AsksFirst, OnlyBeforeWhatLosesTheWork) {
@@ -74,7 +74,7 @@ TEST(AsksFirst, ScriptsAreNotAsked) {
   Session s;
   drive(s, {"sample sphere 12", "step", "sample sphere 8"});
   EXPECT_EQ(s.view.dialog, Dialog::None);
-  EXPECT_EQ(s.document.journal().size(), 0u);
+  EXPECT_EQ(s.document().journal().size(), 0u);
   drive(s, {"step", "quit"});
   EXPECT_TRUE(s.quit);
 }
@@ -108,7 +108,7 @@ TEST(AsksFirst, SaveAsksForAFileOnceAndThenGoesOn) {
   ASSERT_TRUE(asks_first(s, "sample torus"));
   drive(s, {"unsaved save"});  // it has a name by now
   EXPECT_EQ(s.next_line, "sample torus");
-  EXPECT_FALSE(s.document.unsaved());
+  EXPECT_FALSE(s.document().unsaved());
 }
 
 TEST(AsksFirst, GivingUpTheSaveDialogGivesUpTheLine) {

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "viewer/app/window.h"
+#include "viewer/commands/commands.h"
 #include "viewer/render/picture_target.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/shader_sources.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 
 namespace aomd {
 namespace {
@@ -51,7 +51,7 @@ struct Stage {
   scene::Session session;
 
   void upload() {
-    buffers.upload(session.drawing().drawable());
+    buffers.upload(session.sheet().drawing().drawable());
     gl.Finish();
   }
 };
@@ -63,7 +63,7 @@ void carry_out(scene::Session& session, const std::string& line) {
 }
 
 void measure_steps(Stage& stage) {
-  scene::Document& document = stage.session.document;
+  scene::Document& document = stage.session.document();
   std::vector<double> moves, uploads;
   std::mt19937 random(1);
   for (int i = 0; i < samples; ++i) {
@@ -84,7 +84,7 @@ void measure_steps(Stage& stage) {
 }
 
 void measure_scrubbing(Stage& stage) {
-  scene::Document& document = stage.session.document;
+  scene::Document& document = stage.session.document();
   std::vector<double> history, whole;
   std::mt19937 random(2);
   for (int i = 0; i < samples; ++i) {
@@ -118,7 +118,7 @@ void measure_history(const std::string& file, const std::string& operations) {
   Stage stage;
   carry_out(stage.session, "open " + file);
   carry_out(stage.session, "step " + operations);
-  const Journal& journal = stage.session.document.journal();
+  const Journal& journal = stage.session.document().journal();
   if (journal.size() < 2) throw std::runtime_error(file + ": nothing to decimate");
   std::printf("%s: %zu operations, history %.0f MB\n\n", file.c_str(), journal.size(),
               1e-6 * static_cast<double>(journal.bytes()));

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/io/png.h"
 #include "viewer/app/window.h"
 #include "viewer/app/window_egl.h"
 #include "viewer/app/window_osmesa.h"
@@ -10,6 +11,12 @@ namespace aomd::app {
 namespace {
 
 constexpr int largest_side = 16384;
+
+bool fits(glm::ivec2 size) {
+  return size.x >= 1 && size.y >= 1 && size.x <= largest_side && size.y <= largest_side &&
+         static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y) <=
+             io::max_image_pixels;
+}
 
 std::unique_ptr<Window> make_one(HeadlessKind kind, glm::ivec2 size) {
 #ifdef AOMD_HAVE_OSMESA
@@ -24,8 +31,8 @@ std::unique_ptr<Window> make_one(HeadlessKind kind, glm::ivec2 size) {
 }  // namespace
 
 std::unique_ptr<Window> make_headless_window(HeadlessKind kind, glm::ivec2 size) {
-  if (size.x < 1 || size.y < 1 || size.x > largest_side || size.y > largest_side)
-    throw WindowError("a picture must be 1x1 to 16384x16384 pixels large");
+  if (!fits(size))
+    throw WindowError("a picture is 1 to 16384 pixels wide and high, and has 64 million at most");
   if (kind != HeadlessKind::Auto) return make_one(kind, size);
   std::string reasons;
   for (const HeadlessKind each : std::array{HeadlessKind::OsMesa, HeadlessKind::Egl}) {

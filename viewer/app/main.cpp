@@ -8,8 +8,8 @@
 #include "core/io/png.h"
 #include "core/measure/image_diff.h"
 #include "viewer/app/viewer.h"
-#include "viewer/scene/commands.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::app {
 namespace {
@@ -33,21 +33,13 @@ int exit_code_of(const std::exception& error) {
   return exit_unreadable;
 }
 
-/// "out.png" and "diff" give "out.diff.png".
-fs::path beside(const fs::path& picture, const std::string& what) {
-  return picture.parent_path() / (picture.stem().string() + "." + what + ".png");
-}
-
 int compare(const Options& options, const io::Image& result) {
   const io::Image baseline = io::read_png(options.compare);
   const measure::ImageDifference difference = measure::compare_images(baseline, result);
   if (difference.same_size && difference.ssim >= options.threshold) return exit_done;
-  fs::path picture = options.screenshot;
-  if (picture.empty()) {
-    picture = beside(options.compare.filename(), "result");
-    io::write_png(picture, result);
-  }
-  const fs::path shown = beside(picture, "diff");
+  const fs::path picture = picture_for_comparison(options);
+  if (options.screenshot.empty()) io::write_png(picture, result);
+  const fs::path shown = picture_of_difference(options);
   io::write_png(shown, measure::difference_picture(baseline, result));
   const std::string why =
       difference.same_size ? "structural similarity " + scene::short_number(difference.ssim, 5) +

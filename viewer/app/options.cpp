@@ -6,10 +6,16 @@
 #include <map>
 #include <vector>
 
-#include "viewer/scene/commands.h"
+#include "core/io/png.h"
+#include "viewer/commands/commands.h"
 
 namespace aomd::app {
 namespace {
+
+/// "out.png" and "diff" give "out.diff.png".
+std::filesystem::path beside(const std::filesystem::path& picture, const std::string& what) {
+  return picture.parent_path() / (picture.stem().string() + "." + what + ".png");
+}
 
 /// CLI11 would take the word after a bare --headless for its value.
 std::vector<std::string> words_of(int argc, char** argv) {
@@ -27,7 +33,50 @@ std::string check_size(const std::string& text) {
   char rest = 0;
   const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
   const bool good = read == 2 && width >= 1 && height >= 1 && width <= 16384 && height <= 16384;
-  return good ? "" : "'" + text + "' is not a size like 1280x800";
+  if (!good) return "'" + text + "' is not a size like 1280x800";
+  const bool small = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <=
+                     io::max_image_pixels;
+  return small ? "" : "'" + text + "' is too large: 8192x8192 is as many pixels as there may be";
+}
+
+/// A file that an option names.
+struct NamedFile {
+  std::string option;
+  std::filesystem::path path;
+};
+
+/// Whether writing one would change what the other is. Devices and pipes are what they are.
+bool one_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  if (fs::exists(a, none) && fs::exists(b, none))
+    return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
+  const fs::path first = fs::weakly_canonical(a, none);
+  return !first.empty() && first == fs::weakly_canonical(b, none);
+}
+
+/// What is wrong where a file would be written over another one that an option names; else empty.
+std::string clash_of_files(const Options& options) {
+  const std::vector<NamedFile> read = {{"FILE", options.file},
+                                       {"--model", options.model},
+                                       {"--script", options.script},
+                                       {"--compare", options.compare}};
+  std::vector<NamedFile> written = {{"--record", options.record},
+                                    {"--screenshot", options.screenshot}};
+  if (!options.compare.empty()) {
+    if (options.screenshot.empty())
+      written.push_back({"the picture for --compare", picture_for_comparison(options)});
+    written.push_back({"the difference for --compare", picture_of_difference(options)});
+  }
+  std::vector<NamedFile> all = read;
+  for (const NamedFile& each : written) {
+    if (each.path.empty()) continue;
+    for (const NamedFile& other : all)
+      if (!other.path.empty() && one_file(each.path, other.path))
+        return other.option + " and " + each.option + " are one file, " + each.path.string();
+    all.push_back(each);
+  }
+  return {};
 }
 
 /// What CLI11 fills in before it becomes Options.
@@ -104,6 +153,15 @@ void add_options(CLI::App& app, Raw& raw) {
 
 }  // namespace
 
+std::filesystem::path picture_for_comparison(const Options& options) {
+  if (!options.screenshot.empty()) return options.screenshot;
+  return beside(options.compare.filename(), "result");
+}
+
+std::filesystem::path picture_of_difference(const Options& options) {
+  return beside(picture_for_comparison(options), "diff");
+}
+
 ParsedOptions parse_options(int argc, char** argv) {
   CLI::App app("Shows a mesh and what decimation does to it.", "aomd-view");
   Raw raw;
@@ -129,6 +187,10 @@ ParsedOptions parse_options(int argc, char** argv) {
     raw.options.recovery = raw.recovery;
   const bool pictures = !raw.options.screenshot.empty() || !raw.options.compare.empty();
   if (app.count("--headless") > 0 || pictures) raw.options.headless = raw.headless;
+  if (const std::string clash = clash_of_files(raw.options); !clash.empty()) {
+    std::cerr << "aomd-view: " << clash << ", which would be written over\n";
+    return {{}, exit_usage};
+  }
   return {raw.options, exit_done};
 }
 

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "viewer/app/window.h"
-#include "viewer/scene/view.h"
+#include "viewer/drawing/view.h"
 
 namespace aomd::app {
 
@@ -43,6 +43,10 @@ struct Options {
   /// or for a script. Empty: nowhere.
   std::optional<std::filesystem::path> recovery;
 };
+
+/// Where a picture goes that is not as its baseline, and where the difference goes.
+[[nodiscard]] std::filesystem::path picture_for_comparison(const Options& options);
+[[nodiscard]] std::filesystem::path picture_of_difference(const Options& options);
 
 /// The options, or the code to end with at once (--help, --version, wrong usage: the message is
 /// printed).

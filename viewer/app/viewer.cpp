@@ -3,17 +3,16 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <chrono>
 #include <cmath>
 #include <iostream>
 #include <utility>
 
-#include "core/io/png.h"
 #include "core/model/gmsh_model.h"
 #include "core/samples/samples.h"
-#include "viewer/render/picture_target.h"
-#include "viewer/scene/commands.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/lesson_commands.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {
@@ -27,8 +26,6 @@ constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
-constexpr int frames_of_picture = 3;
-constexpr double widest = 1.4;  // aspect from which on more width shows nothing more of most shapes
 
 std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
   if (folder.empty()) return {};
@@ -42,12 +39,6 @@ float double_click_time(std::chrono::microseconds drawing_time) {
   return usual_s + frames * std::chrono::duration<float>(drawing_time).count();
 }
 
-/// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
-scene::Camera seen_in(scene::Camera camera, double before, double now) {
-  camera.distance *= std::max(1.0, std::min(before, widest) / std::min(now, widest));
-  return camera;
-}
-
 }  // namespace
 
 Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
@@ -59,7 +50,7 @@ Viewer::ImGuiScope::ImGuiScope() : context(ImGui::CreateContext()) {
 Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
 
 std::string first_command(const Options& options) {
-  if (!options.file.empty()) return "open \"" + options.file.string() + "\"";
+  if (!options.file.empty()) return "open " + scene::in_quotes(options.file.string());
   return options.script.empty() ? "sample " + std::string(samples().front().name) : "";
 }
 
@@ -81,7 +72,8 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   if (!headless) interface_.recent = ui::RecentFiles(ui::recent_files_path());
   if (!headless) connect_clipboard();
   if (remembers()) restore_settings();
-  if (!headless && !session_.found_work.empty()) session_.view.dialog = scene::Dialog::Recovery;
+  if (!headless && !session_.found_work.works.empty())
+    session_.view.dialog = scene::Dialog::Recovery;
   if (!interface_.recent.paths().empty())
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
@@ -150,27 +142,27 @@ void Viewer::update_aspect() {
   const ui::Layout layout =
       ui::make_layout(ImGui::GetIO().DisplaySize, session_.view.panels, interface_.bars, em_);
   const double before = session_.view.aspect;
-  const ui::Area picture = ui::picture_area(layout.viewport, session_.side_by_side(), true);
+  const ui::Area picture = ui::picture_area(layout.viewport, session_.sheet().side_by_side(), true);
   session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   session_.view.height_px = picture.size.y;
   // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
-  if (!session_.document.empty())
+  if (!session_.document().empty())
     session_.view.camera.distance *=
-        std::min(before, widest) / std::min(session_.view.aspect, widest);
+        std::min(before, widest_aspect) / std::min(session_.view.aspect, widest_aspect);
 }
 
 render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
   settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
-  settings.show_edge_codes = session_.verdicts() != nullptr;
+  settings.show_edge_codes = session_.sheet().verdicts() != nullptr;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
-  settings.glass = session_.view.interior_edges && !session_.document.empty() &&
-                   session_.document.content().volume();
-  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document.empty())
-    settings.clip_plane = clip->plane(session_.document.content().bounds, scene::clip_hair);
+  settings.glass = session_.view.interior_edges && !session_.document().empty() &&
+                   session_.document().content().volume();
+  if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document().empty())
+    settings.clip_plane = clip->plane(session_.document().content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
@@ -189,11 +181,11 @@ void Viewer::lay_out_frame() {
 /// One picture, or two of the same size with a line between them.
 void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect,
                         GLuint destination, bool transparent) {
-  buffers_.upload(session_.drawing().drawable());
-  scene::SurfaceDrawing* original = session_.original_drawing();
+  buffers_.upload(session_.sheet().drawing().drawable());
+  scene::SurfaceDrawing* original = session_.sheet().reference_drawing();
   if (original != nullptr) original_buffers_.upload(original->drawable());
   render::RenderSettings how = settings(transparent);
-  if (original == nullptr || !session_.side_by_side()) {
+  if (original == nullptr || !session_.sheet().side_by_side()) {
     if (original != nullptr) how.ghost = &original_buffers_;
     renderer_.render(buffers_, camera, how, rect, destination);
     return;
@@ -228,57 +220,13 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 
-io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
-  ImGuiIO& io = ImGui::GetIO();
-  const scene::Camera camera = session_.view.camera;
-  const double aspect = session_.view.aspect;
-  const ImVec2 display = io.DisplaySize;
-  const ImVec2 framebuffer = io.DisplayFramebufferScale;
-  const ImVec2 mouse = io.MousePos;
-  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x,
-                          static_cast<float>(size.y) / framebuffer.y);
-  io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-  const render::PictureTarget target(gl_, size);
-  for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
-  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
-  draw_frame(size, target.framebuffer(), transparent);
-  lines_.clear();
-  io::Image image = target.read(transparent);
-  session_.view.camera = camera;
-  session_.view.aspect = aspect;
-  io.DisplaySize = display;
-  io.MousePos = mouse;
-  return image;
-}
-
-io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
-  session_.refresh();
-  const double aspect = static_cast<double>(size.x) / size.y;
-  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
-  const render::PictureTarget target(gl_, size);
-  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
-  return target.read(transparent);
-}
-
-void Viewer::take_screenshots() {
-  while (!session_.screenshots.empty()) {
-    const scene::ScreenshotRequest request = session_.screenshots.front();
-    session_.screenshots.pop_front();
-    const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
-    io::write_png(request.file, request.interface ? picture(size, request.transparent)
-                                                  : scene_picture(size, request.transparent));
-    if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
-  }
-  session_.advance_series();
-}
-
-void Viewer::take_screenshots_or_tell() {
-  try {
-    take_screenshots();
-  } catch (const std::exception& error) {
-    session_.cancel_series();
-    session_.screenshots.clear();
-    session_.error = error.what();
+/// In a window they are shown as errors are; without one they go where errors go, and nothing ends.
+void Viewer::tell_warnings() {
+  for (const std::string& text : std::exchange(session_.warnings, {})) {
+    if (headless_)
+      std::cerr << "aomd-view: " << text << std::endl;
+    else
+      session_.error += (session_.error.empty() ? "" : "\n") + text;
   }
 }
 
@@ -290,12 +238,14 @@ void Viewer::print_log() {
 void Viewer::execute(const std::string& line) {
   update_aspect();
   scene::execute(session_, line);
-  const bool passing = line.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
-  if (record_.is_open() && !passing) record_ << line << std::endl;
+  const std::string_view text = scene::command_text(line);
+  const bool passing = text.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
+  if (record_.is_open() && !passing && !text.empty()) record_ << text << std::endl;
   if (const auto next = std::exchange(session_.next_line, {})) execute(*next);
 }
 
 void Viewer::execute_or_tell(const std::string& line) {
+  in_script_ = false;  // what goes wrong from here on is to be said, not the end
   try {
     if (headless_ || !scene::asks_first(session_, line)) execute(line);
   } catch (const std::exception& error) {
@@ -311,20 +261,20 @@ void Viewer::take_model(const std::string& line) {
 /// A mesh has arrived: remember its file; what the command line says about the camera holds for the
 /// first one.
 void Viewer::after_loading() {
-  const std::uint64_t generation = session_.document.place().generation;
-  if (session_.document.empty() || generation == seen_generation_) return;
-  const bool first = seen_generation_ == 0;
-  seen_generation_ = generation;
-  const scene::LoadedMesh& content = session_.document.content();
+  if (!session_.take_arrival()) return;
+  const bool first = !std::exchange(shown_any_, true);
+  const scene::LoadedMesh& content = session_.document().content();
   window_.set_title(content.name + " \u2013 AOMD Studio");
   if (!content.file.empty()) interface_.recent.add(content.file);
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
-  if (first && !options_.model.empty()) take_model("model \"" + options_.model.string() + "\"");
+  if (first && !options_.model.empty())
+    take_model("model " + scene::in_quotes(options_.model.string()));
 }
 
 void Viewer::tick(double frame_s) {
   try {
     session_.tick(std::clamp(drawing_time_, least_budget, most_budget), frame_s);
+    scene::update_lesson(session_);
     after_loading();
   } catch (const std::exception& error) {
     if (in_script_) script_.fail();
@@ -335,8 +285,7 @@ void Viewer::tick(double frame_s) {
 
 void Viewer::advance_script() {
   while (!script_.done() && !session_.quit) {
-    update_aspect();
-    if (!script_.advance(session_)) return;
+    if (!script_.advance(session_, [&](const std::string& line) { execute(line); })) return;
     in_script_ = true;
     print_log();
     if (!session_.screenshots.empty()) return;
@@ -345,7 +294,8 @@ void Viewer::advance_script() {
 
 void Viewer::take_events(const Events& events) {
   for (const std::filesystem::path& file : events.dropped_files)
-    execute_or_tell((is_cad_file(file.string()) ? "model \"" : "open \"") + file.string() + "\"");
+    execute_or_tell((is_cad_file(file.string()) ? "model " : "open ") +
+                    scene::in_quotes(file.string()));
   for (const std::string& chord : events.chords)
     if (const std::string line = ui::Interface::line_for_chord(session_, chord); !line.empty())
       execute_or_tell(line);
@@ -368,7 +318,8 @@ void Viewer::run_window() {
     const auto now = Clock::now();
     const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
     if (events.input || (waits && !timed_out)) awake = frames_after_event;
-    if (session_.recovery) session_.recovery->update(session_.document);
+    session_.keep();
+    tell_warnings();
     if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
     awake = session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
@@ -388,13 +339,19 @@ void Viewer::run_window() {
   if (session_.recovery) session_.recovery->finish();
 }
 
-void Viewer::run_headless() {
+void Viewer::finish() {
   session_.finish();
+  scene::update_lesson(session_);
+  tell_warnings();
+}
+
+void Viewer::run_headless() {
+  finish();
   after_loading();
   while ((!script_.done() || session_.series() != nullptr) && !session_.quit) {
     advance_script();
     try {
-      session_.finish();
+      finish();
       after_loading();
       take_screenshots();
     } catch (const std::exception&) {

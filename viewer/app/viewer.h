@@ -10,15 +10,18 @@
 
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
+#include "viewer/commands/script.h"
 #include "viewer/render/renderer.h"
-#include "viewer/scene/script.h"
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/interface.h"
 
 struct ImGuiContext;
 
 namespace aomd::app {
+
+/// From this aspect on, more width shows nothing more of most shapes.
+inline constexpr double widest_aspect = 1.4;
 
 /// The command that the program starts with: what opens FILE or the first sample; empty where a
 /// script decides.
@@ -60,9 +63,11 @@ class Viewer {
   void tick(double frame_s);
   void take_model(const std::string& line);
   void after_loading();
+  void finish();
   void advance_script();
   void take_events(const Events& events);
   void take_screenshots();
+  void tell_warnings();
   void print_log();
   void update_look(float scale);
   void update_aspect();
@@ -93,7 +98,7 @@ class Viewer {
   float scale_ = 0;                 ///< what fonts and theme were made for
   scene::Theme theme_ = scene::Theme::Light;
   float em_ = 16;
-  std::uint64_t seen_generation_ = 0;
+  bool shown_any_ = false;  ///< a mesh has arrived already
   bool in_script_ = false;
   std::chrono::microseconds drawing_time_{0};  ///< of the last frame in the window
 };

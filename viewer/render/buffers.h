@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
+#include "viewer/drawing/drawable.h"
 #include "viewer/render/gl.h"
-#include "viewer/scene/drawable.h"
 
 namespace aomd::render {
 

@@ -6,7 +6,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
-#include "viewer/scene/verdict_field.h"
+#include "viewer/drawing/edge_codes.h"
 
 namespace aomd::render {
 

@@ -5,13 +5,13 @@
 
 #include <glm/vec4.hpp>
 
+#include "viewer/drawing/camera.h"
+#include "viewer/drawing/drawable.h"
 #include "viewer/render/buffers.h"
 #include "viewer/render/framebuffer.h"
 #include "viewer/render/gl.h"
 #include "viewer/render/shader_program.h"
 #include "viewer/render/shader_sources.h"
-#include "viewer/scene/camera.h"
-#include "viewer/scene/drawable.h"
 
 namespace aomd::render {
 

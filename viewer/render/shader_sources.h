@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "viewer/scene/embedded_text.h"
+#include "viewer/base/embedded_text.h"
 
 namespace aomd::render {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/document/adjacency.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -86,7 +86,7 @@ std::string neighbours_line(const Frame& frame, int j) {
 
 /// The selected entity where it has neighbours of that level.
 EntityRef centre_for(const Frame& frame, int j) {
-  const EntityRef e = frame.session.selection.single();
+  const EntityRef e = frame.session.sheet().selection.single();
   return e.valid() && e.dimension != j ? e : EntityRef();
 }
 
@@ -257,7 +257,7 @@ void last_change(const Frame& frame) {
 /// The cell under the mouse, else what lights up, else the one that was changed last.
 std::optional<Place> explained_cell(const Frame& frame, const std::optional<Place>& hovered) {
   if (hovered) return hovered;
-  const scene::Neighbours* n = frame.session.neighbours();
+  const scene::Neighbours* n = frame.session.sheet().inquiry().neighbours();
   if (n && n->level != n->of.dimension) return Place{n->of.dimension, n->level};
   if (const scene::AdjacencyChange* c = frame.document().last_adjacency_change())
     return Place{c->i, c->j};

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/widgets.h"
 
@@ -84,7 +84,7 @@ void assign_choices(Frame& frame, int dim) {
 }  // namespace
 
 void model_entity_section(Frame& frame) {
-  const scene::ModelEntityFacts* facts = frame.session.model_entity();
+  const scene::ModelEntityFacts* facts = frame.session.sheet().inquiry().model_entity();
   if (facts == nullptr) return;
   heading(frame, scene::model_entity_title(facts->ref).c_str());
   same_line_right(ImGui::CalcTextSize("Close").x + 2 * ImGui::GetStyle().FramePadding.x);
@@ -106,7 +106,7 @@ void model_entity_section(Frame& frame) {
 }
 
 void class_edits(Frame& frame) {
-  if (frame.document().content().skin || frame.session.selection.empty()) return;
+  if (frame.document().content().skin || frame.session.sheet().selection.empty()) return;
   gap(0.2f);
   heading(frame, "Classification");
   tooltip(
@@ -118,7 +118,7 @@ void class_edits(Frame& frame) {
   ImGui::SameLine();
   command_button(frame, "Demote", "demote", width);
   ImGui::SameLine();
-  const int dim = frame.session.selection.entities().back().dimension;
+  const int dim = frame.session.sheet().selection.entities().back().dimension;
   if (ImGui::Button("Put on ...", {width, 0})) ImGui::OpenPopup("assign");
   command_tooltip("assign");
   if (!ImGui::BeginPopup("assign")) return;
@@ -140,7 +140,7 @@ void model_entity_menu(Frame& frame, ModelRef ref) {
   if (!frame.document().content().skin) {
     ImGui::Separator();
     command_item(frame, "Put the selection on it", "assign " + name, false,
-                 !frame.session.selection.empty());
+                 !frame.session.sheet().selection.empty());
     if (ref.dimension() == 2)
       command_item(frame, "Split where model edges cut it", "split-face " + name);
   }

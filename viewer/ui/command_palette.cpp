@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "viewer/scene/line_help.h"
+#include "viewer/commands/line_help.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/scene/command_search.h"
+#include "viewer/commands/command_search.h"
 #include "viewer/ui/frame.h"
 
 namespace aomd::ui {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -78,7 +79,8 @@ Aim aim_of(const DecimationOptions& options) {
 
 /// Faces as opened: the upper end of the slider.
 std::int64_t faces_at_most(const Frame& frame) {
-  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.loaded_facts().faces, 8) : 100'000;
+  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.sheet().loaded_facts().faces, 8)
+                          : 100'000;
 }
 
 void take_aim(Frame& frame, Aim aim) {
@@ -115,7 +117,8 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
       if (const auto source = frame.document().spacing_source(); drafts.spacing_source != source)
         drafts.spacing = drafts.spacing_source = source;
       ImGui::SetNextItemWidth(-1);
-      if (text_input("##spacing", drafts.spacing)) frame.emit("spacing " + drafts.spacing);
+      if (text_input("##spacing", drafts.spacing))
+        frame.emit("spacing " + scene::as_rest(drafts.spacing));
       tooltip(spacing_help);
       return;
     }

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/decimate/explain/explanation.h"
-#include "viewer/scene/text.h"
-#include "viewer/scene/verdict_field.h"
+#include "viewer/base/text.h"
+#include "viewer/explain/edge_verdicts.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
@@ -86,7 +86,7 @@ void stop_section(Frame& frame) {
   if (stop.empty()) return;
   gap();
   text(broken_at_blanks(stop, ImGui::GetContentRegionAvail().x));
-  const std::size_t runs = frame.session.runs.size();
+  const std::size_t runs = frame.session.sheet().runs.size();
   if (frame.session.view.panels.runs || runs == 0) return;
   LinkFlow(frame).add(
       runs == 1 ? "1 run is kept" : std::to_string(runs) + " runs are kept: compare",

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <string>
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/line_help.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/line_help.h"
 #include "viewer/ui/lessons_dialog.h"
 #include "viewer/ui/widgets.h"
 #include "viewer/ui/work_dialogs.h"
@@ -15,12 +16,12 @@ namespace {
 using scene::Dialog;
 
 std::string stem_of(const scene::Session& session) {
-  if (session.document.empty()) return "mesh";
-  return std::filesystem::path(session.document.content().name).stem().string();
+  if (session.document().empty()) return "mesh";
+  return std::filesystem::path(session.document().content().name).stem().string();
 }
 
 std::string suggested_name(const scene::Session& session) {
-  const bool volume = !session.document.empty() && session.document.content().volume();
+  const bool volume = !session.document().empty() && session.document().content().volume();
   return stem_of(session) + (volume ? "-copy.msh" : "-decimated.ply");
 }
 
@@ -64,7 +65,7 @@ std::string line_for(Dialog dialog, const std::filesystem::path& file) {
   const char* command = dialog == Dialog::Open   ? "open"
                         : dialog == Dialog::Save ? "save"
                                                  : "screenshot";
-  return std::string(command) + " \"" + file.string() + "\"";
+  return std::string(command) + " " + scene::in_quotes(file.string());
 }
 
 void draw_browser(Frame& frame, DialogState& state, bool appearing) {

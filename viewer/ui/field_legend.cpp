@@ -1,7 +1,7 @@
 #include <array>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -50,7 +50,7 @@ void field_legend(const Frame& frame) {
   const scene::Coloring coloring = frame.session.view.coloring;
   if (!scene::is_field(coloring)) return;
   const scene::FieldText words = scene::field_text(coloring);
-  const scene::ScalarField* field = frame.session.field();
+  const scene::ScalarField* field = frame.session.sheet().field();
   heading(frame, std::string(words.title).c_str());
   tooltip(words.help);
   ImGui::PushTextWrapPos(0);

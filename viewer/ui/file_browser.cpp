@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/theme.h"
 
 namespace aomd::ui {
@@ -19,8 +19,8 @@ struct Frame {
   std::vector<std::string> lines;
 
   void emit(std::string line) { lines.push_back(std::move(line)); }
-  [[nodiscard]] const scene::Document& document() const { return session.document; }
-  [[nodiscard]] bool has_mesh() const { return !session.document.empty(); }
+  [[nodiscard]] const scene::Document& document() const { return session.document(); }
+  [[nodiscard]] bool has_mesh() const { return !session.document().empty(); }
   [[nodiscard]] bool can_decimate() const { return has_mesh() && document().hindrance().empty(); }
 };
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -181,7 +181,7 @@ void numbers_line(const Frame& frame, const Words& words, const Histogram& h, bo
                        before_color(frame));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.1f * em());
   const double worst = words.worst_is_least ? h.least : h.largest;
-  std::string line = (now ? "now" : frame.session.reference_name()) + ": ";
+  std::string line = (now ? "now" : frame.session.sheet().reference_name()) + ": ";
   if (h.total == 0)
     line += "none";
   else
@@ -205,7 +205,8 @@ bool point_at(Frame& frame, const Words& words, const scene::Histograms& all, co
       std::clamp(part * static_cast<float>(chart.bins), 0.0f, static_cast<float>(chart.bins - 1)));
   std::string text = bin_text(words, pair.now, bin) + "\nnow: " + count_text(words, pair.now, bin);
   if (all.changed)
-    text += "\n" + frame.session.reference_name() + ": " + count_text(words, pair.before, bin);
+    text +=
+        "\n" + frame.session.sheet().reference_name() + ": " + count_text(words, pair.before, bin);
   tooltip(text + "\nClick to select them.");
   const double middle = 0.5 * (pair.now.bound(bin) + pair.now.bound(bin + 1));
   const std::string bar = std::string(words.command) + " " + scene::short_number(middle, 4);
@@ -251,7 +252,7 @@ float chart_height(int charts, bool changed) {
 }  // namespace
 
 void histogram_panel(Frame& frame, HistogramDrafts& drafts) {
-  const scene::Histograms* all = frame.session.histograms();
+  const scene::Histograms* all = frame.session.sheet().histograms();
   if (all == nullptr) {
     muted(frame, frame.has_mesh() ? "Counted when nothing runs." : "No mesh yet.");
     return;

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/adjacency.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/scalar_field.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/document/adjacency.h"
+#include "viewer/drawing/scalar_field.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
@@ -35,7 +35,7 @@ void level_choice(Frame& frame) {
     frame.emit(std::string("pick-level ") + levels[*chosen].name);
 }
 
-void facts_table(Frame& frame, const scene::Inspection& inspection) {
+void facts_table(Frame& frame, const scene::EntityFacts& inspection) {
   const ModelRef model = frame.document().mesh().classification(inspection.entity);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.1f * em()));
   if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_SizingFixedFit)) {
@@ -72,7 +72,7 @@ void neighbour_links(const Frame& frame, LinkFlow& flow, int i, const scene::Adj
              "Nothing that is stored leads there: stores this relation.");
 }
 
-void adjacent_section(Frame& frame, const scene::Inspection& inspection) {
+void adjacent_section(Frame& frame, const scene::EntityFacts& inspection) {
   heading(frame, "Adjacent");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.2f * em()});
   for (const scene::AdjacentLevel& level : inspection.adjacent) {
@@ -167,25 +167,27 @@ void way_section(Frame& frame, const scene::CollapseWay& way, std::size_t number
   ImGui::PopID();
 }
 
-void swap_choice(Frame& frame, const scene::Judgement& judgement) {
+void swap_choice(Frame& frame, const scene::EntityVerdict& judgement) {
   const EdgePair& pair = judgement.swap->pair;
   if (!pair.f.valid() || !pair.g.valid()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
   const std::string label = scene::entity_title(pair.c) + " to " + name_of(pair.d);
   if (ImGui::RadioButton(label.c_str(), frame.session.view.preview &&
-                                            frame.session.previewed_way() == judgement.ways.size()))
+                                            frame.session.sheet().inquiry().previewed_way(
+                                                frame.session.view) == judgement.ways.size()))
     frame.emit("preview swap");
   ImGui::PopStyleVar();
   tooltip("Draw the faces that this would make.");
 }
 
-void judgement_section(Frame& frame, const scene::Judgement& judgement) {
+void judgement_section(Frame& frame, const scene::EntityVerdict& judgement) {
   if (!judgement.ways.empty()) {
     gap(0.2f);
     heading(frame, "Collapse");
     for (std::size_t i = 0; i < judgement.ways.size(); ++i)
       way_section(frame, judgement.ways[i], i + 1,
-                  frame.session.view.preview && frame.session.previewed_way() == i);
+                  frame.session.view.preview &&
+                      frame.session.sheet().inquiry().previewed_way(frame.session.view) == i);
   }
   const auto section = [&](const char* title, const std::string& words, bool accepted, bool known) {
     if (words.empty()) return;
@@ -212,11 +214,11 @@ void buttons(Frame& frame, const std::string& copied) {
   tooltip("All of this page as text.");
 }
 
-void one_entity(Frame& frame, const scene::Inspection& inspection) {
-  const scene::Judgement* judgement = frame.session.judgement();
+void one_entity(Frame& frame, const scene::EntityFacts& inspection) {
+  const scene::EntityVerdict* judgement = frame.session.sheet().inquiry().verdict();
   heading(frame, scene::entity_title(inspection.entity).c_str());
   facts_table(frame, inspection);
-  buttons(frame, scene::inspection_text(inspection, judgement));
+  buttons(frame, scene::entity_facts_text(inspection, judgement));
   class_edits(frame);
   if (judgement) judgement_section(frame, *judgement);
   if (!judgement && frame.document().running()) muted(frame, "Judged once the run has ended.");
@@ -247,15 +249,15 @@ void inspector_panel(Frame& frame) {
   level_choice(frame);
   gap(0.2f);
   model_entity_section(frame);
-  if (frame.session.selection.empty())
+  if (frame.session.sheet().selection.empty())
     wrapped(frame,
             "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what "
             "is adjacent and "
             "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.");
-  else if (const scene::Inspection* inspection = frame.session.inspection())
+  else if (const scene::EntityFacts* inspection = frame.session.sheet().inquiry().facts())
     one_entity(frame, *inspection);
   else
-    many_entities(frame, frame.session.selection);
+    many_entities(frame, frame.session.sheet().selection);
 }
 
 }  // namespace aomd::ui

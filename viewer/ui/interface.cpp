@@ -6,8 +6,8 @@
 
 #include <imgui_internal.h>  // ClosePopupToLevel
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/commands.h"
 #include "viewer/ui/menu_bar.h"
 #include "viewer/ui/orientation_axes.h"
 #include "viewer/ui/scene_labels.h"
@@ -63,7 +63,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
       key_pressed(ImGuiKey_Escape))
     ImGui::ClosePopupToLevel(0, true);
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
-  present_ = picture_area(layout_.viewport, session.side_by_side(), true);
+  present_ = picture_area(layout_.viewport, session.sheet().side_by_side(), true);
   scene_labels(frame, present_);
   neighbour_legend(frame, present_);
   if (bars) {
@@ -114,7 +114,8 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
   if (chord == "Escape" && session.view.dialog != scene::Dialog::None) return "dialog none";
   if (chord == "Escape" && ImGui::IsPopupOpen("", any_popup)) return {};  // draw() closes it
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
-  if (chord == "Escape" && session.idle() && !session.selection.empty()) return "select none";
+  if (chord == "Escape" && session.idle() && !session.sheet().selection.empty())
+    return "select none";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};
   return std::string(scene::line_of_chord(chord));
 }
@@ -165,7 +166,7 @@ void Interface::handle_hover(Frame& frame) {
                       io.MouseWheel == 0 && frame.session.idle();
   if (!points) {
     hovered_at_ = {-1, -1};
-    if (interactive && frame.session.hovered()) frame.emit("hover off");
+    if (interactive && frame.session.sheet().inquiry().hovered()) frame.emit("hover off");
     return;
   }
   if (io.MousePos.x == hovered_at_.x && io.MousePos.y == hovered_at_.y) return;
@@ -176,7 +177,7 @@ void Interface::handle_hover(Frame& frame) {
 void Interface::handle_mouse(Frame& frame) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool right = io.MousePos.x > layout_.viewport.position.x + 0.5f * layout_.viewport.size.x;
-  const Area area = picture_area(layout_.viewport, frame.session.side_by_side(), right);
+  const Area area = picture_area(layout_.viewport, frame.session.sheet().side_by_side(), right);
   if (!frame.has_mesh() || area.size.x < 2 || area.size.y < 2) return;
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool other =
@@ -185,7 +186,7 @@ void Interface::handle_mouse(Frame& frame) {
   if (!io.WantCaptureMouse) {
     for (const int button : {0, 1, 2}) dragging_ = dragging_ || ImGui::IsMouseClicked(button);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-      frame.emit(frame.session.selection.empty() ? "fit" : "fit selection");
+      frame.emit(frame.session.sheet().selection.empty() ? "fit" : "fit selection");
     if (io.MouseWheel != 0) {
       const double x = 2 * (io.MousePos.x - area.position.x) / area.size.x - 1;
       const double y = 1 - 2 * (io.MousePos.y - area.position.y) / area.size.y;

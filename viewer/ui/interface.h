@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/scene/session.h"
+#include "viewer/session/session.h"
 #include "viewer/ui/dialogs.h"
 #include "viewer/ui/layout.h"
 #include "viewer/ui/menu_bar.h"

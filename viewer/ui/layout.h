@@ -3,7 +3,7 @@
 
 #include <imgui.h>
 
-#include "viewer/scene/view.h"
+#include "viewer/drawing/view.h"
 
 namespace aomd::ui {
 

@@ -4,9 +4,9 @@
 
 #include "core/decimate/explain/explanation.h"
 #include "core/mesh/names.h"
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/palette.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/drawing/palette.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
@@ -115,7 +115,7 @@ void rows(Frame& frame, const std::vector<Item>& items) {
 }
 
 /// Why edges would be refused now: colour, reason, how many; a click selects them.
-void verdict_legend(Frame& frame, const scene::VerdictField& verdicts) {
+void verdict_legend(Frame& frame, const scene::EdgeVerdicts& verdicts) {
   heading(frame, "Verdicts on edges");
   tooltip(
       "Each face shows the colours of its three edges, a third for each: why decimation would "
@@ -148,7 +148,7 @@ void verdict_legend(Frame& frame, const scene::VerdictField& verdicts) {
 void legend_panel(Frame& frame) {
   if (!frame.has_mesh()) return;
   field_legend(frame);
-  if (const scene::VerdictField* verdicts = frame.session.verdicts())
+  if (const scene::EdgeVerdicts* verdicts = frame.session.sheet().verdicts())
     verdict_legend(frame, *verdicts);
   heading(frame, "Classification");
   tooltip("The model entities that the mesh lies on, with the number of mesh entities on each.");

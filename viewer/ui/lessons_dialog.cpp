@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "viewer/scene/lesson.h"
+#include "viewer/lessons/lesson.h"
 #include "viewer/ui/rich_text.h"
 #include "viewer/ui/widgets.h"
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/samples/samples.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -12,7 +13,7 @@ void recent_menu(Frame& frame, const RecentFiles& recent) {
   if (!ImGui::BeginMenu("Recent files", !recent.paths().empty())) return;
   for (const std::filesystem::path& path : recent.paths()) {
     if (ImGui::MenuItem((path.filename().string() + "##" + path.string()).c_str()))
-      frame.emit("open \"" + path.string() + "\"");
+      frame.emit("open " + scene::in_quotes(path.string()));
     tooltip(path.string());
   }
   ImGui::EndMenu();
@@ -57,7 +58,7 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
   export_menu(frame);
   ImGui::Separator();
-  if (!frame.session.found_work.empty()) {
+  if (!frame.session.found_work.works.empty()) {
     command_item(frame, "Recover unsaved work\u2026", "dialog recovery");
     ImGui::Separator();
   }
@@ -80,8 +81,10 @@ void edit_menu(Frame& frame) {
   command_item(frame, "Smooth", "smooth", false, frame.can_decimate());
   command_item(frame, "Improve", "improve", false, frame.can_decimate());
   ImGui::Separator();
-  command_item(frame, "Select nothing", "select none", false, !frame.session.selection.empty());
-  command_item(frame, "Grow selection", "select grow", false, !frame.session.selection.empty());
+  command_item(frame, "Select nothing", "select none", false,
+               !frame.session.sheet().selection.empty());
+  command_item(frame, "Grow selection", "select grow", false,
+               !frame.session.sheet().selection.empty());
   ImGui::Separator();
   command_item(frame, "Run", "run", false, frame.can_decimate());
   command_item(frame, "Cancel", "cancel", false, !frame.session.idle());
@@ -147,7 +150,7 @@ void view_menu(Frame& frame) {
   const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   command_item(frame, "Show what is selected", "fit selection", false,
-               !frame.session.selection.empty());
+               !frame.session.sheet().selection.empty());
   camera_menu(frame);
   color_menu(frame);
   clip_menu(frame);

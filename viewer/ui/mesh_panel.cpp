@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -100,7 +100,7 @@ std::optional<Shape> only_shape(const scene::MeshFacts& facts) {
 
 /// The shapes of the highest level, where there is more than one.
 void shape_rows(const Frame& frame) {
-  const scene::MeshFacts& facts = frame.session.facts();
+  const scene::MeshFacts& facts = frame.session.sheet().facts();
   if (only_shape(facts)) return;
   for (std::size_t s = 0; s < shape_count(); ++s)
     if (facts.shapes[s] > 0)
@@ -120,7 +120,7 @@ void level_row(const Frame& frame, int dim, const char* complete, const char* li
 }
 
 void volume_rows(const Frame& frame) {
-  const scene::MeshFacts& facts = frame.session.facts();
+  const scene::MeshFacts& facts = frame.session.sheet().facts();
   const auto only = only_shape(facts);
   value_row(frame, only ? shape_words(*only).c_str() : "Regions", grouped(facts.regions),
             "What fills the volume");
@@ -136,8 +136,8 @@ void volume_rows(const Frame& frame) {
 }
 
 void surface_rows(const Frame& frame) {
-  const scene::MeshFacts& now = frame.session.facts();
-  const scene::MeshFacts& then = frame.session.loaded_facts();
+  const scene::MeshFacts& now = frame.session.sheet().facts();
+  const scene::MeshFacts& then = frame.session.sheet().loaded_facts();
   const auto only = only_shape(now);
   count_row(frame, {only == Shape::Quad ? "Quads" : "Faces", now.faces, then.faces,
                     "Triangles, and quads where a file has them"});
@@ -173,7 +173,8 @@ void mesh_panel(Frame& frame) {
   gap(0.1f);
   // Where it is narrow, or nothing has changed, the names need the room more than the changes do.
   const bool volume = frame.document().content().volume();
-  const bool changed = !volume && !(frame.session.facts() == frame.session.loaded_facts());
+  const bool changed =
+      !volume && !(frame.session.sheet().facts() == frame.session.sheet().loaded_facts());
   const int columns = changed && ImGui::GetContentRegionAvail().x > 15 * em() ? 3 : 2;
   if (!begin_values("counts", columns)) return;
   volume ? volume_rows(frame) : surface_rows(frame);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -63,7 +63,7 @@ std::vector<Row> broken(std::vector<Row> rows, float width) {
 }  // namespace
 
 void neighbour_legend(const Frame& frame, const Area& viewport) {
-  const scene::Neighbours* neighbours = frame.session.neighbours();
+  const scene::Neighbours* neighbours = frame.session.sheet().inquiry().neighbours();
   if (neighbours == nullptr || viewport.size.x < 2 * axes_ems * em()) return;
   const float pad = pad_ems * em(),
               most = std::min(26 * em(), viewport.size.x - (axes_ems + 1) * em());

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -25,11 +25,11 @@ void label(const Frame& frame, const Area& area, const std::string& words) {
 }  // namespace
 
 void picture_labels(const Frame& frame, const Area& viewport) {
-  if (!frame.session.shows_original()) return;
-  const std::string before = frame.session.reference_name() + ": " +
-                             scene::counted(frame.session.reference_faces(), "face");
-  const std::string now = "now: " + scene::counted(frame.session.facts().faces, "face");
-  if (!frame.session.side_by_side()) {
+  if (!frame.session.sheet().shows_reference()) return;
+  const std::string before = frame.session.sheet().reference_name() + ": " +
+                             scene::counted(frame.session.sheet().reference_faces(), "face");
+  const std::string now = "now: " + scene::counted(frame.session.sheet().facts().faces, "face");
+  if (!frame.session.sheet().side_by_side()) {
     label(frame, viewport, now + "; glass: " + before);
     return;
   }

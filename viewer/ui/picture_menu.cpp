@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
-#include "viewer/scene/arguments.h"
-#include "viewer/scene/inspection.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/explain/entity_facts.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -43,7 +43,7 @@ void class_items(Frame& frame, EntityRef e) {
 }
 
 void items(Frame& frame) {
-  const scene::Selection& selection = frame.session.selection;
+  const scene::Selection& selection = frame.session.sheet().selection;
   const EntityRef e = selection.single();
   const bool some = !selection.empty();
   title(frame, selection);

@@ -1,7 +1,7 @@
 #pragma once
 // Paragraphs of a lesson: words in several looks, broken at blanks.
 
-#include "viewer/scene/lesson.h"
+#include "viewer/lessons/lesson.h"
 #include "viewer/ui/frame.h"
 
 namespace aomd::ui {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -60,8 +60,9 @@ void header(const Frame& frame) {
 
 /// Only one is beside the present mesh: pressed again, nothing is.
 void beside_cell(Frame& frame, const KeptRun& run) {
-  const scene::View& view = frame.session.view;
-  const bool on = view.side_by_side && view.reference == run.number;
+  const KeptRun* reference = frame.session.sheet().runs.reference();
+  const bool on = frame.session.view.side_by_side &&
+                  run.number == (reference == nullptr ? 0 : reference->number);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 0});
   if (ImGui::RadioButton("##beside", on)) {
     frame.emit("compare with " + (on || run.number == 0 ? "original" : std::to_string(run.number)));
@@ -81,7 +82,7 @@ void row_menu(Frame& frame, const KeptRun& run) {
   const std::string number = std::to_string(run.number);
   command_item(frame, "Go back to it", "runs go " + number);
   command_item(frame, "Name it\u2026", "palette runs keep " + run.name, false,
-               frame.session.runs.shown(frame.document()) == &run);
+               frame.session.sheet().runs.shown(frame.document()) == &run);
   command_item(frame, "Remove", "runs remove " + number);
   ImGui::EndPopup();
 }
@@ -119,11 +120,11 @@ void buttons(Frame& frame) {
   ImGui::SameLine(0, em());
   command_button(frame, "Keep this state", "runs keep", 0, ready);
   ImGui::SameLine();
-  if (frame.session.measuring())
+  if (frame.session.sheet().measuring())
     command_button(frame, "Stop measuring", "cancel", 0);
   else
     command_button(frame, "Measure distances", "runs measure", 0,
-                   ready && frame.session.runs.size() > 0);
+                   ready && frame.session.sheet().runs.size() > 0);
   ImGui::PopStyleVar();
   copy_button(frame, "runs");
 }
@@ -139,9 +140,10 @@ void runs_panel(Frame& frame) {
   if (ImGui::BeginTable("runs", static_cast<int>(columns.size()), flags,
                         ImGui::GetContentRegionAvail())) {
     header(frame);
-    const KeptRun* shown = frame.has_mesh() ? frame.session.runs.shown(frame.document()) : nullptr;
-    for (const KeptRun& run : frame.session.runs.rows()) run_row(frame, run, &run == shown);
-    if (frame.session.runs.size() == 0) {
+    const KeptRun* shown =
+        frame.has_mesh() ? frame.session.sheet().runs.shown(frame.document()) : nullptr;
+    for (const KeptRun& run : frame.session.sheet().runs.rows()) run_row(frame, run, &run == shown);
+    if (frame.session.sheet().runs.size() == 0) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       muted(frame, "Each run that ends stands here.");

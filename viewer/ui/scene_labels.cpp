@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/mesh/derive.h"
-#include "viewer/scene/inspection.h"
-#include "viewer/scene/picking.h"
-#include "viewer/scene/selection_drawing.h"
+#include "viewer/drawing/picking.h"
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/entity_facts.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -74,26 +74,30 @@ void add_all(const Mesh& mesh, std::vector<EntityRef>& all) {
 
 /// What decides about the collapse that is previewed, where something does.
 EntityRef deciding(const scene::Session& session) {
-  const scene::Judgement* judgement = session.judgement();
-  if (judgement == nullptr || session.previewed_way() >= judgement->ways.size()) return {};
-  return judgement->ways[session.previewed_way()].outlook.verdict.entity;
+  const scene::EntityVerdict* judgement = session.sheet().inquiry().verdict();
+  if (judgement == nullptr ||
+      session.sheet().inquiry().previewed_way(session.view) >= judgement->ways.size())
+    return {};
+  return judgement->ways[session.sheet().inquiry().previewed_way(session.view)]
+      .outlook.verdict.entity;
 }
 
 /// What is selected, what decides about it, and what lies around the mouse.
 std::vector<EntityRef> labelled(const scene::Session& session) {
-  const scene::Neighbours* neighbours = session.neighbours();
+  const scene::Neighbours* neighbours = session.sheet().inquiry().neighbours();
   if (neighbours && neighbours->known && !session.view.labels_everywhere)
     return labelled_neighbours(*neighbours);
   std::vector<EntityRef> all;
-  const auto selected = session.selection.entities();
+  const auto selected = session.sheet().selection.entities();
   const std::size_t count = std::min(selected.size(), most_labels);
   all.assign(selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(count));
   if (const EntityRef e = deciding(session); e.valid()) all.push_back(e);
-  if (const auto* inspection = session.inspection())
+  if (const auto* inspection = session.sheet().inquiry().facts())
     for (const scene::AdjacentLevel& level : inspection->adjacent)
       for (const std::uint32_t id : level.ids) all.emplace_back(level.level, id);
-  const Mesh& mesh = session.document.mesh();
-  if (const auto* hovered = session.hovered(); hovered && !session.document.content().skin) {
+  const Mesh& mesh = session.document().mesh();
+  if (const auto* hovered = session.sheet().inquiry().hovered();
+      hovered && !session.document().content().skin) {
     std::vector<std::uint32_t> ids;
     for (int level = 0; level < 3; ++level) {
       if (level == hovered->entity.dimension) continue;
@@ -101,7 +105,7 @@ std::vector<EntityRef> labelled(const scene::Session& session) {
       for (const std::uint32_t id : ids) all.emplace_back(level, id);
     }
   }
-  if (session.view.labels_everywhere && !session.document.content().skin) add_all(mesh, all);
+  if (session.view.labels_everywhere && !session.document().content().skin) add_all(mesh, all);
   if (all.size() > most_labels) all.resize(most_labels);
   return all;
 }
@@ -124,9 +128,10 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
 
 /// The top and the bottom of the preview of what the mouse points at; both 0 where there is none.
 ImVec2 previewed_rows(const Frame& frame, const scene::Projector& project, const Area& viewport) {
-  const scene::Drawable& drawable = frame.session.drawing().drawable();
+  const scene::Drawable& drawable = frame.session.sheet().drawing().drawable();
   const auto corners = drawable.preview.faces.values();
-  if (corners.empty() || frame.session.hovered_words().empty() || frame.session.neighbours())
+  if (corners.empty() || frame.session.sheet().inquiry().hovered_words().empty() ||
+      frame.session.sheet().inquiry().neighbours())
     return {0, 0};
   ImVec2 rows{std::numeric_limits<float>::max(), 0};
   for (const scene::Corner& corner : corners) {
@@ -146,14 +151,14 @@ float beside_preview(float y, float height, const ImVec2& rows, const Area& view
 }
 
 /// Beside the mouse, on the side where there is room.
-void hover_label(const Frame& frame, const scene::Projector& project,
-                 const scene::Session::Hovered& hovered, const Area& viewport) {
+void hover_label(const Frame& frame, const scene::Projector& project, const scene::Hovered& hovered,
+                 const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
   const std::string title = scene::entity_title(hovered.entity) + ", " +
                             scene::model_words(mesh.classification(hovered.entity));
   const float width = viewport.size.x;
   const float wrap = std::min(22 * em(), std::max(0.6f * width, std::min(12 * em(), 0.9f * width)));
-  const std::string words = broken_at_blanks(frame.session.hovered_words(), wrap);
+  const std::string words = broken_at_blanks(frame.session.sheet().inquiry().hovered_words(), wrap);
   const ImVec2 first = ImGui::CalcTextSize(title.c_str());
   const ImVec2 second = words.empty() ? ImVec2(0, 0) : ImGui::CalcTextSize(words.c_str());
   const ImVec2 pad{0.5f * em(), 0.3f * em()};
@@ -185,8 +190,9 @@ void hover_label(const Frame& frame, const scene::Projector& project,
 void scene_labels(Frame& frame, const Area& viewport) {
   if (!frame.has_mesh() || viewport.size.x < 2) return;
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
-  if (frame.session.view.labels || frame.session.neighbours()) id_labels(frame, project, viewport);
-  if (const auto* hovered = frame.session.hovered())
+  if (frame.session.view.labels || frame.session.sheet().inquiry().neighbours())
+    id_labels(frame, project, viewport);
+  if (const auto* hovered = frame.session.sheet().inquiry().hovered())
     hover_label(frame, project, *hovered, viewport);
 }
 

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "core/io/io.h"
-#include "viewer/scene/lesson.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/lessons/lesson.h"
 #include "viewer/ui/command_palette.h"
 #include "viewer/ui/recent_files.h"
 
@@ -44,12 +44,13 @@ void take_speed(const std::string& value, double least, double most, double& tar
 void take_window(const std::string& value, Settings& settings) {
   std::istringstream in(value);
   WindowPlace place;
-  std::string state;
-  in >> place.position.x >> place.position.y >> place.size.x >> place.size.y >> state;
-  place.maximized = state == "maximized";
+  in >> place.position.x >> place.position.y >> place.size.x >> place.size.y;
   const bool sensible = in && std::abs(place.position.x) < farthest &&
                         std::abs(place.position.y) < farthest && place.size.x >= 100 &&
                         place.size.y >= 100 && place.size.x < farthest && place.size.y < farthest;
+  std::string state;
+  in >> state;
+  place.maximized = state == "maximized";
   if (sensible) settings.window = place;
 }
 

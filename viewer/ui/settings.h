@@ -8,7 +8,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "viewer/scene/view.h"
+#include "viewer/drawing/view.h"
 
 namespace aomd::ui {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {

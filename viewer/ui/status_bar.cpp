@@ -1,4 +1,4 @@
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -32,11 +32,12 @@ void lessons_link(Frame& frame) {
 void status_bar(Frame& frame) {
   std::string right;
   if (frame.has_mesh()) {
-    const scene::MeshFacts& facts = frame.session.facts();
+    const scene::MeshFacts& facts = frame.session.sheet().facts();
     right = facts.regions > 0 ? scene::counted(facts.regions, "region")
                               : scene::counted(facts.faces, "face");
-    const auto loaded = static_cast<double>(frame.session.loaded_facts().faces);
-    if (facts.regions == 0 && facts.faces != frame.session.loaded_facts().faces && loaded > 0)
+    const auto loaded = static_cast<double>(frame.session.sheet().loaded_facts().faces);
+    if (facts.regions == 0 && facts.faces != frame.session.sheet().loaded_facts().faces &&
+        loaded > 0)
       right +=
           " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
   }

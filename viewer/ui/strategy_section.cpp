@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
 namespace {
 
-using scene::StrategyPart;
-using scene::StrategyRun;
+using scene::StoragePart;
+using scene::StorageRun;
 
 std::string ms_text(double ms) { return scene::short_number(ms, ms < 10 ? 1 : 0) + " ms"; }
 
@@ -24,8 +24,8 @@ void bar_row(const Frame& frame, const char* name, const std::string& value, dou
 }
 
 /// "collapses 56 KB, swaps and smoothing 60 KB"
-std::string phase_words(const Frame& frame, const StrategyRun& run) {
-  const auto part = [&](const char* name, const StrategyPart& p) {
+std::string phase_words(const Frame& frame, const StorageRun& run) {
+  const auto part = [&](const char* name, const StoragePart& p) {
     return std::string(name) + " " + scene::bytes_text(p.peak) +
            (frame.interactive ? " and " + ms_text(p.ms) : "");
   };
@@ -33,12 +33,12 @@ std::string phase_words(const Frame& frame, const StrategyRun& run) {
          ".";
 }
 
-void result(const Frame& frame, const scene::StrategyResult& r) {
+void result(const Frame& frame, const scene::StorageComparison& r) {
   const double most =
       static_cast<double>(std::max({r.ways[0].peak(), r.ways[1].peak(), std::size_t{1}}));
   const double longest = std::max({r.ways[0].ms(), r.ways[1].ms(), 1e-9});
   for (std::size_t way = 0; way < 2; ++way) {
-    const StrategyRun& run = r.ways[way];
+    const StorageRun& run = r.ways[way];
     gap(0.1f);
     text(scene::way_names[way]);
     bar_row(frame, "Bytes at most", scene::bytes_text(run.peak()),
@@ -62,7 +62,7 @@ void strategy_section(Frame& frame) {
           "whenever edges are swapped and vertices smoothed, and collapses find edges by hash set. "
           "Decimates two "
           "copies of this mesh by the paper's strategy with the present options.");
-  if (const auto* going = frame.session.comparison()) {
+  if (const auto* going = frame.session.sheet().comparison()) {
     bar(frame.interactive ? going->progress() : 0, ImGui::GetColorU32(frame.colors.accent), 0.5f);
     command_button(frame, "Cancel", "cancel", -1);
     return;
@@ -70,7 +70,7 @@ void strategy_section(Frame& frame) {
   const std::string hindrance(frame.document().hindrance());
   command_button(frame, "Compare on this mesh", "strategies run", -1, frame.can_decimate());
   if (!hindrance.empty()) wrapped(frame, hindrance);
-  if (frame.session.strategies()) result(frame, *frame.session.strategies());
+  if (frame.session.sheet().storage()) result(frame, *frame.session.sheet().storage());
 }
 
 }  // namespace aomd::ui

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/mesh/names.h"
-#include "viewer/scene/id_facts.h"
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/explain/id_facts.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -54,11 +55,12 @@ void bookmarks(Frame& frame) {
   ImGui::Separator();
   for (const Bookmark& b : tree.bookmarks()) {
     const std::string where = b.branch == 0 ? "" : ", branch " + std::to_string(b.branch);
-    row(frame, b.name + ": operation " + grouped(b.step) + where, "seek bookmark " + b.name);
+    row(frame, b.name + ": operation " + grouped(b.step) + where,
+        "seek bookmark " + scene::as_rest(b.name));
   }
   ImGui::Separator();
   for (const Bookmark& b : tree.bookmarks())
-    row(frame, "Remove " + b.name, "bookmark remove " + b.name);
+    row(frame, "Remove " + b.name, "bookmark remove " + scene::as_rest(b.name));
 }
 
 std::string branch_words(const HistoryTree& tree, const HistoryBranch& b) {

@@ -2,7 +2,8 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
+#include "viewer/document/history_places.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/timeline_controls.h"
 #include "viewer/ui/widgets.h"
@@ -39,7 +40,7 @@ void transport(Frame& frame) {
   const bool back = document.can_undo();
   const bool forward = document.can_redo();
   const bool still = !document.running();
-  const bool playing = frame.session.playing();
+  const bool playing = frame.session.sheet().playing();
   transport_button(frame, "first", Icon::First, "seek 0", back && still);
   transport_button(frame, "back", Icon::Back, "step -1", back && still);
   transport_button(frame, "play", playing ? Icon::Pause : Icon::Play, "play toggle",
@@ -56,7 +57,8 @@ void transport(Frame& frame) {
 /// "Operation 12 of 345: collapse of edge 678, in sweep"
 std::string where(const scene::Document& document) {
   const Journal& journal = document.journal();
-  std::string result = "Operation " + grouped(journal.cursor()) + " of " + grouped(journal.size());
+  std::string result = scene::place_words(journal);
+  result.front() = 'O';
   if (journal.cursor() == 0) return result + (journal.size() == 0 ? "" : ": as loaded");
   const JournalStep& step = journal.step(journal.cursor() - 1);
   result += std::string(": ") + step_name(step.kind);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "viewer/scene/commands.h"
-#include "viewer/scene/line_help.h"
+#include "viewer/commands/commands.h"
+#include "viewer/commands/line_help.h"
 
 namespace aomd::ui {
 namespace {

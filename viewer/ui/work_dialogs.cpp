@@ -5,7 +5,7 @@
 #include <ctime>
 #include <string>
 
-#include "viewer/scene/text.h"
+#include "viewer/base/text.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -67,7 +67,7 @@ void unsaved_dialog(Frame& frame) {
 }
 
 void recovery_dialog(Frame& frame) {
-  const auto& found = frame.session.found_work;
+  const auto& found = frame.session.found_work.works;
   ImGui::PushTextWrapPos(0);
   muted(frame, found.empty()
                    ? "There is nothing to recover."

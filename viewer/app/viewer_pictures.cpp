@@ -1,0 +1,79 @@
+// Pictures of a viewer: with panels, or of the scene alone.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+
+#include "core/io/png.h"
+#include "viewer/app/viewer.h"
+#include "viewer/render/picture_target.h"
+
+namespace aomd::app {
+namespace {
+
+constexpr int frames_of_picture = 3;
+
+/// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
+scene::Camera seen_in(scene::Camera camera, double before, double now) {
+  camera.distance *= std::max(1.0, std::min(before, widest_aspect) / std::min(now, widest_aspect));
+  return camera;
+}
+
+}  // namespace
+
+io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
+  ImGuiIO& io = ImGui::GetIO();
+  const scene::Camera camera = session_.view.camera;
+  const double aspect = session_.view.aspect;
+  const ImVec2 display = io.DisplaySize;
+  const ImVec2 framebuffer = io.DisplayFramebufferScale;
+  const ImVec2 mouse = io.MousePos;
+  io.DisplaySize = ImVec2(static_cast<float>(size.x) / framebuffer.x,
+                          static_cast<float>(size.y) / framebuffer.y);
+  io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+  const render::PictureTarget target(gl_, size);
+  for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
+  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
+  draw_frame(size, target.framebuffer(), transparent);
+  lines_.clear();
+  io::Image image = target.read(transparent);
+  session_.view.camera = camera;
+  session_.view.aspect = aspect;
+  io.DisplaySize = display;
+  io.MousePos = mouse;
+  return image;
+}
+
+io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
+  session_.refresh();
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
+  const render::PictureTarget target(gl_, size);
+  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
+  return target.read(transparent);
+}
+
+void Viewer::take_screenshots() {
+  while (!session_.screenshots.empty()) {
+    const scene::ScreenshotRequest request = session_.screenshots.front();
+    session_.screenshots.pop_front();
+    const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
+    io::write_png(request.file, request.interface ? picture(size, request.transparent)
+                                                  : scene_picture(size, request.transparent));
+    if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
+  }
+  session_.advance_series();
+}
+
+void Viewer::take_screenshots_or_tell() {
+  try {
+    take_screenshots();
+  } catch (const std::exception& error) {
+    session_.cancel_series();
+    session_.screenshots.clear();
+    session_.error = error.what();
+  }
+}
+
+}  // namespace aomd::app

@@ -1,0 +1,18 @@
+#include "viewer/base/entity_text.h"
+
+#include "core/mesh/names.h"
+
+namespace aomd::scene {
+
+std::optional<int> level_named(std::string_view word) {
+  for (int level = 0; level < 4; ++level)
+    if (word == entity_name(level)) return level;
+  return {};
+}
+
+std::string model_entity_text(ModelRef ref) {
+  if (!ref.valid()) return {};
+  return std::string(entity_name(ref.dimension())) + ":" + std::to_string(ref.tag());
+}
+
+}  // namespace aomd::scene

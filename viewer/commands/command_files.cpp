@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/io/io.h"
+#include "core/io/left_out.h"
+#include "core/samples/samples.h"
+#include "viewer/base/text.h"
+#include "viewer/commands/command_groups.h"
+
+namespace aomd::scene {
+namespace {
+
+void open(Session& session, Arguments& arguments) {
+  LoadRequest request;
+  request.file = expanded(arguments.rest("a file"));
+  request.classify = session.document().classify_options();
+  session.view.dialog = Dialog::None;
+  session.start_loading(std::move(request));
+}
+
+void sample(Session& session, Arguments& arguments) {
+  LoadRequest request;
+  request.sample = arguments.word("a sample's name");
+  if (!arguments.done())
+    request.sample_size = static_cast<int>(arguments.integer("a size", 0, 1'000'000'000));
+  arguments.end();
+  const auto known = samples();
+  if (std::none_of(known.begin(), known.end(),
+                   [&](const SampleInfo& s) { return s.name == request.sample; })) {
+    std::string names;
+    for (const SampleInfo& each : known)
+      names += (names.empty() ? "" : ", ") + std::string(each.name);
+    arguments.fail("there is no sample '" + request.sample + "', but " + names);
+  }
+  request.classify = session.document().classify_options();
+  session.start_loading(std::move(request));
+}
+
+void model(Session& session, Arguments& arguments) {
+  const std::string file = arguments.rest("a CAD file, or none");
+  if (file == "none") {
+    session.document().drop_model();
+    session.status = "No model";
+    return;
+  }
+  need_mesh(session);
+  session.play(false);
+  session.document().set_model(expanded(file));
+  const GivenModel& given = *session.document().model();
+  session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
+}
+
+/// Takes from the present mesh what its operations do not follow; says what that was.
+std::string leave_out_unfollowed(Document& document, MeshData& data) {
+  if (document.journal().cursor() == 0 || data.attributes.empty()) return {};
+  const MeshData loaded =
+      document.can_look_back() ? to_data(document.copy_mesh_as_loaded().mesh()) : MeshData();
+  std::string text;
+  for (const std::string& note : io::leave_out_unfollowed(loaded, data)) text += "; " + note;
+  return text;
+}
+
+void save(Session& session, Arguments& arguments) {
+  need_mesh(session);
+  const std::filesystem::path file = expanded(arguments.rest("a file"));
+  MeshData data = to_data(session.document().mesh());
+  const std::string left_out = leave_out_unfollowed(session.document(), data);
+  const std::vector<std::string> notes = io::write(file, data);
+  session.document().mark_saved(file);
+  session.view.dialog = Dialog::None;
+  session.status = "Saved " + printable(file.string()) + left_out;
+  for (const std::string& note : notes) session.status += ", " + note;
+  // The question about unsaved work, if there was one, is answered.
+  if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});
+}
+
+void quit(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.quit = true;
+}
+
+}  // namespace
+
+std::filesystem::path expanded(const std::string& text) {
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && text.rfind("~/", 0) == 0)
+    return std::filesystem::path(home) / text.substr(2);
+  return text;
+}
+
+void need_mesh(const Session& session) {
+  if (session.document().empty())
+    throw CommandError("there is no mesh yet: open a file or a sample first");
+}
+
+void need_decimable(const Session& session) {
+  need_mesh(session);
+  if (const std::string_view why = session.document().hindrance(); !why.empty())
+    throw CommandError(std::string(why));
+}
+
+std::vector<Command> file_commands() {
+  return {
+      {"open",
+       "FILE",
+       "Reads a mesh; the present one stays until the new one is ready.",
+       CommandGroup::File,
+       open,
+       {{"Ctrl+O", "dialog open"}}},
+      {"sample",
+       "NAME [SIZE]",
+       "Makes one of the built-in meshes.",
+       CommandGroup::File,
+       sample,
+       {}},
+      {"model",
+       "FILE|none",
+       "Reads the CAD model that the present mesh lies on, with Gmsh: .step, .stp, .brep, .iges, "
+       ".igs or "
+       ".geo. A mesh whose file does not say on what it lies is classified on it. Another mesh "
+       "drops it.",
+       CommandGroup::File,
+       model,
+       {}},
+      {"save",
+       "FILE",
+       "Writes the mesh with its classification; the extension chooses the format.",
+       CommandGroup::File,
+       save,
+       {{"Ctrl+S", "dialog save"}}},
+      {"quit", "", "Ends the program.", CommandGroup::File, quit, {{"Ctrl+Q", "quit"}}},
+  };
+}
+
+}  // namespace aomd::scene

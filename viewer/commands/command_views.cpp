@@ -1,0 +1,204 @@
+// What is shown, and how.
+
+#include <array>
+#include <string>
+
+#include "viewer/commands/command_groups.h"
+
+namespace aomd::scene {
+namespace {
+
+void color(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 7> choices = {
+      {{"classification", Coloring::Classification},
+       {"spacing", Coloring::Spacing},
+       {"quality", Coloring::Quality},
+       {"distance", Coloring::Distance},
+       {"curvature", Coloring::Curvature},
+       {"verdict", Coloring::Verdict},
+       {"none", Coloring::None}}};
+  session.view.coloring = arguments.choice(choices);
+  arguments.end();
+}
+
+void show(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 9> choices = {
+      {{"surface", &View::surface},
+       {"edges", &View::edges},
+       {"model-edges", &View::model_edges},
+       {"model-vertices", &View::model_vertices},
+       {"interfaces", &View::interfaces},
+       {"interior-edges", &View::interior_edges},
+       {"original", &View::original},
+       {"axes", &View::axes},
+       {"operation", &View::operation}}};
+  bool& shown = session.view.*arguments.choice(choices);
+  shown = arguments.flag(shown);
+  arguments.end();
+}
+
+void highlight(Session& session, Arguments& arguments) {
+  if (arguments.done()) {
+    session.view.highlighted.reset();
+    return;
+  }
+  const ModelRef ref = arguments.model_entity();
+  arguments.end();
+  session.view.highlighted = ref;
+}
+
+void hide(Session& session, Arguments& arguments) {
+  if (arguments.done()) {
+    session.view.hidden.clear();
+    return;
+  }
+  const ModelRef ref = arguments.model_entity();
+  const bool off = arguments.done() || arguments.flag(session.view.hidden.contains(ref));
+  arguments.end();
+  if (off)
+    session.view.hidden.insert(ref);
+  else
+    session.view.hidden.erase(ref);
+}
+
+void theme(Session& session, Arguments& arguments) {
+  const Theme other = session.view.theme == Theme::Light ? Theme::Dark : Theme::Light;
+  const std::array<std::pair<std::string_view, Theme>, 3> choices = {
+      {{"light", Theme::Light}, {"dark", Theme::Dark}, {"toggle", other}}};
+  session.view.theme = arguments.choice(choices);
+  arguments.end();
+}
+
+void panel(Session& session, Arguments& arguments) {
+  enum class Which { Mesh, Decimation, Adjacency, Histograms, Selection, Timeline, Runs, All };
+  constexpr std::array<std::pair<std::string_view, Which>, 8> choices = {
+      {{"mesh", Which::Mesh},
+       {"decimation", Which::Decimation},
+       {"adjacency", Which::Adjacency},
+       {"histograms", Which::Histograms},
+       {"selection", Which::Selection},
+       {"timeline", Which::Timeline},
+       {"runs", Which::Runs},
+       {"all", Which::All}}};
+  Panels& panels = session.view.panels;
+  const Which which = arguments.choice(choices);
+  const bool any = panels.mesh || panels.side || panels.timeline;
+  const auto turn_page = [&](Page page) {
+    const bool up = panels.side && panels.page == page;
+    const bool on = arguments.flag(up);
+    if (on) panels.page = page;
+    panels.side = on || (panels.side && !up);
+  };
+  if (which == Which::Mesh) panels.mesh = arguments.flag(panels.mesh);
+  if (which == Which::Decimation) turn_page(Page::Decimation);
+  if (which == Which::Adjacency) turn_page(Page::Adjacency);
+  if (which == Which::Selection) turn_page(Page::Selection);
+  if (which == Which::Histograms) turn_page(Page::Histograms);
+  if (which == Which::Timeline) panels.timeline = arguments.flag(panels.timeline);
+  if (which == Which::Runs) panels.runs = arguments.flag(panels.runs);
+  if (which == Which::All) panels.mesh = panels.side = panels.timeline = arguments.flag(any);
+  if (which == Which::All && !panels.mesh) panels.runs = false;
+  arguments.end();
+}
+
+void dialog(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {
+      {{"open", Dialog::Open},
+       {"save", Dialog::Save},
+       {"screenshot", Dialog::Screenshot},
+       {"shortcuts", Dialog::Shortcuts},
+       {"about", Dialog::About},
+       {"unsaved", Dialog::Unsaved},
+       {"recovery", Dialog::Recovery},
+       {"lessons", Dialog::Lessons},
+       {"none", Dialog::None}}};
+  const Dialog wanted = arguments.choice(choices);
+  arguments.end();
+  if (session.view.dialog == Dialog::Palette) session.error.clear();  // it was shown there
+  session.view.dialog = wanted;
+  if (wanted == Dialog::Lessons) session.lesson.suggested = LessonPlayer::Hint::None;
+  if (wanted != Dialog::Save) session.asked.clear();
+}
+
+void dismiss(Session& session, Arguments& arguments) {
+  arguments.end();
+  session.error.clear();
+}
+
+}  // namespace
+
+std::vector<Command> view_commands() {
+  return {
+      {"color",
+       "classification|spacing|quality|distance|curvature|verdict|none",
+       "What the surface's colours mean: what it lies on, how long decimation wants edges to be, "
+       "the "
+       "smallest angle of each face, its distance to the mesh as loaded, how strongly the surface "
+       "bends, or "
+       "why each edge would be refused now.",
+       CommandGroup::View,
+       color,
+       {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
+      {"show",
+       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|axes|operation "
+       "[on|off|toggle]",
+       "interfaces are the faces between two model regions, seen where something is hidden; "
+       "interior-edges "
+       "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
+       "(or what "
+       "compare with says), as glass over the present one; axes is where x, y and z point; "
+       "operation is what "
+       "the last single step "
+       "touched.",
+       CommandGroup::View,
+       show,
+       {{"E", "show edges toggle"},
+        {"B", "show model-edges toggle"},
+        {"V", "show model-vertices toggle"},
+        {"O", "show operation toggle"}}},
+      {"highlight",
+       "[vertex|edge|face|region:TAG]",
+       "Brightens what lies on one model entity; none without a word.",
+       CommandGroup::View,
+       highlight,
+       {}},
+      {"hide",
+       "[vertex|edge|face|region:TAG [on|off|toggle]]",
+       "Hides what lies on one model entity; shows everything without a word. Behind a hidden "
+       "region its "
+       "neighbours show.",
+       CommandGroup::View,
+       hide,
+       {{"H", "hide"}}},
+      {"theme",
+       "light|dark|toggle",
+       "The colours of panels and background.",
+       CommandGroup::View,
+       theme,
+       {{"T", "theme toggle"}}},
+      {"panel",
+       "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
+       "Which panels are there; decimation, adjacency, histograms and selection share the one on "
+       "the right. "
+       "runs, the table of what runs came to, stands below the picture; all does not open it.",
+       CommandGroup::View,
+       panel,
+       {{"Tab", "panel all toggle"},
+        {"D", "panel decimation on"},
+        {"A", "panel adjacency on"},
+        {"G", "panel histograms on"},
+        {"U", "panel runs toggle"},
+        {"P", "panel selection on"}}},
+      {"dialog",
+       "open|save|screenshot|shortcuts|about|unsaved|recovery|lessons|none",
+       "Opens one of the dialogs. unsaved asks what is to become of unsaved work; recovery lists "
+       "what "
+       "programs that died have left; lessons lists the lessons.",
+       CommandGroup::View,
+       dialog,
+       {{"F1", "dialog shortcuts"}, {"F2", "dialog lessons"}}},
+      {"dismiss", "", "Closes the message about an error.", CommandGroup::View, dismiss, {}},
+  };
+}
+
+}  // namespace aomd::scene

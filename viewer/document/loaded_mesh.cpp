@@ -1,0 +1,116 @@
+#include "viewer/document/loaded_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/decimate/spacing/spacing.h"
+#include "core/io/io.h"
+#include "core/samples/samples.h"
+#include "viewer/document/saved_work.h"
+
+namespace aomd::scene {
+namespace {
+
+Box box_of(const Mesh& mesh) {
+  Box box;
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f)) box.add(mesh.position(v));
+  const glm::dvec3 center = box.center();
+  double radius = 0;
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f))
+      radius = std::max(radius, glm::length(mesh.position(v) - center));
+  box.set_radius(radius);
+  return box;
+}
+
+void remember_file_classes(LoadedMesh& loaded) {
+  for (int dim = 0; dim < 3; ++dim) {
+    auto& classes = loaded.file_classes[static_cast<std::size_t>(dim)];
+    classes.resize(loaded.mesh.capacity(dim));
+    for (std::uint32_t id = 0; id < classes.size(); ++id)
+      if (loaded.mesh.alive({dim, id})) classes[id] = loaded.mesh.classification({dim, id});
+  }
+}
+
+/// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
+UpAxis usual_up_axis(io::Format format) {
+  const bool y =
+      format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
+  return y ? UpAxis::Y : UpAxis::Z;
+}
+
+bool needs_skin(const Mesh& mesh) {
+  if (mesh.count(3) > 0) return true;
+  for (const Face f : mesh.faces())
+    if (mesh.shape(f) != Shape::Triangle) return true;
+  return false;
+}
+
+void prepare_surface(LoadedMesh& loaded) {
+  loaded.classified = classify(loaded.mesh, loaded.classify_options);
+  loaded.needs = request_for_drawing(loaded.mesh);
+}
+
+}  // namespace
+
+std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
+                                        const ClassifyOptions& options) {
+  auto loaded = std::make_unique<LoadedMesh>();
+  loaded->name = std::move(name);
+  loaded->mesh = Mesh(data);
+  if (data.classified()) remember_file_classes(*loaded);
+  loaded->classify_options = options;
+  Mesh& mesh = loaded->mesh;
+  if (!loaded->volume()) prepare_surface(*loaded);
+  // Going through a volume takes its time and all its faces: only where the file says nothing.
+  if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
+  if (needs_skin(mesh)) loaded->skin.emplace(mesh);
+  if (!loaded->skin) loaded->edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
+  mesh.keep_class_lists(true);
+  loaded->bounds = loaded->skin ? loaded->skin->bounds() : box_of(mesh);
+  mesh.attach(&loaded->journal);
+  return loaded;
+}
+
+namespace {
+
+std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
+  if (request.data) return make_loaded(*request.data, request.sample, request.classify);
+  if (request.file.empty())
+    return make_loaded(make_sample(request.sample, request.sample_size), request.sample,
+                       request.classify);
+  io::ReadResult result = io::read(request.file);
+  if (result.mesh.faces.empty() && result.mesh.regions.empty())
+    throw io::ReadError(request.file.string(), {}, "there are no faces or regions in it");
+  auto loaded = make_loaded(result.mesh, request.file.filename().string(), request.classify);
+  loaded->file = request.file;
+  loaded->notes = std::move(result.notes);
+  loaded->up = usual_up_axis(result.format);
+  return loaded;
+}
+
+/// Puts the history, nothing of it applied, into a mesh that has just been loaded from the work's
+/// source. Throws io::ReadError when the mesh is not the one that the history starts from.
+void restore_history(LoadedMesh& loaded, const SavedWork& work) {
+  io::JournalFile file = io::read_journal(work.journal);
+  io::check_journal(file, work.journal.string(), loaded.mesh);
+  if (file.journal.size() != work.steps)
+    throw io::ReadError(work.journal.string(), {},
+                        "the journal is not as long as " + work.file.string() + " says");
+  const auto words = file.journal.words();
+  const auto steps = file.journal.steps();
+  loaded.journal.restore({words.begin(), words.end()}, {steps.begin(), steps.end()});
+}
+
+}  // namespace
+
+std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
+  auto loaded = load_source(request);
+  loaded->source = request;
+  if (request.recoverable && !loaded->skin) loaded->start = io::fingerprint(loaded->mesh);
+  if (request.work) restore_history(*loaded, *request.work);
+  return loaded;
+}
+
+}  // namespace aomd::scene

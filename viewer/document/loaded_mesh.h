@@ -1,0 +1,82 @@
+#pragma once
+// A mesh with all that a session keeps about it, made from a file or a generator on any thread.
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/decimate/decimation.h"
+#include "core/io/journal_file.h"
+#include "core/mesh/column.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_data.h"
+#include "core/model/classify.h"
+#include "core/model/discrete_model.h"
+#include "viewer/base/box.h"
+#include "viewer/base/up_axis.h"
+#include "viewer/document/drawing_needs.h"
+#include "viewer/document/load_request.h"
+#include "viewer/document/skin.h"
+
+namespace aomd::scene {
+
+/// A CAD model that was given for the mesh.
+struct GivenModel {
+  std::filesystem::path file;
+  std::unique_ptr<const Model> model;
+  std::array<std::size_t, 4> counts{};  ///< of its entities, by dimension
+  /// The mesh is known to lie on it from this step to the next classification; none: not known.
+  std::optional<std::size_t> fits_from;
+};
+
+/// The faceted original: the mesh as it was after a step, with that step's classification.
+struct FacetedOriginal {
+  std::size_t step = 0;
+  std::unique_ptr<const DiscreteModel> model;
+};
+
+/// Not movable: the mesh, its journal and its decimation hold on to each other.
+struct LoadedMesh {
+  std::string name;            ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;  ///< empty for a sample
+  LoadRequest source;          ///< what it was made from; names nothing for plain data
+  std::optional<io::MeshFingerprint>
+      start;                       ///< of the mesh as loaded, where the source asks for it
+  UpAxis up = UpAxis::Z;           ///< what the source usually means by up
+  std::vector<std::string> notes;  ///< what the reader had to do
+  Box bounds;                      ///< of the vertices that can be seen
+  Mesh mesh;
+  Journal journal;
+  ClassifyOptions classify_options;
+  ClassifyResult classified;
+  Column<Vertex, double>
+      edge_lengths;  ///< mean at each vertex as loaded; empty where there is a skin
+  /// The file's own classification by level and id; empty where it has none. It wins over derived
+  /// ones.
+  std::array<std::vector<ModelRef>, 3> file_classes;
+  /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they
+  /// are.
+  std::optional<Skin> skin;
+  DrawingNeeds needs;  ///< a volume has none: it stores what its file lists and nothing else
+  std::optional<GivenModel> model;          ///< none until one is given
+  std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
+  std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model
+
+  [[nodiscard]] bool classified_by_file() const { return !file_classes[0].empty(); }
+  [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }
+};
+
+/// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second
+/// for a million faces. Throws what io::read and make_sample throw, and io::ReadError for a file
+/// without faces and regions, and for work that does not fit it.
+[[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
+
+/// Builds from plain data: the rest of load(), and a way in for tests.
+[[nodiscard]] std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
+                                                      const ClassifyOptions& options = {});
+
+}  // namespace aomd::scene

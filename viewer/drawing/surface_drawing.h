@@ -1,0 +1,153 @@
+#pragma once
+// Fills a Drawable from a mesh and keeps it in step, touching no more than what changed.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "core/mesh/column.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/mesh.h"
+#include "viewer/document/surface_changes.h"
+#include "viewer/drawing/corner_normals.h"
+#include "viewer/drawing/drawable.h"
+#include "viewer/drawing/edge_codes.h"
+#include "viewer/drawing/scalar_field.h"
+#include "viewer/drawing/view.h"
+
+namespace aomd::scene {
+
+/// Places of an array for entities that come and go: the place of a dead one is given to the next.
+template <typename H>
+class Slots {
+ public:
+  static constexpr std::uint32_t none = no_index;
+  void clear(std::size_t capacity) {
+    slot_.assign(capacity, none);
+    free_.clear();
+    used_ = 0;
+  }
+  [[nodiscard]] std::uint32_t find(H h) const { return h.index < slot_.size() ? slot_[h] : none; }
+  std::uint32_t take(H h) {
+    if (h.index >= slot_.size()) slot_.resize(h.index + 1, none);
+    if (slot_[h] == none) slot_[h] = free_.empty() ? used_++ : pop();
+    return slot_[h];
+  }
+  void release(H h) {
+    free_.push_back(slot_[h]);
+    slot_[h] = none;
+  }
+
+ private:
+  std::uint32_t pop() {
+    const std::uint32_t last = free_.back();
+    free_.pop_back();
+    return last;
+  }
+  Column<H, std::uint32_t> slot_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t used_ = 0;
+};
+
+/// Face f is drawn in slot f. The mesh must store T(0,1), T(0,2) and T(2,0).
+class SurfaceDrawing {
+ public:
+  /// The box of the mesh as it was loaded: it gives the origin, and a camera that does not move.
+  void set_bounds(const Box& bounds);
+  /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
+  void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
+  /// What is said about each edge, for the flags of its faces; null: nothing. Drawn from the next
+  /// update on.
+  void set_edge_codes(std::shared_ptr<const EdgeCodes> codes) { edge_codes_ = std::move(codes); }
+  /// These codes have changed in place. O(edges).
+  void recode(const Mesh& mesh, const std::vector<Edge>& edges);
+  /// Numbers that give colours instead of model faces; null: none. Drawn from the next update on.
+  void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
+  /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and
+  /// shrinks.
+  void set_whole_faces(bool whole) { whole_faces_ = whole; }
+  /// Brightens faces, edges and vertices; those of the last call are as before. O(entities), and
+  /// drawn from the next highlight_step() on where they are edges or vertices.
+  void set_marked(const Mesh& mesh, std::vector<EntityRef> marked);
+  /// Sections and shrunken regions, and edges inside a volume.
+  void set_cells(std::vector<Corner> cells) { drawable_.cells.assign(std::move(cells)); }
+  void set_interior_edges(std::vector<Segment> edges) {
+    drawable_.interior_edges.assign(std::move(edges));
+  }
+  /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities
+  /// did.
+  void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);
+  /// Highlights what the last applied step has left of what it touched, with lines around its faces
+  /// and a dot on its vertex, and what stood there before it, in another colour. O(its records).
+  void highlight_step(const Mesh& mesh, const Journal& journal, std::optional<std::size_t> step,
+                      StepSides sides = {});
+
+  [[nodiscard]] const Drawable& drawable() const { return drawable_; }
+  /// For the one who uploads, to make it clean.
+  [[nodiscard]] Drawable& drawable() { return drawable_; }
+
+ private:
+  /// What colours depend on besides the mesh.
+  struct Style {
+    Coloring coloring = Coloring::Classification;
+    std::set<ModelRef> hidden;
+    std::optional<ModelRef> highlighted;
+    std::shared_ptr<const ScalarField> field;
+    std::uint64_t field_version = 0;
+    std::shared_ptr<const EdgeCodes> edge_codes;
+    std::optional<glm::dvec4> plane;  ///< behind it faces are hidden as a whole
+    double shrink = 0;
+    float vertex_px = 0;  ///< radius of model vertices: smaller where there are very many
+    friend bool operator==(const Style&, const Style&) = default;
+  };
+  void rebuild(const Mesh& mesh);
+  void recolor(const Mesh& mesh);
+  [[nodiscard]] Style style_of(const Mesh& mesh, const View& view, bool changed) const;
+  void patch(const Mesh& mesh, const SurfaceChanges& changes);
+  [[nodiscard]] std::array<Corner, 3> corners_of(const Mesh& mesh, Face face, Color of_model) const;
+  [[nodiscard]] static std::vector<std::uint32_t> pack_normals(const Mesh& mesh);
+  void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
+  void draw_face(const Mesh& mesh, Face face);
+  void draw_edge(const Mesh& mesh, Edge edge);
+  void draw_vertex(const Mesh& mesh, Vertex vertex);
+  [[nodiscard]] std::uint32_t code_flags(const Mesh& mesh, Face face) const;
+  void draw_before(const Mesh& mesh, const Journal& journal, std::size_t step, bool alone);
+  void draw_marked(const Mesh& mesh, std::vector<Segment>& lines, std::vector<Disc>& discs) const;
+  void draw_normals(const Mesh& mesh, Vertex vertex);
+  [[nodiscard]] bool hidden(ModelRef ref) const { return style_.hidden.contains(ref); }
+  [[nodiscard]] bool highlighted(ModelRef ref) const {
+    return style_.highlighted == ref && ref.valid();
+  }
+  [[nodiscard]] Color color(ModelRef ref) const;
+  [[nodiscard]] bool marked(Face face) const {
+    return face.index < marked_faces_.size() && marked_faces_[face.index];
+  }
+  /// Behind the plane as a whole.
+  [[nodiscard]] bool clipped(const glm::dvec3& center) const {
+    return style_.plane && glm::dot(glm::dvec3(*style_.plane), center) + style_.plane->w < 0;
+  }
+  [[nodiscard]] glm::vec3 place(const Mesh& mesh, Vertex v) const {
+    return glm::vec3(mesh.position(v) - drawable_.origin);
+  }
+
+  std::vector<std::uint32_t> face_flags_;
+  std::shared_ptr<const EdgeCodes> edge_codes_;
+  std::shared_ptr<const ScalarField> field_;
+  bool whole_faces_ = true;
+  std::vector<EntityRef> marked_;
+  std::vector<bool> marked_faces_;  ///< by id; empty: none
+  Drawable drawable_;
+  Style style_;
+  CornerNormals normals_;
+  Slots<Edge> edge_slots_;
+  Slots<Vertex> vertex_slots_;
+};
+
+}  // namespace aomd::scene

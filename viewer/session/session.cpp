@@ -1,0 +1,161 @@
+#include "viewer/session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/samples/samples.h"
+#include "viewer/base/text.h"
+#include "viewer/document/history_places.h"
+
+namespace aomd::scene {
+namespace {
+
+constexpr std::chrono::milliseconds slice_of_kept_run{50};
+
+/// "7,160 faces", "165,295 regions"
+std::string size_words(const MeshFacts& facts) {
+  return facts.regions > 0 ? counted(facts.regions, "region") : counted(facts.faces, "face");
+}
+
+}  // namespace
+
+void Session::keep_work(const std::filesystem::path& folder) {
+  recovery = std::make_unique<RecoveryKeeper>(folder);
+  found_work = find_saved_work(folder);
+  for (const std::string& why : found_work.unreadable)
+    warnings.push_back("Unsaved work cannot be recovered, its files stay: " + why);
+}
+
+void Session::keep() {
+  if (!recovery) return;
+  recovery->update(document());
+  if (auto problem = recovery->take_problem()) warnings.push_back(std::move(*problem));
+}
+
+void Session::start_loading(LoadRequest request) {
+  request.recoverable = recovery != nullptr;
+  request.practice = lesson.entering();
+  loader_.start(std::move(request));
+  status = "Loading " + loader_.name() + " ...";
+}
+
+void Session::cancel_loading() {
+  if (!loading()) return;
+  loader_.cancel();
+  status = "Loading of " + loader_.name() + " cancelled";
+}
+
+void Session::show(std::unique_ptr<LoadedMesh> loaded) {
+  cancel_series();
+  options.let_go_of_mesh();
+  static_cast<MeshView&>(view) = {};
+  sheet_ = std::make_unique<Sheet>(options, view);  // what was there need not wait for the next
+  sheet_ = std::make_unique<Sheet>(options, view, std::move(loaded));
+  if (recovery) recovery->begin();
+  arrived_ = true;
+}
+
+void Session::take_loaded(Loader::Result result) {
+  if (result.error) std::rethrow_exception(result.error);
+  error.clear();
+  cancel_series();
+  if (!result.mesh->source.practice) leave_lesson(false);
+  show(std::move(result.mesh));
+  const LoadedMesh& content = document().content();
+  view.camera.up_axis = content.up;
+  view.camera.turn_to(StandardView::Iso);
+  view.camera.fit(content.bounds, view.aspect);
+  status = content.name + ": " + size_words(sheet_->facts());
+  for (const std::string& note : content.notes) status += ", " + note;
+  if (const auto work = content.source.work) restore(*work);
+}
+
+/// What was found goes only once this program keeps it itself.
+void Session::restore(const SavedWork& work) {
+  const auto shared = document().content().source.work;
+  std::erase(found_work.works, shared);
+  if (recovery) recovery->take_over(shared);
+  document().restore(work);
+  status = "Restored " + work.name() + ": " + counted(work.cursor, "operation") + ", " +
+           counted(document().mesh().count(2), "face");
+}
+
+void Session::leave_lesson(bool reload) {
+  const auto before = lesson.end();
+  if (!before) return;
+  view = view_after_lesson(before->view, view);
+  options.set(before->options);
+  options.classify = before->classify;
+  document().set_snapping(before->snaps);
+  if (!reload) return;
+  LoadRequest source = before->source;
+  if (source.file.empty() && source.sample.empty()) source.sample = samples().front().name;
+  start_loading(std::move(source));
+}
+
+void Session::come_to_rest() {
+  play(false);
+  document().cancel_run();
+}
+
+void Session::play(bool on) {
+  if (!on && sheet_->playing()) status = "Paused: " + place_words(document().journal());
+  sheet_->play(on);
+}
+
+EntityRef Session::pick(glm::dvec2 ndc) {
+  refresh();
+  return sheet_->pick(ndc);
+}
+
+std::vector<EntityRef> Session::pick(glm::dvec2 low, glm::dvec2 high) {
+  refresh();
+  return sheet_->pick(low, high);
+}
+
+void Session::hover(std::optional<glm::dvec2> ndc) {
+  if (ndc) refresh();
+  sheet_->hover(ndc);
+}
+
+/// A run that has come to its end is kept, to be compared with others.
+void Session::run_on(std::optional<std::chrono::microseconds> budget) {
+  if (!document().running()) {
+    run_time_s_ = 0;
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  document().tick(budget);
+  run_time_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (document().running()) return;
+  status = "Run finished: " + counted(document().mesh().count(2), "face");
+  if (document().journal().cursor() > 0) sheet_->runs.keep(document(), {}, run_time_s_);
+}
+
+void Session::tick(std::chrono::microseconds budget, double frame_s) {
+  budget_ = budget;
+  if (auto result = loader_.take(false)) take_loaded(std::move(*result));
+  run_on(budget);
+  take_results(false);
+  if (sheet_->playing()) {
+    sheet_->advance_playing(frame_s);
+    status = (sheet_->playing() ? "Playing: " : "Played to the end: ") +
+             place_words(document().journal());
+  }
+  keep();
+}
+
+void Session::finish() {
+  budget_.reset();
+  if (auto result = loader_.take(true)) take_loaded(std::move(*result));
+  while (recovery && document().running()) {
+    run_on(slice_of_kept_run);
+    keep();
+  }
+  run_on({});
+  take_results(true);
+  sheet_->play_to_the_end();
+  keep();
+}
+
+}  // namespace aomd::scene

@@ -1,0 +1,128 @@
+#include "viewer/session/sheet.h"
+
+#include <utility>
+
+namespace aomd::scene {
+namespace {
+
+bool wants_histograms(const View& view) {
+  return view.marked || (view.panels.side && view.panels.page == Page::Histograms);
+}
+
+}  // namespace
+
+Sheet::Sheet(DocumentOptions& options, const View& view, std::unique_ptr<LoadedMesh> loaded)
+    : document(options, std::move(loaded)), view_(view) {
+  if (document.empty()) return;
+  drawing_.set_bounds(document.content().bounds);
+  refresh(false, {});
+  loaded_facts_ = facts();
+}
+
+void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> budget) {
+  if (document.empty()) return;
+  undisturbed_ = undisturbed;
+  budget_ = budget;
+  if (document.content().skin)
+    refresh_skin();
+  else
+    refresh_surface();
+  const bool can_keep = !document.content().skin && document.can_look_back();
+  if (view_.panels.runs && can_keep) runs.keep_original(document);
+  reference_.update(document, runs.reference(), view_, fields_, still() && coloured());
+}
+
+void Sheet::refresh_skin() {
+  const LoadedMesh& content = document.content();
+  const SkinKeeper::Changes found = skin_.update(document, view_);
+  SurfaceChanges changes;
+  changes.everything = found.surface;
+  if (found.mesh && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
+  if (found.mesh && !content.volume()) facts_.update(content.mesh, changes);
+  if (found.surface) {
+    picker_.forget();
+    drawing_.set_face_flags(skin_.surface()->flags);
+  }
+  if (found.inside) {
+    skin_.draw_inside(document, drawing_);
+    picker_.forget_cells();
+  }
+  drawing_.set_whole_faces(false);
+  const Mesh& drawn = skin_.surface()->mesh;
+  refresh_field(drawn, changes);
+  verdicts_.update(document, view_, changes, busy(), drawing_);
+  drawing_.update(drawn, view_, changes);
+  const bool marks = refresh_marked_cells();
+  refresh_selection(changes.everything, found.inside || marks);
+}
+
+void Sheet::refresh_surface() {
+  SurfaceChanges found = changes_.read(document.mesh(), document.journal(), document.place());
+  const bool changed = !found.nothing();
+  facts_.update(document.mesh(), found);
+  picker_.note(found);
+  drawing_.set_whole_faces(true);
+  refresh_field(document.mesh(), found);
+  verdicts_.update(document, view_, found, busy(), drawing_);
+  drawing_.update(document.mesh(), view_, found);
+  verdicts_.judge(document, budget_, busy(), drawing_);
+  refresh_marks(changed);
+  const auto focus = view_.operation ? document.focus() : std::nullopt;
+  if (focus != drawn_focus_ || view_.step_sides != drawn_sides_ || changed ||
+      view_.marked != drawn_mark_) {
+    drawing_.highlight_step(document.mesh(), document.journal(), focus, view_.step_sides);
+    drawn_focus_ = focus;
+    drawn_sides_ = view_.step_sides;
+    drawn_mark_ = view_.marked;
+  }
+  refresh_selection(changed);
+}
+
+void Sheet::refresh_field(const Mesh& shown, SurfaceChanges& changes) {
+  FieldSource source{shown, document, document.content().skin.has_value()};
+  source.still = still() && document.can_look_back();
+  source.budget = budget_;
+  fields_.update(view_.coloring, source, changes);
+  drawing_.set_field(fields_.field());
+}
+
+/// What the marked bar counts, of a mesh that has `changed` or not; none where that is as it was.
+std::optional<std::vector<EntityRef>> Sheet::newly_marked(bool changed) {
+  const bool anew = histograms_.update(document, runs.reference(), wants_histograms(view_),
+                                       still() && coloured());
+  if (!anew && !changed && view_.marked == drawn_mark_) return {};
+  const bool known = view_.marked && histograms_.current(document.place());
+  return known ? histograms_.histograms()->counted_in(*view_.marked) : std::vector<EntityRef>();
+}
+
+/// True where others are marked than before.
+bool Sheet::refresh_marked_cells() {
+  auto marked = newly_marked(false);
+  if (!marked) return false;
+  drawn_mark_ = view_.marked;
+  marked_cells_ = std::move(*marked);
+  return true;
+}
+
+void Sheet::refresh_marks(bool changed) {
+  auto marked = newly_marked(changed);
+  if (marked && (view_.marked || drawn_mark_))
+    drawing_.set_marked(document.mesh(), std::move(*marked));
+}
+
+std::vector<EntityRef> Sheet::measure_counted_in(const MarkedBar& bar) {
+  histograms_.update(document, runs.reference(), true, true);
+  return histograms_.histograms()->counted_in(bar);
+}
+
+std::string Sheet::reference_name() const {
+  const KeptRun* run = runs.reference();
+  return run == nullptr ? "as loaded" : run->name;
+}
+
+std::int64_t Sheet::reference_faces() const {
+  const KeptRun* run = runs.reference();
+  return run == nullptr ? loaded_facts_.faces : run->faces;
+}
+
+}  // namespace aomd::scene

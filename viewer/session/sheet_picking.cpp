@@ -1,0 +1,79 @@
+// What a sheet selects and points at.
+
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/session/sheet.h"
+
+namespace aomd::scene {
+
+Shown Sheet::shown() const {
+  const Drawable& drawable = drawing_.drawable();
+  if (const SkinSurface* skin = skin_.surface())
+    return {skin->mesh,
+            document.mesh(),
+            skin,
+            document.content().bounds,
+            drawable.cells.values(),
+            skin_.cell_regions(),
+            drawable.origin};
+  return {document.mesh(), document.mesh(), nullptr, document.content().bounds};
+}
+
+EntityRef Sheet::pick(glm::dvec2 ndc) { return picker_.at(shown(), view_, ndc); }
+
+std::vector<EntityRef> Sheet::pick(glm::dvec2 low, glm::dvec2 high) {
+  return picker_.within(shown(), view_, low, high);
+}
+
+void Sheet::hover(std::optional<glm::dvec2> ndc) {
+  inquiry_.point_at_nothing();
+  if (!ndc) return;
+  const EntityRef e = pick(*ndc);
+  if (e.valid()) inquiry_.hover(document, {e, *ndc}, busy());
+}
+
+void Sheet::refresh_selection(bool mesh_changed, bool cells_changed) {
+  if (mesh_changed) {
+    selection.drop_dead(document.mesh());
+    inquiry_.point_at_nothing();
+  }
+  const bool selects_anew = selection.revision() != drawn_selection_;
+  if (!points_anew_ && (mesh_changed || selects_anew)) pointed_out_.clear();
+  if (mesh_changed || cells_changed || points_anew_ || selects_anew) draw_selection();
+  inquiry_.update(document, selection, view_, mesh_changed, busy());
+  inquiry_.draw_preview(document.mesh(), selection, view_, drawing_.drawable());
+  draw_hovered();
+}
+
+void Sheet::draw_selection() {
+  const Mesh& mesh = document.mesh();
+  Drawable& drawable = drawing_.drawable();
+  const std::vector<Region>& regions = skin_.cell_regions();
+  points_anew_ = false;
+  drawable.selected.clear();
+  draw_entities(mesh, marked_cells_, marked_style(), drawable.origin, drawable.selected);
+  draw_cells(drawable, regions, marked_cells_, marked_style(), drawable.selected);
+  draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
+  draw_cells(drawable, regions, selection.entities(), selected_style(), drawable.selected);
+  draw_entities(mesh, pointed_out_, deciding_style(), drawable.origin, drawable.selected);
+  drawn_selection_ = selection.revision();
+}
+
+void Sheet::draw_hovered() {
+  const Hovered* hovered = inquiry_.hovered();
+  const EntityRef over = hovered ? hovered->entity : EntityRef();
+  if (over == drawn_hover_) return;
+  drawn_hover_ = over;
+  Drawable& drawable = drawing_.drawable();
+  drawable.hovered.clear();
+  if (!over.valid()) return;
+  const std::span only(&over, 1);
+  draw_entities(document.mesh(), only, hovered_style(), drawable.origin, drawable.hovered);
+  draw_cells(drawable, skin_.cell_regions(), only, hovered_style(), drawable.hovered);
+}
+
+void Sheet::point_out(std::vector<EntityRef> entities) {
+  pointed_out_ = std::move(entities);
+  points_anew_ = true;
+}
+
+}  // namespace aomd::scene
