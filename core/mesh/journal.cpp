@@ -147,6 +147,7 @@ void Journal::record_classify(EntityRef e, ModelRef from, ModelRef to) {
 bool Journal::undo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == 0) return false;
+  ++mesh.revision_;
   JournalReplay(mesh).undo(records(--cursor_));
   return true;
 }
@@ -154,6 +155,7 @@ bool Journal::undo(Mesh& mesh) {
 bool Journal::redo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == steps_.size()) return false;
+  ++mesh.revision_;
   JournalReplay(mesh).redo(records(cursor_++));
   return true;
 }
@@ -166,6 +168,7 @@ bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
 }
 
 void Journal::seek(Mesh& mesh, std::size_t step) {
+  ++mesh.revision_;
   AOMD_CHECK(!in_step_);
   step = std::min(step, steps_.size());
   const Mesh::Derived derived = is_far(mesh, step) ? mesh.release_derived() : Mesh::Derived();

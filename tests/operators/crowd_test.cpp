@@ -54,9 +54,11 @@ TEST(CrowdTest, AVertexWithMoreThan512FacesWaits) {
     const CollapseRules rules{.topology = TopologyRule::Paper};
     const auto judge = [&](Vertex deleted, Vertex kept) {
       Collapser collapser(mesh);
-      const Verdict by_edge = collapser.judge(mesh, mesh.find_edge(deleted, kept), deleted, rules);
+      CollapsePlan plan;
+      const Verdict by_edge =
+          collapser.judge(mesh, mesh.find_edge(deleted, kept), deleted, rules, plan);
       const Verdict by_ends =
-          collapser.judge(mesh, Contraction{deleted, kept, mesh.position(kept)}, rules);
+          collapser.judge(mesh, Contraction{deleted, kept, mesh.position(kept)}, rules, plan);
       EXPECT_EQ(by_edge.reason, by_ends.reason);
       EXPECT_EQ(by_edge.entity, by_ends.entity);
       return by_ends;
