@@ -89,9 +89,12 @@ bool Collapser::stay_together(const Ends& ends, const Stars& stars) const {
   };
   DisjointSets sheets(around.size());
   for_staying([&](const StarFace& f) { sheets.unite(place(f.next), place(f.previous)); });
-  return std::all_of(apexes_.begin(), apexes_.end(), [&](Vertex apex) {
-    return std::binary_search(around.begin(), around.end(), apex) &&
-           sheets.find(place(apex)) == sheets.find(place(apexes_[0]));
+  const auto ends_here = [&](Vertex apex) {  // no face is left beside the edge: judged elsewhere
+    return !std::binary_search(around.begin(), around.end(), apex);
+  };
+  const auto first = std::find_if_not(apexes_.begin(), apexes_.end(), ends_here);
+  return std::all_of(first, apexes_.end(), [&](Vertex apex) {
+    return ends_here(apex) || sheets.find(place(apex)) == sheets.find(place(*first));
   });
 }
 

@@ -210,7 +210,6 @@ bool QualityLoop::collapse(const Contraction& c) {
   collapser_.apply(mesh_, plan_.collapse);
   refresh_around(c.kept);
   if (rules_.topology == TopologyRule::Paper) forget_lost_edges(plan_.collapse);
-  admit_uncrowded(plan_.collapse);
   made(StepKind::Collapse, c.kept, plan_.change);
   return true;
 }
@@ -225,17 +224,6 @@ void QualityLoop::forget_lost_edges(const CollapsePlan& made) {
     const Vertex third = f.third(kept);
     const auto uses_third = [third](const StarFace& g) { return g.uses(third); };
     if (std::none_of(star_.begin(), star_.end(), uses_third)) update(third, kept, unlimited);
-  }
-}
-
-// A third vertex of the faces that went may be crowded no more: then its edges are candidates.
-void QualityLoop::admit_uncrowded(const CollapsePlan& made) {
-  for (const StarFace& f : made.around_deleted()) {
-    if (!f.uses(made.contraction.kept)) continue;
-    const Vertex third = f.third(made.contraction.kept);
-    const std::size_t faces = mesh_.row<2>(third).size();
-    if (faces <= largest_star && faces + made.around_deleted().size() > largest_star)
-      refresh_around(third);
   }
 }
 

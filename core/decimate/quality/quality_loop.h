@@ -75,7 +75,6 @@ class QualityLoop final : public Loop {
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);
   void forget_lost_edges(const CollapsePlan& made);
-  void admit_uncrowded(const CollapsePlan& made);
   void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction, Plan& plan);
 
