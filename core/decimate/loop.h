@@ -11,6 +11,18 @@
 
 namespace aomd {
 
+/// An operation that a loop has judged: what the operator needs to make it, and what the guards are
+/// told then. Each of its kinds has its own part. Reused, it allocates nothing.
+struct Plan {
+  CollapsePlan collapse;
+  EdgePair pair;  ///< a swap
+  struct {
+    glm::dvec3 target{0.0};
+    Star star;
+  } move;  ///< of a vertex that is smoothed: where to, and the faces around it
+  Change change;
+};
+
 /// One strategy at work on one mesh. Stops between two operations only; the mesh must not change
 /// otherwise, except through invalidate().
 class Loop {
@@ -63,12 +75,12 @@ class Loop {
   [[nodiscard]] bool keeps_face_of(const EdgePair& e) const {
     return options_.kept(e.a, e.b, e.c) || options_.kept(e.b, e.a, e.d);
   }
-  /// Counts an operation that was judged and made.
-  void made(StepKind kind, EntityRef entity) {
+  /// Counts an operation that was judged and made, and tells the guards.
+  void made(StepKind kind, EntityRef entity, const Change& change) {
     SweepStatistics& s = sweeps_.back();
     ++(kind == StepKind::Collapse ? s.collapses : kind == StepKind::Swap ? s.swaps : s.smooths);
     last_ = {kind, entity};
-    guards_.applied();
+    guards_.applied(change);
   }
 
   Mesh& mesh_;
@@ -77,6 +89,7 @@ class Loop {
   Phase phase_ = Phase::Collapse;
   std::vector<SweepStatistics> sweeps_;
   Operation last_;
+  Plan plan_;  ///< of the operation that is judged to be made; who only looks has another
 };
 
 }  // namespace aomd

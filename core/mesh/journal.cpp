@@ -158,6 +158,7 @@ std::array<std::size_t, 4> Journal::applied_creations() const {
 bool Journal::undo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == 0) return false;
+  ++mesh.revision_;
   JournalReplay(mesh).undo(records(--cursor_));
   return true;
 }
@@ -165,6 +166,7 @@ bool Journal::undo(Mesh& mesh) {
 bool Journal::redo(Mesh& mesh) {
   AOMD_CHECK(!in_step_);
   if (cursor_ == steps_.size()) return false;
+  ++mesh.revision_;
   JournalReplay(mesh).redo(records(cursor_++));
   return true;
 }
@@ -177,6 +179,7 @@ bool Journal::is_far(const Mesh& mesh, std::size_t step) const {
 }
 
 void Journal::seek(Mesh& mesh, std::size_t step) {
+  ++mesh.revision_;
   AOMD_CHECK(!in_step_);
   step = std::min(step, steps_.size());
   const Mesh::Derived derived = is_far(mesh, step) ? mesh.release_derived() : Mesh::Derived();

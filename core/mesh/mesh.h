@@ -213,6 +213,10 @@ class Mesh {
   /// Throws std::invalid_argument where the rule is broken.
   void set_classification(EntityRef e, ModelRef model);
 
+  /// Another number after every edit, undo and redo included: what was judged at one number holds
+  /// while the mesh has it.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
   [[nodiscard]] Journal* journal() const { return journal_; }
   /// Attaches a journal (or none): from now on every edit is recorded. Changes of T are not edits.
   /// What the journal holds already must lead to this mesh; attached values that its creations
@@ -325,6 +329,7 @@ class Mesh {
       recorded_creations_{};  ///< by level, those that the journal has applied
   ModelTable model_table_;
   Journal* journal_ = nullptr;
+  std::uint64_t revision_ = 0;
 };
 
 /// The mesh as plain arrays, ids made consecutive in ascending order; unused vertices are kept.

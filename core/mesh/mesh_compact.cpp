@@ -33,6 +33,7 @@ std::vector<std::uint32_t> consecutive(const IdPool& ids) {
 std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
   if (journal_)
     throw std::logic_error("a journal is attached, and its records name the present ids");
+  ++revision_;
   std::array<std::vector<std::uint32_t>, 4> maps;
   for (int dim = 0; dim < 4; ++dim) maps[static_cast<std::size_t>(dim)] = consecutive(ids(dim));
   Representation compacted;

@@ -135,6 +135,7 @@ void Mesh::detach_entity(int dim, std::uint32_t id) {
 }
 
 void Mesh::note_created(EntityRef e, bool fresh) {
+  ++revision_;
   std::size_t& creations = recorded_creations_[e.dimension];
   if (!journal_) return attached_.created(e.dimension, e.index);
   attached_.cover(e.dimension, e.index, creations++);
@@ -305,6 +306,7 @@ void Mesh::destroy_unused(EntityRef e) {
   for (int j = e.dimension + 1; j < 4; ++j)
     AOMD_CHECK(!stored(e.dimension, j) || representation_.up(e.dimension, j).row(e.index).empty());
   if (journal_) journal_->record_entity(false, *this, e, false);
+  ++revision_;
   detach_entity(e.dimension, e.index);
   level(e.dimension).ids.destroy(e.index);
 }
@@ -321,6 +323,7 @@ void Mesh::destroy_with_users(EntityRef e) {
 
 void Mesh::move(Vertex v, const glm::dvec3& position) {
   if (journal_) journal_->record_move(v, positions_[v.index], position);
+  ++revision_;
   positions_[v.index] = position;
 }
 
@@ -330,6 +333,7 @@ void Mesh::set_classification(EntityRef e, ModelRef model) {
   const ModelRef present = classification(e);
   if (present == model) return;
   if (journal_) journal_->record_classify(e, present, model);
+  ++revision_;
   classify(e.dimension, e.index, model);
 }
 

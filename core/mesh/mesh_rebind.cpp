@@ -142,6 +142,7 @@ void Mesh::rebind(Items items) {
       std::is_sorted(items.begin(), items.end(), [](const Rebinding& a, const Rebinding& b) {
         return a.entity.dimension < b.entity.dimension;
       }));
+  ++revision_;
   apply_rebindings(items);
   if (journal_) journal_->record_rebind(items);
 }

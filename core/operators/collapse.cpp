@@ -64,20 +64,20 @@ std::uint64_t Collapser::apex_bit(Vertex v) const {
 
 // The two other edges of a removed face fall together. If neither has a further face, the one that
 // stays has none.
-bool Collapser::leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const {
+bool Collapser::leaves_bare_edge(const Ends& ends, const Stars& stars, Vertex apex) {
   for (std::size_t i = 0; i < 2; ++i)
-    for (const StarFace& f : stars_[i])
+    for (const StarFace& f : stars[i])
       if (f.uses(apex) && !f.uses(ends[1 - i])) return false;
   return true;
 }
 
 // Whether the faces that stay around both ends hang together beside the edge, from apex to apex:
 // else they would meet in nothing but the kept vertex.
-bool Collapser::stay_together(const std::array<Vertex, 2>& ends) const {
+bool Collapser::stay_together(const Ends& ends, const Stars& stars) const {
   std::vector<Vertex> around;
   const auto for_staying = [&](auto&& visit) {
     for (std::size_t i = 0; i < 2; ++i)
-      for (const StarFace& f : stars_[i])
+      for (const StarFace& f : stars[i])
         if (!f.uses(ends[1 - i])) visit(f);
   };
   for_staying([&](const StarFace& f) { around.insert(around.end(), {f.next, f.previous}); });
@@ -89,32 +89,35 @@ bool Collapser::stay_together(const std::array<Vertex, 2>& ends) const {
   };
   DisjointSets sheets(around.size());
   for_staying([&](const StarFace& f) { sheets.unite(place(f.next), place(f.previous)); });
-  return std::all_of(apexes_.begin(), apexes_.end(), [&](Vertex apex) {
-    return std::binary_search(around.begin(), around.end(), apex) &&
-           sheets.find(place(apex)) == sheets.find(place(apexes_[0]));
+  const auto ends_here = [&](Vertex apex) {  // no face is left beside the edge: judged elsewhere
+    return !std::binary_search(around.begin(), around.end(), apex);
+  };
+  const auto first = std::find_if_not(apexes_.begin(), apexes_.end(), ends_here);
+  return std::all_of(first, apexes_.end(), [&](Vertex apex) {
+    return ends_here(apex) || sheets.find(place(apex)) == sheets.find(place(*first));
   });
 }
 
 // What the faces around the kept vertex need to form no more fans than before. Two apexes: the
 // edge must not cut both fans in two, as it does between two points of the border.
-bool Collapser::keeps_fans(const std::array<Vertex, 2>& ends) const {
-  if (apexes_.empty()) return stars_[0].empty() || stars_[1].empty();
-  if (apexes_.size() == 2) return !is_open(stars_[0]) || !is_open(stars_[1]);
-  return apexes_.size() == 1 || stay_together(ends);
+bool Collapser::keeps_fans(const Ends& ends, const Stars& stars) const {
+  if (apexes_.empty()) return stars[0].empty() || stars[1].empty();
+  if (apexes_.size() == 2) return !is_open(stars[0]) || !is_open(stars[1]);
+  return apexes_.size() == 1 || stay_together(ends, stars);
 }
 
 // The link condition, which is the same whichever end goes: the ends share no neighbour beyond the
 // apexes of their faces, no two faces fall together, no pocket closes, no two fans meet in one
 // vertex, and no edge loses its last face. A collapse then takes one vertex, k faces and k + 1
 // edges: the Euler number stays.
-Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge,
-                                  const std::array<Vertex, 2>& ends) {
+Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const Ends& ends,
+                                  const Stars& stars) {
   next_stamp(mesh);
-  mark_neighbours(ends[1], stars_[1]);
-  if (!gather_apexes(stars_[0], ends[1])) return {Reason::Topology, edge};
-  if (!keeps_fans(ends)) return {Reason::Topology, edge};
+  mark_neighbours(ends[1], stars[1]);
+  if (!gather_apexes(stars[0], ends[1])) return {Reason::Topology, edge};
+  if (!keeps_fans(ends, stars)) return {Reason::Topology, edge};
   std::uint64_t has_further_face = 0;
-  for (const StarFace& f : stars_[0]) {
+  for (const StarFace& f : stars[0]) {
     const bool next = marked(f.next), previous = marked(f.previous);
     if (!(next | previous) || f.uses(ends[1])) continue;
     const std::uint64_t next_bit = next ? apex_bit(f.next) : 0,
@@ -123,11 +126,11 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge,
     if (previous && !previous_bit) return {Reason::Topology, f.previous};
     has_further_face |= next_bit | previous_bit;
     if (!next || !previous) continue;
-    for (const StarFace& g : stars_[1])
+    for (const StarFace& g : stars[1])
       if (g.uses(f.next) && g.uses(f.previous)) return {Reason::Topology, g.face};
   }
   for (const Vertex apex : apexes_)
-    if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, apex))
+    if (!(has_further_face & apex_bit(apex)) && leaves_bare_edge(ends, stars, apex))
       return {Reason::Topology, apex};
   return {};
 }
@@ -188,7 +191,7 @@ Verdict Collapser::judge_rest_of_curve(const Mesh& mesh, const Star& star, Model
 }
 
 Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
-                                const CollapseRules& rules, Vertex& deleted) {
+                                const CollapseRules& rules, CollapsePlan& plan) {
   const auto ends = mesh.edge_vertices(edge);
   const ModelRef model = mesh.classification(edge);
   Verdict furthest;
@@ -201,18 +204,18 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
   if (!may_go[0] && !may_go[1]) return furthest;
   for (const Vertex v : ends)
     if (crowded(mesh, v)) return {Reason::Topology, v};
-  gather(mesh, ends[0], stars_[0]);
-  gather(mesh, ends[1], stars_[1]);
+  for (std::size_t i = 0; i < 2; ++i) gather(mesh, ends[i], plan.stars[i]);
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = judge_topology(mesh, edge, ends); !v.accepted()) return v;
+    if (const Verdict v = judge_topology(mesh, edge, ends, plan.stars); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
     const Contraction c{ends[i], ends[1 - i], mesh.position(ends[1 - i])};
-    Verdict v = judge_geometry(mesh, stars_[i], {c.deleted, c.kept, c.position}, rules);
+    Verdict v = judge_geometry(mesh, plan.stars[i], {c.deleted, c.kept, c.position}, rules);
     if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
-      v = judge_curve(mesh, stars_[i], model, c, rules.max_curve_turn);
+      v = judge_curve(mesh, plan.stars[i], model, c, rules.max_curve_turn);
     if (v.accepted()) {
-      deleted = ends[i];
+      plan.contraction = c;
+      if (i == 1) std::swap(plan.stars[0], plan.stars[1]);
       return v;
     }
     if (v.reason >= furthest.reason) furthest = v;
@@ -220,39 +223,56 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
   return furthest;
 }
 
-Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules) {
-  const bool first = mesh.edge_vertices(edge)[0] == deleted;
-  return judge_either(mesh, edge, {first, !first}, rules, deleted);
-}
-
-Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseRules& rules) {
+Verdict Collapser::judge_contraction(const Mesh& mesh, const Contraction& c,
+                                     const CollapseRules& rules, Stars& stars) {
   for (const Vertex v : {c.deleted, c.kept})
     if (crowded(mesh, v)) return {Reason::Topology, v};
-  gather(mesh, c.deleted, stars_[0]);
-  gather(mesh, c.kept, stars_[1]);
-  const ModelRef model = class_between(mesh, c.deleted, c.kept, stars_[0]);
+  gather(mesh, c.deleted, stars[0]);
+  gather(mesh, c.kept, stars[1]);
+  const ModelRef model = class_between(mesh, c.deleted, c.kept, stars[0]);
   const bool moves = c.position != mesh.position(c.kept);
   for (const Vertex v : {c.deleted, c.kept})
     if (const ModelRef own = mesh.classification(v);
         (v == c.deleted || moves) && (own != model || own.dimension() == 0))
       return {Reason::Classification, v};
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}); !v.accepted())
+    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}, stars); !v.accepted())
       return v;
-  Verdict v = judge_geometry(mesh, stars_[0], {c.deleted, c.kept, c.position}, rules);
+  Verdict v = judge_geometry(mesh, stars[0], {c.deleted, c.kept, c.position}, rules);
   if (v.accepted() && moves)
-    v = judge_geometry(mesh, stars_[1], {c.kept, c.deleted, c.position}, rules);
+    v = judge_geometry(mesh, stars[1], {c.kept, c.deleted, c.position}, rules);
   if (v.accepted() && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
-    v = judge_curve(mesh, stars_[0], model, c, rules.max_curve_turn);
+    v = judge_curve(mesh, stars[0], model, c, rules.max_curve_turn);
   if (v.accepted() && moves && model.dimension() == 1 && rules.topology == TopologyRule::Safe)
-    v = judge_rest_of_curve(mesh, stars_[1], model, c, rules.max_curve_turn);
+    v = judge_rest_of_curve(mesh, stars[1], model, c, rules.max_curve_turn);
   return v;
 }
 
+Verdict Collapser::judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
+                         const CollapseRules& rules, CollapsePlan& plan) {
+  plan.edge = edge;
+  plan.revision = mesh.revision();
+  return plan.verdict = judge_either(mesh, edge, may_go, rules, plan);
+}
+
+Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
+                         CollapsePlan& plan) {
+  const bool first = mesh.edge_vertices(edge)[0] == deleted;
+  return judge(mesh, edge, {first, !first}, rules, plan);
+}
+
+Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseRules& rules,
+                         CollapsePlan& plan) {
+  plan.edge = {};
+  plan.contraction = c;
+  plan.revision = mesh.revision();
+  return plan.verdict = judge_contraction(mesh, c, rules, plan.stars);
+}
+
 // By edges, not by faces as in judging: an edge without faces must find its twin too.
-void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
+void Collapser::mark_edges(const Mesh& mesh, Vertex kept, const Star& star) {
   next_stamp(mesh);
-  for_edges_at(mesh, kept, stars_[1], [&](Edge e, Vertex far) {
+  for_edges_at(mesh, kept, star, [&](Edge e, Vertex far) {
     mark_[far] = stamp_;
     edge_to_kept_[far] = e;
   });
@@ -260,25 +280,26 @@ void Collapser::mark_edges(const Mesh& mesh, Vertex kept) {
 
 // Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at
 // its end.
-void Collapser::plan(const Mesh& mesh, Vertex deleted, Vertex kept) {
+void Collapser::find_edits(const Mesh& mesh, const Contraction& c, const Stars& stars) {
   merges_.clear();
   rebindings_.clear();
   collapsed_ = {};
-  for_edges_at(mesh, deleted, stars_[0], [&](Edge e, Vertex far) {
-    if (far == kept)
+  for_edges_at(mesh, c.deleted, stars[0], [&](Edge e, Vertex far) {
+    if (far == c.kept)
       collapsed_ = e;
     else if (marked(far))
       merges_.push_back({e, edge_to_kept_[far]});
     else
-      rebindings_.push_back({e, mesh.edge_vertices(e)[0] == deleted ? 0u : 1u, deleted, kept});
+      rebindings_.push_back(
+          {e, mesh.edge_vertices(e)[0] == c.deleted ? 0u : 1u, c.deleted, c.kept});
   });
   bare_.clear();
-  for (auto f = stars_[0].rbegin(); f != stars_[0].rend(); ++f) {
-    if (!f->uses(kept)) {
-      rebindings_.push_back({f->face, f->slot, deleted, kept});
+  for (auto f = stars[0].rbegin(); f != stars[0].rend(); ++f) {
+    if (!f->uses(c.kept)) {
+      rebindings_.push_back({f->face, f->slot, c.deleted, c.kept});
       continue;
     }
-    if (const Vertex apex = f->third(kept); leaves_bare_edge({deleted, kept}, apex))
+    if (const Vertex apex = f->third(c.kept); leaves_bare_edge({c.deleted, c.kept}, stars, apex))
       bare_.push_back(apex);
   }
 }
@@ -300,35 +321,32 @@ void Collapser::destroy_bare_edges(Mesh& mesh, Vertex kept) {
 
 void Collapser::apply(Mesh& mesh, Edge edge, Vertex deleted) {
   const Vertex kept = mesh.other_end(edge, deleted);
-  gather(mesh, deleted, stars_[0]);
-  gather(mesh, kept, stars_[1]);
+  Stars stars;
+  gather(mesh, deleted, stars[0]);
+  gather(mesh, kept, stars[1]);
   const JournalScope step(mesh, StepKind::Collapse, edge);
-  make(mesh, deleted, kept);
+  make(mesh, {deleted, kept, mesh.position(kept)}, stars);
 }
 
-void Collapser::apply_accepted(Mesh& mesh, Edge edge, Vertex deleted) {
-  const auto ends = mesh.edge_vertices(edge);
-  if (deleted == ends[1]) std::swap(stars_[0], stars_[1]);
-  const JournalScope step(mesh, StepKind::Collapse, edge);
-  make(mesh, deleted, deleted == ends[1] ? ends[0] : ends[1]);
-}
-
-void Collapser::apply_accepted(Mesh& mesh, const Contraction& c) {
-  const JournalScope step(mesh, StepKind::Collapse, c.kept);
+void Collapser::apply(Mesh& mesh, const CollapsePlan& plan) {
+  AOMD_CHECK(plan.verdict.accepted() && plan.revision == mesh.revision());
+  const Contraction& c = plan.contraction;
+  const JournalScope step(mesh, StepKind::Collapse,
+                          plan.edge.valid() ? EntityRef(plan.edge) : EntityRef(c.kept));
   if (c.position != mesh.position(c.kept)) mesh.move(c.kept, c.position);
-  make(mesh, c.deleted, c.kept);
+  make(mesh, c, plan.stars);
 }
 
-void Collapser::make(Mesh& mesh, Vertex deleted, Vertex kept) {
-  mark_edges(mesh, kept);
-  plan(mesh, deleted, kept);
-  for (const StarFace& f : stars_[0])
-    if (f.uses(kept)) mesh.destroy_unused(f.face);
+void Collapser::make(Mesh& mesh, const Contraction& c, const Stars& stars) {
+  mark_edges(mesh, c.kept, stars[1]);
+  find_edits(mesh, c, stars);
+  for (const StarFace& f : stars[0])
+    if (f.uses(c.kept)) mesh.destroy_unused(f.face);
   mesh.rebind(rebindings_);
   merge_edges(mesh);
-  destroy_bare_edges(mesh, kept);
+  destroy_bare_edges(mesh, c.kept);
   if (collapsed_.valid()) mesh.destroy_unused(collapsed_);
-  mesh.destroy_unused(deleted);
+  mesh.destroy_unused(c.deleted);
 }
 
 }  // namespace aomd

@@ -50,63 +50,71 @@ struct Contraction {
   glm::dvec3 position;  ///< where the kept one goes
 };
 
-/// Judges and applies edge collapses on one mesh; holds the scratch space, so that a sweep
-/// allocates nothing. The mesh must store T(0,2) and T(2,0), and hold triangles only. T(0,1) must
-/// be stored too unless its edges are those on model edges and no others; judging and applying by
-/// an Edge needs T(0,1).
+/// A collapse that was judged: what the verdict says, and what making it needs. Belongs to who
+/// asks, and is reused from one judgement to the next: then it allocates nothing.
+struct CollapsePlan {
+  Verdict verdict;
+  Contraction contraction;    ///< where it is accepted
+  Edge edge;                  ///< that was judged; invalid where it was named by its ends
+  std::array<Star, 2> stars;  ///< accepted: around the end that goes (0) and the one that stays (1)
+  std::uint64_t revision = 0;  ///< of the mesh that was judged
+
+  [[nodiscard]] const Star& around_deleted() const { return stars[0]; }
+  [[nodiscard]] const Star& around_kept() const { return stars[1]; }
+};
+
+/// Judges and applies edge collapses on one mesh; holds marks, so that a sweep allocates nothing,
+/// and nothing else from one call to the next. The mesh must store T(0,2) and T(2,0), and hold
+/// triangles only. T(0,1) must be stored too unless its edges are those on model edges and no
+/// others; judging and applying by an Edge needs T(0,1).
 class Collapser {
  public:
   explicit Collapser(const Mesh& mesh);
 
-  /// What collapsing `edge` by deleting its end `deleted` would do. O(faces around both ends).
-  /// Checks in this order: classification, topology, flat faces, turned normals. Topology also
-  /// where an end is crowded.
-  [[nodiscard]] Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted,
-                              const CollapseRules& rules);
-
-  /// The same for both ends that `may_go` names (in the edge's order), with the work that they
-  /// share done once. Returns the first acceptance, whose end is put in `deleted`, else the refusal
-  /// that got furthest.
-  [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
-                                     const CollapseRules& rules, Vertex& deleted);
-
-  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the
-  /// faces of the edge go, the others around `deleted` are stretched to the kept end, and edges
-  /// that fall together become one that keeps the lower classification. One journal step.
-  void apply(Mesh& mesh, Edge edge, Vertex deleted);
-
-  /// The same right after judge_either() has accepted, on a mesh that has not changed since: saves
-  /// looking again.
-  void apply_accepted(Mesh& mesh, Edge edge, Vertex deleted);
+  /// What collapsing `edge` would do, by deleting one of the ends that `may_go` names (in the
+  /// edge's order): the first that is accepted, else the refusal that got furthest. O(faces around
+  /// both ends). Checks in this order: classification, topology, flat faces, turned normals.
+  /// Topology also where an end is crowded. The plan receives the verdict too.
+  Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
+                CollapsePlan& plan);
+  /// The same for deleting the end `deleted`.
+  Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
+                CollapsePlan& plan);
 
   /// Another look at an edge, by its ends and with a place for the kept one: `kept` moves to
   /// `position` and the faces of both stretch. Classification: the edge lies on what the deleted
   /// end lies on, and on what the kept one lies on if that moves. Then topology, flat faces, turned
   /// normals, and with Safe the turn of a model edge. The edges of the mesh may be entities, or
   /// only those on model edges (see for_edges_at).
-  [[nodiscard]] Verdict judge(const Mesh& mesh, const Contraction& contraction,
-                              const CollapseRules& rules);
+  Verdict judge(const Mesh& mesh, const Contraction& contraction, const CollapseRules& rules,
+                CollapsePlan& plan);
 
-  /// Makes it, right after judge() has accepted it on a mesh that has not changed since. One
-  /// journal step.
-  void apply_accepted(Mesh& mesh, const Contraction& contraction);
+  /// Makes what was accepted. The mesh must not have changed since. One journal step.
+  void apply(Mesh& mesh, const CollapsePlan& plan);
 
-  /// The faces around the vertex that the last apply() deleted, as they were before; after judging
-  /// a contraction, those around the end that would go (0) and the end that would stay (1).
-  [[nodiscard]] const Star& star(std::size_t end = 0) const { return stars_[end]; }
+  /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the
+  /// faces of the edge go, the others around `deleted` are stretched to the kept end, and edges
+  /// that fall together become one that keeps the lower classification. One journal step.
+  void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
  private:
+  using Ends = std::array<Vertex, 2>;
+  using Stars = std::array<Star, 2>;
   void next_stamp(const Mesh& mesh);
   void mark_neighbours(Vertex kept, const Star& star);
-  void mark_edges(const Mesh& mesh, Vertex kept);
+  void mark_edges(const Mesh& mesh, Vertex kept, const Star& star);
   [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
-  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge,
-                                       const std::array<Vertex, 2>& ends);
+  [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
+                                     const CollapseRules& rules, CollapsePlan& plan);
+  [[nodiscard]] Verdict judge_contraction(const Mesh& mesh, const Contraction& contraction,
+                                          const CollapseRules& rules, Stars& stars);
+  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge, const Ends& ends,
+                                       const Stars& stars);
   [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
   [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
-  [[nodiscard]] bool stay_together(const std::array<Vertex, 2>& ends) const;
-  [[nodiscard]] bool keeps_fans(const std::array<Vertex, 2>& ends) const;
-  [[nodiscard]] bool leaves_bare_edge(const std::array<Vertex, 2>& ends, Vertex apex) const;
+  [[nodiscard]] bool stay_together(const Ends& ends, const Stars& stars) const;
+  [[nodiscard]] bool keeps_fans(const Ends& ends, const Stars& stars) const;
+  [[nodiscard]] static bool leaves_bare_edge(const Ends& ends, const Stars& stars, Vertex apex);
   /// One end of the edge on its way; the faces that also use the other end fall away.
   struct Move {
     Vertex vertex, other;
@@ -119,12 +127,11 @@ class Collapser {
   [[nodiscard]] static Verdict judge_rest_of_curve(const Mesh& mesh, const Star& star,
                                                    ModelRef model, const Contraction& contraction,
                                                    const TurnLimit& limit);
-  void make(Mesh& mesh, Vertex deleted, Vertex kept);
-  void plan(const Mesh& mesh, Vertex deleted, Vertex kept);
+  void make(Mesh& mesh, const Contraction& contraction, const Stars& stars);
+  void find_edits(const Mesh& mesh, const Contraction& contraction, const Stars& stars);
   void merge_edges(Mesh& mesh);
   void destroy_bare_edges(Mesh& mesh, Vertex kept);
 
-  std::array<Star, 2> stars_;           ///< of the edge's two ends
   std::vector<Vertex> apexes_;          ///< third vertices of the edge's faces
   Column<Vertex, std::uint32_t> mark_;  ///< == stamp_ for the neighbours of the kept vertex
   Column<Vertex, Edge> edge_to_kept_;   ///< of vertices marked by mark_edges()

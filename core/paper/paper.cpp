@@ -171,8 +171,9 @@ int E_2Dcollapse_(pMesh_ mesh, pEdge_ edge, pVertex_ vertex) {
   const auto [a, b] = m.edge_vertices(e);
   require(v == a || v == b, "the vertex is no end of the edge");
   if (!mesh->collapser) mesh->collapser.emplace(m);
-  if (!mesh->collapser->judge(m, e, v, mesh->collapse).accepted()) return 0;
-  mesh->collapser->apply_accepted(m, e, v);
+  CollapsePlan& plan = mesh->plan;
+  if (!mesh->collapser->judge(m, e, v, mesh->collapse, plan).accepted()) return 0;
+  mesh->collapser->apply(m, plan);
   return 1;
 }
 

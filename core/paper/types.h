@@ -25,6 +25,7 @@ struct Session {
 
   // Made by the calls when first needed
   std::optional<Collapser> collapser;
+  CollapsePlan plan;
   std::vector<Edge> opposite;
   Request region_faces;
 };

@@ -45,7 +45,7 @@ class RandomOperations {
 
   void apply() {
     if (kind_ == 0)
-      collapser_.apply_accepted(mesh_, contraction_);
+      collapser_.apply(mesh_, plan_);
     else if (kind_ == 1)
       apply_swap(mesh_, pair_);
     else
@@ -72,8 +72,8 @@ class RandomOperations {
           jittered(0.5 * (mesh_.position(a) + mesh_.position(b)), 0.5 * length(a, b));
     CollapseRules rules;
     rules.max_turn = rules.max_curve_turn = TurnLimit(180);
-    if (!collapser_.judge(mesh_, contraction_, rules).accepted()) return false;
-    describe(mesh_, contraction_, collapser_.star(0), collapser_.star(1), change);
+    if (!collapser_.judge(mesh_, contraction_, rules, plan_).accepted()) return false;
+    describe(mesh_, contraction_, plan_.around_deleted(), plan_.around_kept(), change);
     return true;
   }
   bool swap(Vertex a, Vertex b, Change& change) {
@@ -87,6 +87,7 @@ class RandomOperations {
   std::mt19937 random_;
   std::size_t kind_ = 0;
   Contraction contraction_;
+  CollapsePlan plan_;
   EdgePair pair_;
   Star star_;
 };

@@ -25,14 +25,15 @@ struct Decimated {
     mesh.set(0, 2);
     original.emplace(mesh);
     Collapser collapser(mesh);
+    CollapsePlan plan;
     std::mt19937 random(8);
     for (int tries = 0; mesh.count(2) > faces && tries < 100000; ++tries) {
       const Edge e(mesh.ids(1).next_alive(random() % mesh.capacity(1)));
       if (e.index >= mesh.capacity(1)) continue;
       const auto [a, b] = mesh.edge_vertices(e);
       const Contraction c{a, b, 0.5 * (mesh.position(a) + mesh.position(b))};
-      if (!collapser.judge(mesh, c, {.max_turn = TurnLimit(35)}).accepted()) continue;
-      collapser.apply_accepted(mesh, c);
+      if (!collapser.judge(mesh, c, {.max_turn = TurnLimit(35)}, plan).accepted()) continue;
+      collapser.apply(mesh, plan);
       original->merged(a, b);
     }
   }
@@ -185,7 +186,8 @@ TEST(FitterTest, ALiftedVertexGoesBack) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, target).accepted());
+  Star star;
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, target).accepted());
   EXPECT_LT(std::abs(target.z), 0.02);
   EXPECT_LT(glm::length(target - glm::dvec3(2, 2, 0)), 0.1);
 }
@@ -198,12 +200,13 @@ TEST(FitterTest, VerticesOnModelEdgesAndOverTurnedFacesStay) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 target;
-  const Verdict border = fitter.judge_move(Vertex(2), {}, target);
+  Star star;
+  const Verdict border = fitter.judge_move(Vertex(2), {}, star, target);
   EXPECT_EQ(border.reason, Reason::Classification);
   EXPECT_EQ(border.entity, EntityRef(Vertex(2)));
   mesh.move(Vertex(12), {2, 2, 3});  // a spike, whose faces would turn by 71 degrees
   original.locate(mesh);
-  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, target).reason, Reason::Angle);
+  EXPECT_EQ(fitter.judge_move(Vertex(12), {}, star, target).reason, Reason::Angle);
 }
 
 TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
@@ -212,7 +215,8 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
   OriginalSurface original(mesh);
   original.locate(mesh);
   glm::dvec3 target;
-  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, target).reason, Reason::Flat);
+  Star star;
+  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, star, target).reason, Reason::Flat);
 }
 
 //      2

@@ -75,7 +75,8 @@ class Program {
       Collapser collapser(mesh_);
       const CollapseRules rules{TurnLimit(175),
                                 random_(2) ? TopologyRule::Safe : TopologyRule::Paper};
-      if (collapser.judge(mesh_, e, v, rules).accepted()) collapser.apply(mesh_, e, v);
+      CollapsePlan plan;
+      if (collapser.judge(mesh_, e, v, rules, plan).accepted()) collapser.apply(mesh_, plan);
     });
   }
 

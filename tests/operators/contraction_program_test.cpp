@@ -57,10 +57,10 @@ class Program {
                               .topology = paper ? TopologyRule::Paper : TopologyRule::Safe,
                               .least_angle = LeastAngle(paper ? 0.0 : 3.0)};
     const Contraction c{made.a, made.b, at};
-    const Verdict v = collapser_.judge(mesh_, c, rules);
+    const Verdict v = collapser_.judge(mesh_, c, rules, plan_);
     made.reason = v.reason;
     made.accepted = v.accepted();
-    if (made.accepted) collapser_.apply_accepted(mesh_, c);
+    if (made.accepted) collapser_.apply(mesh_, plan_);
   }
   void swap(Edit& made) {
     EdgePair pair;
@@ -71,6 +71,7 @@ class Program {
 
   Mesh& mesh_;
   Collapser collapser_;
+  CollapsePlan plan_;
   std::mt19937 random_;
 };
 

@@ -22,16 +22,18 @@ struct Bench : PairBench {
   Verdict judge(std::uint32_t deleted, std::uint32_t kept, std::optional<glm::dvec3> at = {},
                 const CollapseRules& rules = {}) {
     Collapser collapser(mesh);
+    CollapsePlan plan;
     return collapser.judge(
         mesh, Contraction{Vertex(deleted), Vertex(kept), at ? *at : mesh.position(Vertex(kept))},
-        rules);
+        rules, plan);
   }
   void contract(std::uint32_t deleted, std::uint32_t kept, const glm::dvec3& at,
                 const CollapseRules& rules) {
     Collapser collapser(mesh);
     const Contraction c{Vertex(deleted), Vertex(kept), at};
-    ASSERT_TRUE(collapser.judge(mesh, c, rules).accepted());
-    collapser.apply_accepted(mesh, c);
+    CollapsePlan plan;
+    ASSERT_TRUE(collapser.judge(mesh, c, rules, plan).accepted());
+    collapser.apply(mesh, plan);
     EXPECT_TRUE(verify(mesh).empty());
   }
 };
@@ -137,8 +139,9 @@ TEST(ContractionTest, TheLinkConditionKeepsAStripWide) {
     mesh.set(0, 2);
     Collapser collapser(mesh);
     const Contraction c{Vertex(1), Vertex(4), {1, 0.5, 0}};
-    EXPECT_EQ(collapser.judge(mesh, c, any_turn).reason, Reason::Topology) << all;
-    EXPECT_TRUE(collapser.judge(mesh, c, any_turn_paper).accepted()) << all;
+    CollapsePlan plan;
+    EXPECT_EQ(collapser.judge(mesh, c, any_turn, plan).reason, Reason::Topology) << all;
+    EXPECT_TRUE(collapser.judge(mesh, c, any_turn_paper, plan).accepted()) << all;
   }
 }
 
@@ -372,8 +375,9 @@ TEST(ContractionTest, AModelEdgeBetweenUnclassifiedVerticesFollows) {
     mesh.set(0, 2);
     Collapser collapser(mesh);
     const Contraction c{Vertex(5), Vertex(6), mesh.position(Vertex(6))};
-    ASSERT_TRUE(collapser.judge(mesh, c, any_turn).accepted());
-    collapser.apply_accepted(mesh, c);
+    CollapsePlan plan;
+    ASSERT_TRUE(collapser.judge(mesh, c, any_turn, plan).accepted());
+    collapser.apply(mesh, plan);
     EXPECT_TRUE(verify(mesh).empty()) << all;
     EXPECT_TRUE(mesh.find_edge(Vertex(6), Vertex(9)).valid()) << all;
   }

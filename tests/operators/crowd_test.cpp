@@ -16,12 +16,13 @@ glm::dvec3 on_circle(std::uint32_t i, std::uint32_t n, double z = 0) {
   return {std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), z};
 }
 
-// A flat cone: n vertices around, the tip last.
+// A flat cone: the tip 0, which has all edges to the others as its candidates, and n around it.
 MeshData fan(std::uint32_t n, double height = 0.1) {
   MeshData data;
-  for (std::uint32_t i = 0; i < n; ++i) data.positions.push_back(on_circle(i, n));
   data.positions.emplace_back(0, 0, height);
-  for (std::uint32_t i = 0; i < n; ++i) data.faces.add(Shape::Triangle, {n, i, (i + 1) % n});
+  for (std::uint32_t i = 0; i < n; ++i) data.positions.push_back(on_circle(i, n));
+  for (std::uint32_t i = 0; i < n; ++i)
+    data.faces.add(Shape::Triangle, {0, 1 + i, 1 + (i + 1) % n});
   return data;
 }
 
@@ -50,20 +51,22 @@ Mesh ready(const MeshData& data) {
 TEST(CrowdTest, AVertexWithMoreThan512FacesWaits) {
   for (const std::uint32_t faces : {512u, 513u}) {
     const Mesh mesh = ready(fan(faces, 0));
-    const Vertex tip(faces);
+    const Vertex tip(0);
     const CollapseRules rules{.topology = TopologyRule::Paper};
     const auto judge = [&](Vertex deleted, Vertex kept) {
       Collapser collapser(mesh);
-      const Verdict by_edge = collapser.judge(mesh, mesh.find_edge(deleted, kept), deleted, rules);
+      CollapsePlan plan;
+      const Verdict by_edge =
+          collapser.judge(mesh, mesh.find_edge(deleted, kept), deleted, rules, plan);
       const Verdict by_ends =
-          collapser.judge(mesh, Contraction{deleted, kept, mesh.position(kept)}, rules);
+          collapser.judge(mesh, Contraction{deleted, kept, mesh.position(kept)}, rules, plan);
       EXPECT_EQ(by_edge.reason, by_ends.reason);
       EXPECT_EQ(by_edge.entity, by_ends.entity);
       return by_ends;
     };
-    EXPECT_EQ(judge(tip, Vertex(0)).accepted(), faces == 512);
-    EXPECT_EQ(judge(tip, Vertex(0)).entity, faces == 512 ? EntityRef() : EntityRef(tip));
-    EXPECT_EQ(judge(Vertex(0), tip).reason == Reason::Topology, faces == 513);
+    EXPECT_EQ(judge(tip, Vertex(3)).accepted(), faces == 512);
+    EXPECT_EQ(judge(tip, Vertex(3)).entity, faces == 512 ? EntityRef() : EntityRef(tip));
+    EXPECT_EQ(judge(Vertex(3), tip).reason == Reason::Topology, faces == 513);
     EXPECT_TRUE(judge(Vertex(1), Vertex(2)).accepted()) << "its neighbours do not wait";
   }
 }
@@ -73,13 +76,23 @@ TEST(CrowdTest, NoSwapJoinsTwoCrowdedVertices) {
   for (const std::uint32_t n : {512u, 513u}) {
     MeshData data = fan(n);
     data.positions.emplace_back(0, 0, -0.1);
-    for (std::uint32_t i = 0; i < n; ++i) data.faces.add(Shape::Triangle, {n + 1, (i + 1) % n, i});
+    for (std::uint32_t i = 0; i < n; ++i)
+      data.faces.add(Shape::Triangle, {n + 1, 1 + (i + 1) % n, 1 + i});
     const Mesh mesh = ready(data);
-    EXPECT_EQ(joined(mesh, Vertex(n), Vertex(n + 1)), n == 513);
-    EXPECT_TRUE(joined(mesh, Vertex(n), Vertex(0)));
-    EXPECT_TRUE(joined(mesh, Vertex(0), Vertex(n)));
-    EXPECT_FALSE(joined(mesh, Vertex(0), Vertex(2)));
+    EXPECT_EQ(joined(mesh, Vertex(0), Vertex(n + 1)), n == 513);
+    EXPECT_TRUE(joined(mesh, Vertex(0), Vertex(7)));
+    EXPECT_TRUE(joined(mesh, Vertex(7), Vertex(0)));
+    EXPECT_FALSE(joined(mesh, Vertex(1), Vertex(3)));
   }
+}
+
+// Within one stage: the next would find the edges of the tip anyway.
+TEST(CrowdTest, WhoeverHasNoMoreThan512FacesLeftIsWaitedForNoLonger) {
+  Mesh mesh = test::classified(fan(1500, 0));
+  DecimationOptions options{.strategy = Strategy::Quality, .coarsest = true};
+  options.without = 1u << static_cast<int>(Idea::SecondStage);
+  Decimation(mesh, options).run();
+  EXPECT_FALSE(mesh.alive(Vertex(0)));
 }
 
 // Candidates judged on the way to a number of faces.

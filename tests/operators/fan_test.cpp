@@ -13,8 +13,9 @@ Reason judge(const MeshData& data, TopologyRule topology) {
   Mesh mesh(data);
   mesh.set(0, 1), mesh.set(0, 2);
   Collapser collapser(mesh);
+  CollapsePlan plan;
   const CollapseRules rules{.max_turn = TurnLimit(179), .topology = topology};
-  return collapser.judge(mesh, mesh.find_edge(Vertex(0), Vertex(1)), Vertex(1), rules).reason;
+  return collapser.judge(mesh, mesh.find_edge(Vertex(0), Vertex(1)), Vertex(1), rules, plan).reason;
 }
 
 //    5

@@ -22,8 +22,9 @@ struct Bench {
   Verdict judge_collapse(std::uint32_t deleted, std::uint32_t kept, double angle = 10,
                          TopologyRule topology = TopologyRule::Safe) {
     Collapser collapser(mesh);
-    return collapser.judge(mesh, edge(deleted, kept), Vertex(deleted),
-                           {TurnLimit(angle), topology});
+    CollapsePlan plan;
+    return collapser.judge(mesh, edge(deleted, kept), Vertex(deleted), {TurnLimit(angle), topology},
+                           plan);
   }
   void collapse(std::uint32_t deleted, std::uint32_t kept) {
     Collapser collapser(mesh);
@@ -124,15 +125,16 @@ TEST(CollapseTest, AModelEdgeMayNotTurnTooFar) {
     b.mesh.set_classification(b.edge(i, i % 6 + 1), ModelRef(1, 1));
   }
   Collapser collapser(b.mesh);
+  CollapsePlan plan;
   CollapseRules rules{TurnLimit(10), TopologyRule::Safe, TurnLimit(29)};
-  const Verdict v = collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules);
+  const Verdict v = collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules, plan);
   EXPECT_EQ(v.reason, Reason::Angle);
   EXPECT_EQ(v.entity, EntityRef(b.edge(3, 4)));
   EXPECT_NEAR(v.number(), 30, 1e-9);
   rules.max_curve_turn = TurnLimit(31);
-  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules).accepted());
+  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules, plan).accepted());
   rules = {TurnLimit(10), TopologyRule::Paper, TurnLimit(29)};
-  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules).accepted())
+  EXPECT_TRUE(collapser.judge(b.mesh, b.edge(4, 5), Vertex(4), rules, plan).accepted())
       << "the paper has no such rule";
 }
 
@@ -186,8 +188,10 @@ TEST(CollapseTest, TheLinkConditionKeepsAStripWide) {
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}}) mesh.set(i, j);
   Collapser collapser(mesh);
   const Edge rung = mesh.find_edge(Vertex(1), Vertex(4));
-  EXPECT_EQ(collapser.judge(mesh, rung, Vertex(1), {TurnLimit(179), TopologyRule::Safe}).reason,
-            Reason::Topology);
+  CollapsePlan plan;
+  EXPECT_EQ(
+      collapser.judge(mesh, rung, Vertex(1), {TurnLimit(179), TopologyRule::Safe}, plan).reason,
+      Reason::Topology);
 }
 
 // A triangular hole: collapsing one of its edges would close it.

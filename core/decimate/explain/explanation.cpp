@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/decimate/explain/verdict_words.h"
 #include "core/operators/star.h"
 
@@ -77,6 +78,12 @@ bool is_apex(const Mesh& mesh, Vertex v, const Contraction& c) {
   });
 }
 
+std::ptrdiff_t faces_at_edge(const Mesh& mesh, const Contraction& c) {
+  Star star;
+  gather(mesh, c.deleted, star);
+  return std::count_if(star.begin(), star.end(), [&](const StarFace& f) { return f.uses(c.kept); });
+}
+
 bool at_border(const Mesh& mesh, Vertex v) {
   Star star;
   gather(mesh, v, star);
@@ -88,6 +95,10 @@ std::string topology_words(const Mesh& mesh, const CollapseOutlook& o) {
   const EntityRef who = o.verdict.entity;
   const Contraction& c = o.contraction;
   if (who.dimension == 2) return sentence("a face would fall onto " + name_of(who));
+  for (const Vertex v : {c.deleted, c.kept})
+    if (crowded(mesh, v))
+      return sentence(name_of(v) + " has " + counted(mesh.row<2>(v).size(), "face") +
+                      ", and waits until it has no more than " + std::to_string(largest_star));
   const bool third =
       who.dimension == 0 && who.index != c.deleted.index && who.index != c.kept.index;
   if (third && is_apex(mesh, Vertex(who.index), c))
@@ -95,8 +106,12 @@ std::string topology_words(const Mesh& mesh, const CollapseOutlook& o) {
   if (third)
     return sentence("both ends are joined to " + name_of(who) +
                     ", which no face of this edge has: the surface would be pinched there");
-  if (at_border(mesh, c.deleted) && at_border(mesh, c.kept))
+  const auto faces = faces_at_edge(mesh, c);
+  if (faces == 2 && at_border(mesh, c.deleted) && at_border(mesh, c.kept))
     return "Both ends lie on the border and the edge does not: the surface would be pinched.";
+  if (faces == 0) return "The edge has no face, and two surfaces would meet in one vertex.";
+  if (faces > 2)
+    return "Surfaces that only this edge connects would meet in one vertex, or a pocket vanish.";
   return "Its faces enclose a pocket that would vanish.";
 }
 

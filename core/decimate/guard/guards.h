@@ -30,25 +30,25 @@ class Guards {
   [[nodiscard]] bool any() const { return distance_ || intersections_; }
 
   /// Judges what an operator has accepted: a contraction with the faces around both ends, a pair of
-  /// faces, or a vertex with the faces around it and where it goes.
+  /// faces, or a vertex with the faces around it and where it goes. `change` receives what it comes
+  /// to, where there is a guard to be told.
   template <typename... Operation>
-  [[nodiscard]] Verdict judge(const Mesh& mesh, const Operation&... operation) {
+  [[nodiscard]] Verdict judge(const Mesh& mesh, Change& change, const Operation&... operation) {
     if (!any()) return {};
-    describe(mesh, operation..., change_);
-    Verdict verdict = distance_ ? distance_->judge(change_) : Verdict();
-    if (verdict.accepted() && intersections_) verdict = intersections_->judge(change_);
+    describe(mesh, operation..., change);
+    Verdict verdict = distance_ ? distance_->judge(change) : Verdict();
+    if (verdict.accepted() && intersections_) verdict = intersections_->judge(change);
     return verdict;
   }
 
-  /// What was judged last has been made.
-  void applied() {
-    if (intersections_) intersections_->applied(change_);
+  /// The operation that judge() described has been made.
+  void applied(const Change& change) {
+    if (intersections_) intersections_->applied(change);
   }
 
  private:
   std::unique_ptr<DistanceGuard> distance_;
   std::unique_ptr<IntersectionGuard> intersections_;
-  Change change_;
 };
 
 }  // namespace aomd

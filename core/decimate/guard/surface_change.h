@@ -44,10 +44,9 @@ struct Change {
   void clear() { replaced.clear(), created.clear(), pieces.clear(); }
 };
 
-/// The change that a contraction makes, from the faces around both its ends: Collapser::star(0) and
-/// star(1) after judging a Contraction. After Collapser::judge_either() they stand in the order of
-/// the edge's ends. Where the kept end does not move, the faces that only it has are no part of it.
-/// O(faces around both ends).
+/// The change that a contraction makes, from the faces around both its ends, as a CollapsePlan has
+/// them. Where the kept end does not move, the faces that only it has are no part of it. O(faces
+/// around both ends).
 void describe(const Mesh& mesh, const Contraction& contraction, const Star& around_deleted,
               const Star& around_kept, Change& change);
 

@@ -101,14 +101,12 @@ void PaperLoop::begin_sweep() {
 }
 
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
-Verdict PaperLoop::judge(Edge edge, Vertex& deleted) { return judge(edge, {true, true}, deleted); }
-
 Verdict PaperLoop::judge(Vertex a, Vertex b) {
   Vertex deleted;
   return judge(mesh_.find_edge(a, b), deleted);
 }
 
-Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted) {
+Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
   hold(true);
   const auto ends = mesh_.edge_vertices(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
@@ -117,11 +115,18 @@ Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Vertex& deleted)
   const std::size_t first = may_go[0] ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
-  const Verdict verdict = collapser_.judge_either(mesh_, edge, may_go, rules_, deleted);
+  CollapsePlan& collapse = plan.collapse;
+  const Verdict verdict = collapser_.judge(mesh_, edge, may_go, rules_, collapse);
   if (!verdict.accepted()) return verdict;
-  const std::size_t end = deleted == ends[0] ? 0 : 1;
-  const Contraction contraction{deleted, ends[1 - end], mesh_.position(ends[1 - end])};
-  return guards_.judge(mesh_, contraction, collapser_.star(end), collapser_.star(1 - end));
+  return guards_.judge(mesh_, plan.change, collapse.contraction, collapse.around_deleted(),
+                       collapse.around_kept());
+}
+
+Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
+  Plan plan;
+  const Verdict verdict = judge(edge, {true, true}, plan);
+  deleted = plan.collapse.contraction.deleted;
+  return verdict;
 }
 
 bool PaperLoop::unchanged_since(Edge e) const {
@@ -134,8 +139,7 @@ bool PaperLoop::try_collapse(Edge edge) {
     ++sweeps_.back().refused[static_cast<std::size_t>(refusal_[edge])];
     return false;
   }
-  Vertex deleted;
-  const Verdict verdict = judge(edge, deleted);
+  const Verdict verdict = judge(edge, {true, true}, plan_);
   if (!verdict.accepted()) {
     judged_[edge] = now_;
     refusal_[edge] = verdict.reason;
@@ -143,9 +147,9 @@ bool PaperLoop::try_collapse(Edge edge) {
     return false;
   }
   ++now_;
-  collapser_.apply_accepted(mesh_, edge, deleted);
-  for (const StarFace& f : collapser_.star()) touch(f.next), touch(f.previous);
-  made(StepKind::Collapse, edge);
+  collapser_.apply(mesh_, plan_.collapse);
+  for (const StarFace& f : plan_.collapse.around_deleted()) touch(f.next), touch(f.previous);
+  made(StepKind::Collapse, edge, plan_.change);
   return true;
 }
 
@@ -162,11 +166,11 @@ Limits PaperLoop::limits(ModelRef edge) const {
 std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
   const auto ends = mesh_.edge_vertices(edge);
   std::vector<CollapseOutlook> outlooks(2);
+  Plan plan;
   for (std::size_t i = 0; i < 2; ++i) {
     CollapseOutlook& o = outlooks[i];
-    Vertex deleted;
     o.contraction = {ends[i], ends[1 - i], mesh_.position(ends[1 - i])};
-    o.verdict = judge(edge, {i == 0, i == 1}, deleted);
+    o.verdict = judge(edge, {i == 0, i == 1}, plan);
     o.limits = limits(mesh_.classification(edge));
     o.length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
     o.longest = 0.5 * spacing(ends[i]);
@@ -174,57 +178,60 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
   return outlooks;
 }
 
-Verdict PaperLoop::judge_swapping(Edge edge, EdgePair& pair) {
+Verdict PaperLoop::judge_swapping(Edge edge, Plan& plan) {
   hold(false);
-  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, pair);
-  if (verdict.accepted() && keeps_face_of(pair)) return {Reason::Kept, pair.a};
-  return verdict.accepted() ? guards_.judge(mesh_, pair) : verdict;
+  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, plan.pair);
+  if (verdict.accepted() && keeps_face_of(plan.pair)) return {Reason::Kept, plan.pair.a};
+  return verdict.accepted() ? guards_.judge(mesh_, plan.change, plan.pair) : verdict;
 }
 
 std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
   SwapOutlook o;
-  o.verdict = judge_swapping(edge, o.pair);
+  Plan plan;
+  o.verdict = judge_swapping(edge, plan);
+  o.pair = plan.pair;
   o.limits = limits({});
   return o;
 }
 
-Verdict PaperLoop::judge_smoothing(Vertex v, glm::dvec3& target) {
+Verdict PaperLoop::judge_smoothing(Vertex v, Plan& plan) {
   if (options_.kept(v)) return {Reason::Kept, v};
   hold(false);
-  const Verdict verdict = judge_smooth(mesh_, v, smooth_, target);
+  const Verdict verdict = judge_smooth(mesh_, v, smooth_, plan.move.target);
   if (!verdict.accepted() || !guards_.any()) return verdict;
   std::vector<std::uint32_t> derived;
-  gather(mesh_, v, faces_around(mesh_, v, derived), star_);
-  return guards_.judge(mesh_, v, star_, target);
+  gather(mesh_, v, faces_around(mesh_, v, derived), plan.move.star);
+  return guards_.judge(mesh_, plan.change, v, plan.move.star, plan.move.target);
 }
 
 std::optional<MoveOutlook> PaperLoop::move_outlook(Vertex v) {
   MoveOutlook o;
+  Plan plan;
+  plan.move.target = mesh_.position(v);
   o.vertex = v;
-  o.target = mesh_.position(v);
-  o.verdict = judge_smoothing(v, o.target);
+  o.verdict = judge_smoothing(v, plan);
+  o.target = plan.move.target;
   o.limits = limits({});
   return o;
 }
 
 bool PaperLoop::try_swap(Edge edge) {
-  EdgePair pair;
-  if (!judge_swapping(edge, pair).accepted()) return false;
+  if (!judge_swapping(edge, plan_).accepted()) return false;
+  const EdgePair& pair = plan_.pair;
   ++now_;
   apply_swap(mesh_, edge, pair);
   for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
-  made(StepKind::Swap, edge);
+  made(StepKind::Swap, edge, plan_.change);
   return true;
 }
 
 bool PaperLoop::try_smooth(Vertex v) {
-  glm::dvec3 target;
-  if (!judge_smoothing(v, target).accepted()) return false;
+  if (!judge_smoothing(v, plan_).accepted()) return false;
   ++now_;
-  apply_smooth(mesh_, v, target);
+  apply_smooth(mesh_, v, plan_.move.target);
   for (const Edge e : mesh_.row<1>(v))
     for (const Vertex u : mesh_.edge_vertices(e)) touch(u);
-  made(StepKind::Smooth, v);
+  made(StepKind::Smooth, v, plan_.change);
   return true;
 }
 

@@ -36,9 +36,9 @@ class PaperLoop final : public Loop {
  private:
   void set_rules();
   [[nodiscard]] Limits limits(ModelRef edge) const;
-  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Vertex& deleted);
-  [[nodiscard]] Verdict judge_smoothing(Vertex v, glm::dvec3& target);
-  [[nodiscard]] Verdict judge_swapping(Edge edge, EdgePair& pair);
+  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Plan& plan);
+  [[nodiscard]] Verdict judge_smoothing(Vertex v, Plan& plan);
+  [[nodiscard]] Verdict judge_swapping(Edge edge, Plan& plan);
   [[nodiscard]] double first_reach() const;
   void hold(bool collapses);
   void fill_spacing();
@@ -67,7 +67,6 @@ class PaperLoop final : public Loop {
   CollapseRules rules_;
   SmoothRules smooth_{TurnLimit(0)};
   Collapser collapser_;
-  Star star_;
   Column<Vertex, double> average_length_;  ///< of the edges at a vertex, at the start
   double reach_ = 1;  ///< how many times longer edges become; grows towards a target
   Column<Vertex, std::uint32_t>

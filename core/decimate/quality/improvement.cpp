@@ -73,13 +73,13 @@ bool QualityLoop::still_refused(const SwapBatch& batch) const {
 }
 
 bool QualityLoop::try_swap(Vertex a, Vertex b) {
-  EdgePair pair;
+  EdgePair& pair = plan_.pair;
   if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || keeps_face_of(pair) ||
-      !guards_.judge(mesh_, pair).accepted())
+      !guards_.judge(mesh_, plan_.change, pair).accepted())
     return false;
   fitter_.swapped(pair);
   apply_swap(mesh_, pair);
-  made(StepKind::Swap, pair.f);
+  made(StepKind::Swap, pair.f, plan_.change);
   for (const Face f : {pair.f, pair.g}) swapped_[f] = swap_stamp_;
   return true;
 }
@@ -95,12 +95,12 @@ bool QualityLoop::advance_smooth() {
 }
 
 bool QualityLoop::try_smooth(Vertex v) {
-  glm::dvec3 target;
-  if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, target).accepted())
+  auto& [target, star] = plan_.move;
+  if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, star, target).accepted())
     return false;
-  if (!guards_.judge(mesh_, v, fitter_.star(), target).accepted()) return false;
+  if (!guards_.judge(mesh_, plan_.change, v, star, target).accepted()) return false;
   apply_smooth(mesh_, v, target);
-  made(StepKind::Smooth, v);
+  made(StepKind::Smooth, v, plan_.change);
   return true;
 }
 

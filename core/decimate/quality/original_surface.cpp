@@ -10,11 +10,14 @@
 #include "core/base/parallel.h"
 #include "core/mesh/geometry.h"
 #include "core/model/triangle_tree.h"
+#include "core/operators/star.h"
 
 namespace aomd {
 namespace {
 
 constexpr std::size_t items_a_piece = 1024;
+
+bool has(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] == v || t[2] == v; }
 
 }  // namespace
 
@@ -115,9 +118,9 @@ bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
   const bool on_edge = (at.x > 0) + (at.y > 0) + (at.z > 0) > 1;
   const Vertex other = corners[k == 0 && at.y > 0 ? 1 : 2];
   bool moved = false;
-  for (const Face f : mesh.row<2>(corners[k])) {
+  for (const Face f : on_edge ? fewer_faces(mesh, corners[k], other) : mesh.row<2>(corners[k])) {
     const auto t = mesh.triangle(f);
-    if (f == from || (on_edge && t[0] != other && t[1] != other && t[2] != other)) continue;
+    if (f == from || (on_edge && !(has(t, corners[k]) && has(t, other)))) continue;
     const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
     glm::dvec3 place;
     const double d = nearest_barycentric(p.position, a, b, c, place);

@@ -34,7 +34,8 @@ Verdict QualityLoop::judge(Vertex a, Vertex b, Candidate& candidate) {
   candidate.cost = cost(a, b, candidate.contraction);
   if (!(candidate.cost < unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
-  return judge(candidate.contraction);
+  Plan plan;
+  return judge(candidate.contraction, plan);
 }
 
 Limits QualityLoop::limits(const TurnLimit& turn, double least_angle_deg) const {
@@ -67,9 +68,10 @@ std::optional<SwapOutlook> QualityLoop::swap_outlook(Edge edge) {
   if (phase_ == Phase::Collapse) return {};
   const auto [a, b] = mesh_.edge_vertices(edge);
   SwapOutlook o;
+  Change change;
   o.verdict = fitter_.judge_swap(a, b, fit_, o.pair);
   if (o.verdict.accepted() && keeps_face_of(o.pair)) o.verdict = {Reason::Kept, a};
-  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, o.pair);
+  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, change, o.pair);
   o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }
@@ -79,8 +81,11 @@ std::optional<MoveOutlook> QualityLoop::move_outlook(Vertex v) {
   MoveOutlook o;
   o.vertex = v;
   o.target = mesh_.position(v);
-  o.verdict = options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, o.target);
-  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, v, fitter_.star(), o.target);
+  Star star;
+  Change change;
+  o.verdict =
+      options_.kept(v) ? Verdict(Reason::Kept, v) : fitter_.judge_move(v, fit_, star, o.target);
+  if (o.verdict.accepted()) o.verdict = guards_.judge(mesh_, change, v, star, o.target);
   o.limits = limits(fit_.max_turn, fit_.least_angle.angle_deg());
   return o;
 }

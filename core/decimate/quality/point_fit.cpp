@@ -24,7 +24,8 @@ double triangle_quality(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
   return squares > 0 ? 2 * std::numbers::sqrt3 * glm::length(glm::cross(u, v)) / squares : 0;
 }
 
-bool Fitter::least_squares(Vertex v, const FitRules& rules, glm::dvec3& target) const {
+bool Fitter::least_squares(Vertex v, const Star& star, const FitRules& rules,
+                           glm::dvec3& target) const {
   const glm::dvec3 at = mesh_.position(v);
   Quadric error;
   glm::dvec3 centre(0.0), normal(0.0);
@@ -32,7 +33,7 @@ bool Fitter::least_squares(Vertex v, const FitRules& rules, glm::dvec3& target) 
   const OriginalPoint* anchor = nullptr;
   const double far = 0.1 * rules.far / rules.mean_square,
                off_far = 0.3 * rules.far / rules.mean_square;
-  for (const StarFace& f : star_) {
+  for (const StarFace& f : star) {
     const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
     const glm::dvec3 n = area_normal(at, p, q);
     const double length = glm::length(n);
@@ -72,10 +73,11 @@ bool Fitter::looks_away(const glm::dvec3& original, const glm::dvec3& normal,
   return original != glm::dvec3(0.0) && !rules.max_away.allows(original, normal);
 }
 
-Verdict Fitter::judge_target(Vertex v, const glm::dvec3& target, const FitRules& rules) const {
+Verdict Fitter::judge_target(Vertex v, const Star& star, const glm::dvec3& target,
+                             const FitRules& rules) const {
   constexpr double poor = 0.2;
   const glm::dvec3 from = mesh_.position(v);
-  for (const StarFace& f : star_) {
+  for (const StarFace& f : star) {
     const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(target, p, q);
     if (is_flat(target, p, q, after)) return {Reason::Flat, f.face};
@@ -94,17 +96,17 @@ Verdict Fitter::judge_target(Vertex v, const glm::dvec3& target, const FitRules&
   return {};
 }
 
-Verdict Fitter::judge_move(Vertex v, const FitRules& rules, glm::dvec3& target) {
+Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dvec3& target) const {
   if (mesh_.classification(v).dimension() < 2) return {Reason::Classification, v};
-  gather(mesh_, v, star_);
+  gather(mesh_, v, star);
   const glm::dvec3 from = mesh_.position(v);
   glm::dvec3 wanted;
-  if (!least_squares(v, rules, wanted)) return {Reason::Flat, v};
+  if (!least_squares(v, star, rules, wanted)) return {Reason::Flat, v};
   Verdict verdict;
   for (double part = 1; part > 0.2; part /= 2) {
     target = from + part * (wanted - from);
     if (rules.model) target = rules.model->snap(mesh_.classification(v), target);
-    verdict = judge_target(v, target, rules);
+    verdict = judge_target(v, star, target, rules);
     if (verdict.accepted()) break;
   }
   return verdict;

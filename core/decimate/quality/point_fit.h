@@ -47,11 +47,10 @@ class Fitter {
   /// faces around it, each seen as a plane through its face, pulled along the surface towards the
   /// neighbourhood's centre. Half or a quarter of the way where all of it goes too far. Refusals:
   /// Classification, Flat (no area around it), Angle (against what the face was, or the original
-  /// under it), Quality (a poor face would get poorer), Shape (below the least angle).
-  [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, glm::dvec3& target);
-
-  /// The faces around the vertex that judge_move() looked at last.
-  [[nodiscard]] const Star& star() const { return star_; }
+  /// under it), Quality (a poor face would get poorer), Shape (below the least angle). `star`
+  /// receives the faces around the vertex.
+  [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, Star& star,
+                                   glm::dvec3& target) const;
 
   /// Whether swapping the edge between a and b lowers the energy. Refusals: those of find_pair,
   /// Topology (the other diagonal exists), Flat, Angle (a new face against the two old ones
@@ -63,16 +62,16 @@ class Fitter {
   void swapped(const EdgePair& pair);
 
  private:
-  [[nodiscard]] Verdict judge_target(Vertex v, const glm::dvec3& target,
+  [[nodiscard]] Verdict judge_target(Vertex v, const Star& star, const glm::dvec3& target,
                                      const FitRules& rules) const;
-  [[nodiscard]] bool least_squares(Vertex v, const FitRules& rules, glm::dvec3& target) const;
+  [[nodiscard]] bool least_squares(Vertex v, const Star& star, const FitRules& rules,
+                                   glm::dvec3& target) const;
   [[nodiscard]] bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                                 const FitRules& rules) const;
   [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
 
   const Mesh& mesh_;
   OriginalSurface& original_;
-  Star star_;
 };
 
 }  // namespace aomd

@@ -183,14 +183,15 @@ bool QualityLoop::try_others(Vertex v) {
   return false;
 }
 
-Verdict QualityLoop::judge(const Contraction& c) {
-  const Verdict verdict = collapser_.judge(mesh_, c, rules_);
-  return verdict.accepted() ? guards_.judge(mesh_, c, collapser_.star(0), collapser_.star(1))
-                            : verdict;
+Verdict QualityLoop::judge(const Contraction& c, Plan& plan) {
+  const CollapsePlan& collapse = plan.collapse;
+  const Verdict verdict = collapser_.judge(mesh_, c, rules_, plan.collapse);
+  if (!verdict.accepted()) return verdict;
+  return guards_.judge(mesh_, plan.change, c, collapse.around_deleted(), collapse.around_kept());
 }
 
 bool QualityLoop::collapse(const Contraction& c) {
-  const Verdict verdict = judge(c);
+  const Verdict verdict = judge(c, plan_);
   if (!verdict.accepted()) {
     ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
     if (mesh_.stored(0, 1))
@@ -206,33 +207,23 @@ bool QualityLoop::collapse(const Contraction& c) {
   kept.area += state_[c.deleted].area;
   add_normal(c.kept, normal_[c.deleted]);
   original_.merged(c.deleted, c.kept);
-  collapser_.apply_accepted(mesh_, c);
+  collapser_.apply(mesh_, plan_.collapse);
   refresh_around(c.kept);
-  if (rules_.topology == TopologyRule::Paper) forget_lost_edges(c.kept);
-  admit_uncrowded(c.kept);
-  made(StepKind::Collapse, c.kept);
+  if (rules_.topology == TopologyRule::Paper) forget_lost_edges(plan_.collapse);
+  made(StepKind::Collapse, c.kept, plan_.change);
   return true;
 }
 
 // Without the link condition a third vertex of the faces that went may have no face with the kept
 // one any more: then their edge is no candidate.
-void QualityLoop::forget_lost_edges(Vertex kept) {
+void QualityLoop::forget_lost_edges(const CollapsePlan& made) {
+  const Vertex kept = made.contraction.kept;
   gather(mesh_, kept, star_);
-  for (const StarFace& f : collapser_.star()) {
+  for (const StarFace& f : made.around_deleted()) {
     if (!f.uses(kept)) continue;
     const Vertex third = f.third(kept);
     const auto uses_third = [third](const StarFace& g) { return g.uses(third); };
     if (std::none_of(star_.begin(), star_.end(), uses_third)) update(third, kept, unlimited);
-  }
-}
-
-// A third vertex of the faces that went may be crowded no more: then its edges are candidates.
-void QualityLoop::admit_uncrowded(Vertex kept) {
-  const Star& gone = collapser_.star();
-  for (const StarFace& f : gone) {
-    if (!f.uses(kept)) continue;
-    const std::size_t faces = mesh_.row<2>(f.third(kept)).size();
-    if (faces <= largest_star && faces + gone.size() > largest_star) refresh_around(f.third(kept));
   }
 }
 

@@ -75,10 +75,9 @@ class QualityLoop final : public Loop {
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);
-  void forget_lost_edges(Vertex kept);
-  void admit_uncrowded(Vertex kept);
+  void forget_lost_edges(const CollapsePlan& made);
   void fill_queue();
-  [[nodiscard]] Verdict judge(const Contraction& contraction);
+  [[nodiscard]] Verdict judge(const Contraction& contraction, Plan& plan);
 
   // What is said without being done (quality_outlook.cpp)
   /// With what would go where, and at what cost: infinite where it is out of the question.

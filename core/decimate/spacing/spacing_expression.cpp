@@ -17,7 +17,6 @@
 namespace aomd {
 namespace {
 
-
 std::string reason(const mu::ParserError& error) {
   const std::string token = shown(error.GetToken());
   switch (error.GetCode()) {
