@@ -53,10 +53,11 @@ def copy_sources(folder):
     for name in SOURCES:
         source = ROOT / name
         for file in [source] if source.is_file() else source.rglob("*"):
-            target = folder / file.relative_to(ROOT)
             if file.is_dir():
-                target.mkdir(parents=True, exist_ok=True)
-            elif not target.exists() or target.read_bytes() != file.read_bytes():
+                continue
+            target = folder / file.relative_to(ROOT)
+            if not target.exists() or target.read_bytes() != file.read_bytes():
+                target.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(file, target)
 
 
@@ -64,7 +65,7 @@ class Build:
     """The copy of the sources, and its tests."""
 
     def __init__(self, folder):
-        self.sources, self.binaries = folder / "sources", folder / "build"
+        self.sources, self.binaries = folder, folder / "build"
         self.sources.mkdir(parents=True, exist_ok=True)
         copy_sources(self.sources)
         if not (self.binaries / "CMakeCache.txt").exists():
