@@ -62,7 +62,7 @@ TEST(Attributes, NotesListAFewNames) {
   for (int i = 0; i < 1000; ++i) text += "u 1 1 int\n1\n";
   const io::ReadResult result = io::read_bytes("a.vtk", text);
   ASSERT_EQ(result.notes.size(), 1u);
-  EXPECT_TRUE(result.notes[0].ends_with("\"u (9)\" and 991 more")) << result.notes[0];
+  EXPECT_TRUE(result.notes[0].ends_with("\"u (13)\" and 987 more")) << result.notes[0];
 }
 
 /// The array that classifies is used up, another of its name is not.

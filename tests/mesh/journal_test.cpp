@@ -141,6 +141,22 @@ TEST(JournalTest, DecimationUndoesToTheStartAndRedoesToTheEnd) {
     }
 }
 
+// A long way is gone on the bare mesh: what can be derived comes back, and so do class lists.
+TEST(JournalTest, ASeekOverMoreThanTheMeshKeepsWhatIsDerived) {
+  Mesh mesh(zoo::square());
+  mesh.set(1, 2);
+  mesh.keep_class_lists(true);
+  Journal journal;
+  mesh.attach(&journal);
+  for (int k = 1; k <= 100; ++k) mesh.set_classification(Face(0), ModelRef(2, k));
+  journal.seek(mesh, 7);
+  ASSERT_NE(mesh.class_lists(), nullptr);
+  EXPECT_EQ(mesh.class_lists()->entities(2, ModelRef(2, 7)).size(), 1u);
+  EXPECT_TRUE(mesh.class_lists()->entities(2, ModelRef(2, 100)).empty());
+  EXPECT_TRUE(mesh.stored(1, 2));
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
 // Attached again, a journal counts the creations that it holds: undoing them touches no value that
 // was never kept.
 TEST(JournalTest, AJournalMayBeDetachedAndAttachedAgain) {

@@ -71,5 +71,19 @@ TEST(LongRowsTest, FromEitherEndToNothingAndBack) {
   }
 }
 
+// Both those that a row leaves as it grows and those of rows that go.
+TEST(LongRowsTest, BlocksAreUsedAgain) {
+  UpRows rows;
+  rows.allocate({});
+  std::size_t bytes = 0;
+  for (int round = 0; round < 100; ++round) {
+    rows.resize(3);
+    for (std::uint32_t n = 0; n < 3000; ++n) rows.insert(n % 3, n);
+    rows.resize(0);
+    if (round == 0) bytes = rows.bytes();
+    EXPECT_EQ(rows.bytes(), bytes) << round;
+  }
+}
+
 }  // namespace
 }  // namespace aomd
