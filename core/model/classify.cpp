@@ -42,7 +42,8 @@ class Classifier {
         options_(options),
         corner_(options.corner_angle_deg),
         needs_{mesh.request(2, 0, "classification"), mesh.request(0, 1, "classification"),
-               mesh.request(2, 1, "classification"), mesh.request(1, 2, "classification")} {}
+               mesh.request(2, 1, "classification"), mesh.request(1, 2, "classification")},
+        listed_(mesh.capacity(1)) {}
 
   ClassifyResult run() {
     if (!options_.keep_present) forget();
@@ -72,7 +73,7 @@ class Classifier {
     }
     for (const Edge e : mesh_.edges())
       if (const ModelRef m = mesh_.classification(e); m.dimension() == 1)
-        tags_[1].taken(m), edges_given_ = true;
+        tags_[1].taken(m), edges_given_ = true, listed_[e] = 1;
     for (const Vertex v : mesh_.vertices()) {
       const ModelRef m = mesh_.classification(v);
       if (m.dimension() <= 1) tags_[static_cast<std::size_t>(m.dimension())].taken(m);
@@ -154,8 +155,9 @@ class Classifier {
     for (const auto& [v, model] : found) mesh_.set_classification(v, model);
   }
 
-  // What the file says of a vertex is believed as far as model edges pass through it: on a model
-  // edge it is no corner, and on a model edge that is nowhere to be found it stays where it is.
+  // What the file says of a vertex is believed as far as model edges pass through it: between two
+  // edges that the file lists on one model edge it is no corner, and on a model edge that is
+  // nowhere to be found it stays where it is.
   [[nodiscard]] bool is_model_vertex(Vertex v) const {
     const auto is_feature = [&](Edge e) { return feature_[e] != 0; };
     const bool on_curve = mesh_.classification(v).dimension() == 1;
@@ -166,7 +168,8 @@ class Classifier {
                    second = mesh_.classification(ends.edges[1]);
     if ((first.dimension() == 1 || second.dimension() == 1) && first != second) return true;
     if (touches_other_faces(v, ends)) return true;
-    return !on_curve && curve_turns(mesh_, v, ends, corner_, is_feature);
+    const bool listed = on_curve && listed_[ends.edges[0]] && listed_[ends.edges[1]];
+    return !listed && curve_turns(mesh_, v, ends, corner_, is_feature);
   }
 
   // Whether a face at a vertex inside a curve lies on a model face that the curve does not bound:
@@ -246,6 +249,7 @@ class Classifier {
   TurnLimit corner_;
   std::array<Request, 4> needs_;
   Column<Edge, std::uint8_t> feature_;
+  Column<Edge, std::uint8_t> listed_;  ///< by the file, on a model edge
   std::array<FreshTags, 3> tags_;
   FeatureCount features_;
   bool faces_given_ = false, edges_given_ = false, curves_given_by_vertices_ = false;

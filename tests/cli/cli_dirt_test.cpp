@@ -1,5 +1,6 @@
 // Dirt in surfaces as the program names it: check, info, the notes of decimate, and repair --weld.
 
+#include "core/io/io.h"
 #include "tests/support/cli_helpers.h"
 
 namespace aomd::test {
@@ -195,6 +196,24 @@ TEST_F(DirtySphere, ALittleDirtIsToldWhenTheTargetIsMissed) {
   EXPECT_NE(missed.err.find("one.ply: repeated faces: 1 face on the vertices of others"),
             std::string::npos)
       << missed.err;
+}
+
+// What was welded before it was decimated is welded before its journal is replayed.
+TEST_F(DirtCommands, AJournalOfAWeldedSoupIsReplayed) {
+  sample("sphere", "s.ply", 4);
+  const MeshData whole = io::read(at("s.ply")).mesh;
+  MeshData soup;
+  for (const std::uint32_t v : whole.faces.vertices) soup.positions.push_back(whole.positions[v]);
+  for (std::uint32_t v = 0; v < soup.positions.size(); v += 3)
+    soup.faces.add(Shape::Triangle, {v, v + 1, v + 2});
+  io::write(at("soup.ply"), soup);
+  for (const char* weld : {"--weld", "--weld 1e-3"}) {
+    const std::string mended = std::string(" --repair ") + weld;
+    ASSERT_EQ(aomd("decimate soup.ply a.ply --target-faces 100 --journal j" + mended).code, 0);
+    const Outcome replayed = aomd("replay soup.ply j b.ply" + mended);
+    ASSERT_EQ(replayed.code, 0) << replayed.err;
+    EXPECT_EQ(text("a.ply"), text("b.ply")) << weld;
+  }
 }
 
 }  // namespace

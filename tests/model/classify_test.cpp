@@ -152,6 +152,19 @@ TEST(ClassifyTest, ABorderLiesOnTheModelEdgesThatItsVerticesName) {
   EXPECT_EQ(mesh.classification(Vertex(3)), ModelRef(0, 4));
 }
 
+// All vertices of the border on one model edge, as files without points have them: its four corners
+// are where it turns, whatever the file says.
+TEST(ClassifyTest, ABorderThatItsVerticesPutOnOneModelEdgeKeepsItsCorners) {
+  MeshData data = on_one_face(zoo::grid(4));
+  for (std::uint32_t v = 0; v < 25; ++v)
+    if (v % 5 == 0 || v % 5 == 4 || v < 5 || v >= 20) data.vertex_classes[v] = ModelRef(1, 3);
+  Mesh mesh(data);
+  EXPECT_EQ(classified(mesh).model_vertices, 4);
+  for (const std::uint32_t corner : {0u, 4u, 20u, 24u})
+    EXPECT_EQ(mesh.classification(Vertex(corner)).dimension(), 0);
+  EXPECT_EQ(mesh.classification(Vertex(2)), ModelRef(1, 3));
+}
+
 // A seam: vertices 7, 12 and 17 of the middle column lie on model edge 5, which ends in model
 // vertices 2 and 22 of the border; both sides lie on the same face, and no line is listed.
 TEST(ClassifyTest, ACurveInsideAFaceIsFoundWhereItsVerticesHaveTwoNeighboursOnIt) {

@@ -185,8 +185,9 @@ void Program::collapse_by_operator(Edge e) {
     if (twin_.plain().adjacent(Edge(wire), 2).empty()) return;
   Collapser collapser(twin_.mesh());
   const CollapseRules rules{TurnLimit(175), random(2) ? TopologyRule::Safe : TopologyRule::Paper};
-  if (collapser.judge(twin_.mesh(), e, gone, rules).accepted())
-    collapser.apply(twin_.mesh(), e, gone);
+  CollapsePlan plan;
+  if (collapser.judge(twin_.mesh(), e, gone, rules, plan).accepted())
+    collapser.apply(twin_.mesh(), plan);
 }
 
 void Program::change_relations() {

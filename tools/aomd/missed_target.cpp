@@ -67,8 +67,9 @@ class Help {
   /// Borders that should be none, and edges of many faces, are model edges as features are.
   [[nodiscard]] std::string against_classification() const {
     if (const std::string mending = by_mending(); !mending.empty()) return mending;
-    if (given_.feature_angle != "off") return "--feature-angle off";
-    return original_.classified() ? "aomd classify --replace" : "";
+    const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
+    if (by_file) return "aomd classify --replace";  // then the angle has no say
+    return given_.feature_angle != "off" ? "--feature-angle off" : "";
   }
 
   [[nodiscard]] std::string by_mending() const {

@@ -15,6 +15,7 @@
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/values.h"
+#include "tools/aomd/weld_option.h"
 
 namespace aomd::cli {
 namespace {
@@ -23,7 +24,16 @@ struct Options {
   std::string model, journal, output, format;
   std::optional<std::size_t> step;
   bool triangulate = false, repair = false, quiet = false;
+  WeldOption weld;  ///< with repair
 };
+
+void mend(const Options& options, MeshData& mesh) {
+  if (options.triangulate) triangulate_quads(mesh);
+  if (!options.repair || !mesh.regions.empty()) return;
+  RepairOptions how;
+  options.weld.apply(how, mesh);
+  repair(mesh, how);
+}
 
 std::size_t last_step(const Options& options, const Journal& journal) {
   const std::size_t step = options.step.value_or(journal.size());
@@ -40,8 +50,7 @@ int run(const Options& options) {
   io::JournalFile file = io::read_journal(options.journal);
   const std::size_t step = last_step(options, file.journal);
   io::ReadResult read = read_mesh(options.model, options.quiet);
-  if (options.triangulate) triangulate_quads(read.mesh);
-  if (options.repair && read.mesh.regions.empty()) repair(read.mesh);
+  mend(options, read.mesh);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
   if (file.start.counts[1] < mesh.count(1))
@@ -84,8 +93,9 @@ void add_replay(CLI::App& app, Action& action) {
       ->transform(whole_number(0, std::uint64_t{1} << 32));
   command->add_flag("--triangulate", options->triangulate,
                     "First cuts quads, as aomd decimate --triangulate did");
-  command->add_flag("--repair", options->repair,
-                    "First mends the mesh, as aomd decimate --repair did");
+  CLI::Option* repair = command->add_flag("--repair", options->repair,
+                                          "First mends the mesh, as aomd decimate --repair did");
+  add_weld(*command, options->weld)->needs(repair);
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
