@@ -22,7 +22,8 @@ double extent(const Mesh& mesh) {
   VertexBuffer buffer;
   for (const Face f : mesh.faces())
     for (const std::uint32_t v : mesh.vertices_of(f, buffer)) box.add(mesh.position(Vertex(v)));
-  return box.diagonal();
+  const glm::dvec3 size = box.high - box.low;
+  return box.empty() ? 0 : std::max({size.x, size.y, size.z});
 }
 
 }  // namespace

@@ -215,9 +215,13 @@ class Su2Reader {
     end_of_item();
   }
 
+  /// Corners count from the first point of the zone.
   void push(Shape shape, std::span<const std::int64_t> corners, ModelRef model) {
     EntityList& list = mesh_.list(shape_template(shape).dimension);
-    append(list, shape, corners);
+    list.shapes.push_back(shape);
+    for (const std::int64_t corner : corners)
+      list.vertices.push_back(static_cast<std::uint32_t>(first_point_) +
+                              static_cast<std::uint32_t>(corner));
     if (model.valid()) list.classes.push_back(model);
   }
 

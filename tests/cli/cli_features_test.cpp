@@ -35,7 +35,7 @@ MeshData pyramids() {
 TEST_F(CliFeatures, SpheresInFacetsReachTheirTarget) {
   put_mesh("spheres.ply", test::together({test::sphere(16, 8), test::sphere(12, 8)}));
   ASSERT_EQ(aomd("decimate spheres.ply o.ply --target-faces 80 --report r.json").code, 0);
-  EXPECT_EQ(report()["stopped"], "target");
+  EXPECT_EQ(report()["stopped"]["why"], "target");
   EXPECT_EQ(report()["options"]["feature_angle_deg"], 20.0);
 }
 
@@ -46,7 +46,7 @@ TEST_F(CliFeatures, ThatCostTooMuchOfTheTargetAreNotKept) {
   EXPECT_EQ(run.err,
             "aomd: note: pyramids.ply: 221 model vertices would take more than half of 100 faces: "
             "only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)\n");
-  EXPECT_EQ(report()["stopped"], "target");
+  EXPECT_EQ(report()["stopped"]["why"], "target");
   EXPECT_EQ(report()["options"]["feature_angle_deg"], 50.0);
 }
 
@@ -54,7 +54,7 @@ TEST_F(CliFeatures, ThatAreAskedForAreKept) {
   put_mesh("pyramids.ply", pyramids());
   const std::string run = "decimate pyramids.ply o.ply --target-faces 100 --report r.json";
   EXPECT_EQ(aomd(run + " --feature-angle 20").code, 0);
-  EXPECT_EQ(report()["stopped"], "done");
+  EXPECT_EQ(report()["stopped"]["why"], "missed");
   EXPECT_EQ(report()["output"]["faces"], 400);
   EXPECT_EQ(report()["options"]["feature_angle_deg"], 20.0);
 }

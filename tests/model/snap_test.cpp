@@ -120,20 +120,6 @@ TEST_F(SnapCommand, WrongModelsAreNamed) {
   EXPECT_FALSE(exists("o.ply"));
 }
 
-// A vertex inside of model face 1 lies on model face 7, which has no facets to be snapped to.
-TEST_F(SnapCommand, AClassThatTheFacetsOfTheInputLackIsNamed) {
-  put("s.ply",
-      "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty "
-      "double z\nproperty uchar model_dimension\nproperty int model_tag\nelement face 4\nproperty "
-      "list uchar int vertex_indices\nproperty uchar model_dimension\nproperty int model_tag\n"
-      "end_header\n0 0 0 0 1\n1 0 0 0 2\n1 1 0 0 3\n0 1 0 0 4\n0.5 0.5 0 2 7\n"
-      "3 0 1 4 2 1\n3 1 2 4 2 1\n3 2 3 4 2 1\n3 3 0 4 2 1\n");
-  expect_failure(
-      "decimate s.ply o.ply --snap model", 3,
-      "s.ply: --snap model: the mesh lies on model face 7, which the model does not have");
-  EXPECT_FALSE(exists("o.ply"));
-}
-
 TEST_F(SnapCommand, ABareMeshIsClassifiedOnItsModel) {
   if (!has_gmsh()) GTEST_SKIP() << "built without Gmsh";
   put("cylinder.geo", "SetFactory(\"OpenCASCADE\");\nCylinder(1) = {0, 0, 0, 0, 0, 2, 1};\n");

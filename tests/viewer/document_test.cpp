@@ -112,10 +112,12 @@ TEST(Document, ACancelledRunKeepsWhatItDid) {
 
 TEST(Document, FeatureAngleIsOneCommandThatCanBeUndone) {
   Session s;
-  drive(s, {"sample sphere 8", "expect model-faces = 1", "feature-angle 3"});
+  s.show(make_loaded(zoo::tetrahedron(), "tetrahedron"));
+  s.refresh();
+  drive(s, {"expect model-faces = 4", "feature-angle off"});
   EXPECT_EQ(s.document().marks().size(), 1u);
-  EXPECT_THROW(drive(s, {"expect model-faces = 1"}), ExpectationMissed);
-  drive(s, {"undo", "expect model-faces = 1"});
+  EXPECT_THROW(drive(s, {"expect model-faces = 4"}), ExpectationMissed);
+  drive(s, {"expect model-faces = 1", "undo", "expect model-faces = 4"});
 }
 
 TEST(Document, WhatTheFileSaysWinsAgainWhenAnglesChange) {
