@@ -8,7 +8,7 @@
 
 namespace aomd {
 
-/// The first two edges of curves at a vertex, and how many there are.
+/// The first two edges of curves at a vertex, and how many there are: 3 stands for more, too.
 struct CurveEnds {
   std::array<Edge, 2> edges;
   std::size_t count = 0;
@@ -18,8 +18,11 @@ struct CurveEnds {
 template <typename OnCurve>
 [[nodiscard]] CurveEnds curve_at(const Mesh& mesh, Vertex v, const OnCurve& on_curve) {
   CurveEnds ends;
-  for (const Edge e : mesh.row<1>(v))
-    if (on_curve(e) && ends.count++ < 2) ends.edges[ends.count - 1] = e;
+  for (const Edge e : mesh.row<1>(v)) {
+    if (!on_curve(e)) continue;
+    if (ends.count == 2) return {ends.edges, 3};
+    ends.edges[ends.count++] = e;
+  }
   return ends;
 }
 

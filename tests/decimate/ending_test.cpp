@@ -65,6 +65,21 @@ TEST(EndingTest, NumbersNearTheEndOfWhatThereIsEndOrAreRefused) {
       }
 }
 
+// Thousands of faces around each vertex: none is moved where each new face would be held against
+// all the others.
+TEST(EndingTest, CopiesOfOneFaceEndUnderGuardsToo) {
+  MeshData data = zoo::triangle();
+  for (int copy = 1; copy < 20000; ++copy) data.faces.add(Shape::Triangle, {0, 1, 2});
+  for (const Strategy strategy : {Strategy::Paper, Strategy::Quality})
+    for (const TopologyRule topology : {TopologyRule::Safe, TopologyRule::Paper})
+      EXPECT_EQ(faces_after(data, {.strategy = strategy,
+                                   .target_faces = out_of_reach,
+                                   .max_distance = 0.1,
+                                   .no_intersections = true,
+                                   .topology = topology}),
+                20000u);
+}
+
 // Lengths over tens of decades: the spacing goes from one to the next in few sweeps.
 TEST(EndingTest, TheSpacingGrowsInFewSweepsWhereLengthsAreFarApart) {
   MeshData data = zoo::make({}, {});

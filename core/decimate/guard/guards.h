@@ -31,11 +31,14 @@ class Guards {
 
   /// Judges what an operator has accepted: a contraction with the faces around both ends, a pair of
   /// faces, or a vertex with the faces around it and where it goes. `change` receives what it comes
-  /// to, where there is a guard to be told.
+  /// to, where there is a guard to be told. What changes more faces than the stars of two vertices
+  /// that are not crowded is refused: each new face is held against all others.
   template <typename... Operation>
   [[nodiscard]] Verdict judge(const Mesh& mesh, Change& change, const Operation&... operation) {
     if (!any()) return {};
     describe(mesh, operation..., change);
+    if (change.created.size() > 2 * largest_star)
+      return {distance_ ? Reason::Distance : Reason::Intersection, change.created[0].face};
     Verdict verdict = distance_ ? distance_->judge(change) : Verdict();
     if (verdict.accepted() && intersections_) verdict = intersections_->judge(change);
     return verdict;
