@@ -116,6 +116,14 @@ TEST(MeshTest, RefusesWhatIsNoEntity) {
   EXPECT_EQ(mesh.count(2), 2u);
 }
 
+TEST(MeshTest, ATriangleIsNotFoundByFourVertices) {
+  Mesh mesh(zoo::square());
+  mesh.set(0, 2);
+  const Vertex four[] = {Vertex(0), Vertex(1), Vertex(2), Vertex(3)};
+  EXPECT_EQ(mesh.find_face(std::span(four).first(3)), Face(0));
+  EXPECT_FALSE(mesh.find_face(four).valid());
+}
+
 TEST(MeshTest, RequestsAreCountedAndFreeTheirMemory) {
   Mesh mesh(zoo::torus(12, 9));
   {
