@@ -180,6 +180,13 @@ TEST(DecimationTest, NewOptionsStartAfresh) {
   EXPECT_LT(run.mesh.count(2), coarse);
 }
 
+TEST(DecimationTest, AMisclassifiedMeshIsRefused) {
+  Mesh mesh(zoo::square());
+  mesh.set_classification(Face(0), ModelRef(2, 1));
+  mesh.set_classification(Vertex(0), ModelRef(3, 1));
+  EXPECT_THROW(Decimation(mesh, {}), std::invalid_argument);
+}
+
 TEST(DecimationTest, ReleasesWhatItRequested) {
   Job run(zoo::torus(12, 9), {});
   EXPECT_TRUE(run.mesh.stored(0, 1) && run.mesh.stored(0, 2));

@@ -51,6 +51,14 @@ TEST(EndingTest, ASurfaceInOnePointEnds) {
     EXPECT_EQ(faces_after(data, {.strategy = strategy, .target_faces = out_of_reach}), 216u);
 }
 
+TEST(EndingTest, MeshesPastTheRangeOfSinglePrecisionAreRefused) {
+  for (const double size : {1e-21, 1e-19, 1e17, 1e19}) {
+    MeshData data = zoo::square();
+    for (glm::dvec3& p : data.positions) p *= size;
+    EXPECT_EQ(decimation_obstacle(Mesh(data)) == nullptr, size == 1e-19 || size == 1e17) << size;
+  }
+}
+
 TEST(EndingTest, NumbersNearTheEndOfWhatThereIsEndOrAreRefused) {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double size : {1e-320, 1e-200, 1e-30, 1e-19, 1e17, 1e30, 1e200, 1e307, infinite})

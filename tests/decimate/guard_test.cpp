@@ -187,9 +187,26 @@ TEST(IntersectionGuard, WhatCutsItselfAlreadyMayDoSoButNotMore) {
   IntersectionGuard guard(mesh);
   EXPECT_TRUE(guard.judge(move_of(mesh, Vertex(9), {0, 0, 0.9})).accepted());  // as before
   EXPECT_TRUE(guard.judge(move_of(mesh, Vertex(9), {0, 0, 0.3})).accepted());  // not any more
-  const Change more = move_of(mesh, Vertex(9), {0.1, 0.05, 0.9});
-  const std::size_t then = self_intersections(Mesh(after(mesh, more))).size();
-  EXPECT_EQ(guard.judge(more).accepted(), then <= start);
+  bool some_add = false;
+  for (const double x : {-0.4, -0.2, 0.1, 0.3})
+    for (const double z : {-0.3, 0.2, 0.9, 2.0}) {
+      const Change more = move_of(mesh, Vertex(5), {x, -0.3, z});
+      const std::size_t then = self_intersections(Mesh(after(mesh, more))).size();
+      EXPECT_EQ(guard.judge(more).accepted(), then <= start) << x << ' ' << z;
+      some_add = some_add || then > start;
+    }
+  EXPECT_TRUE(some_add);
+}
+
+TEST(FaceTree, AFaceIsFoundWhereItWasPut) {
+  FaceTree tree(prepared(zoo::grid(4)));
+  tree.put(Face(0), {glm::dvec3{9, 9, 9}, {10, 9, 9}, {9, 10, 9}});
+  std::vector<Face> found;
+  const auto note = [&](const FaceTree::Item& item) { found.push_back(item.face); };
+  Box there;
+  there.add(glm::dvec3(9.5, 9.5, 9));
+  tree.touching(there, note);
+  EXPECT_EQ(found, std::vector{Face(0)});
 }
 
 }  // namespace

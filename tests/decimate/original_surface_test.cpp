@@ -176,6 +176,18 @@ TEST(OriginalSurfaceTest, RedistributingKeepsTheSet) {
   expect_lists(d.mesh, *d.original);
 }
 
+// Two faces back to back, of which the upper one is folded away: the other one lies nearer to the
+// point at its tip, but looks down.
+TEST(OriginalSurfaceTest, PointsStayOnTheirSideOfAThinWall) {
+  Mesh mesh(zoo::make({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 1, -0.1}}, {{0, 1, 2}, {1, 0, 3}}));
+  mesh.set(0, 2);
+  OriginalSurface original(mesh);
+  mesh.move(Vertex(2), {0.5, -1, 0.5});
+  original.locate(mesh);
+  EXPECT_EQ(original.points()[2].face, 0u);
+  EXPECT_EQ(original.points()[2].distance2, 1.0f);
+}
+
 // The sheet that the points know, with its middle vertex lifted.
 TEST(FitterTest, ALiftedVertexGoesBack) {
   Mesh mesh(zoo::grid(4));
@@ -190,6 +202,23 @@ TEST(FitterTest, ALiftedVertexGoesBack) {
   ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, target).accepted());
   EXPECT_LT(std::abs(target.z), 0.02);
   EXPECT_LT(glm::length(target - glm::dvec3(2, 2, 0)), 0.1);
+}
+
+// The whole way would turn faces around it by 23 degrees, half of it by 12.
+TEST(FitterTest, AVertexThatMayNotGoAllTheWayGoesHalfOfIt) {
+  Mesh mesh(zoo::grid(4));
+  classify(mesh);
+  mesh.set(0, 2);
+  OriginalSurface original(mesh);
+  mesh.move(Vertex(12), {2, 2, 0.3});
+  original.locate(mesh);
+  Fitter fitter(mesh, original);
+  glm::dvec3 whole, half;
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, whole).accepted());
+  FitRules rules;
+  rules.max_turn = TurnLimit(15);
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), rules, half).accepted());
+  EXPECT_LE(glm::length(half - 0.5 * (whole + glm::dvec3(2, 2, 0.3))), 1e-12);
 }
 
 TEST(FitterTest, VerticesOnModelEdgesAndOverTurnedFacesStay) {

@@ -40,6 +40,51 @@ TEST(QualityOptionsTest, SwapsAndSmoothingCanBeLeftOut) {
     }
 }
 
+// But for the one that watches which way faces look: on this scan all do as they should.
+TEST(QualityOptionsTest, EveryIdeaMakesADifference) {
+  const auto result = [](std::uint32_t without) {
+    Mesh mesh = classified(make_sample("scan", 3000));
+    DecimationOptions options = quality(mesh.count(2) / 10, 0);
+    options.without = without;
+    Decimation(mesh, options).run();
+    return test::without_edges(mesh);
+  };
+  const std::string with_all = result(0);
+  for (int k = 0; k < idea_count; ++k)
+    EXPECT_EQ(result(1u << k) != with_all, static_cast<Idea>(k) != Idea::Facing)
+        << idea_name(static_cast<Idea>(k));
+}
+
+// One to a little above the target, three to the target and after it.
+TEST(QualityOptionsTest, TheLastCollapsesAreImprovedThreeTimes) {
+  Mesh mesh = classified(make_sample("scan", 3000));
+  Decimation decimation(mesh, quality(mesh.count(2) / 4));
+  decimation.run();
+  ASSERT_EQ(decimation.sweeps().size(), 4u);
+  for (const SweepStatistics& sweep : decimation.sweeps()) EXPECT_GT(sweep.smooths, 0u);
+}
+
+// All that collapses know of a cube without model edges is what they add up.
+TEST(QualityOptionsTest, ACubeKeepsItsCornersWithoutModelEdges) {
+  MeshData data = make_sample("box", 8);
+  data.vertex_classes.clear(), data.faces.classes.clear(), data.edges = {};
+  Mesh mesh(data);
+  classify(mesh, {.feature_angle_deg = {}});
+  DecimationOptions options = quality(48);
+  options.swap = options.smooth = false;
+  options.without = 1u << static_cast<int>(Idea::SecondStage);
+  Decimation(mesh, options).run();
+  EXPECT_LE(mesh.count(2), 48u);
+  for (const double x : {0.0, 1.0})
+    for (const double y : {0.0, 1.0})
+      for (const double z : {0.0, 1.0}) {
+        double nearest = 1;
+        for (const Vertex v : mesh.vertices())
+          nearest = std::min(nearest, glm::length(mesh.position(v) - glm::dvec3(x, y, z)));
+        EXPECT_LE(nearest, 0.01) << x << y << z;
+      }
+}
+
 TEST(QualityOptionsTest, KeptVerticesStayWhereTheyAre) {
   Mesh mesh = classified(make_sample("torus", 60));
   const auto keep =

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/io/output_files.h"
+#include "core/io/output_target.h"
 #include "tests/support/io_helpers.h"
 
 namespace aomd {
@@ -144,6 +145,27 @@ TEST(OutputFiles, APipeGetsTheBytes) {
   EXPECT_EQ(got, "new");
   EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
   EXPECT_EQ(folder.entries(), 1u);
+}
+
+// A pipe that does not block takes a part of it.
+TEST(OutputFiles, APartOfTheBytesIsNotAllOfThem) {
+  int ends[2];
+  ASSERT_EQ(::pipe2(ends, O_NONBLOCK | O_CLOEXEC), 0);
+  EXPECT_TRUE(io::detail::write_all(ends[1], std::string(100, 'x')));
+  EXPECT_FALSE(io::detail::write_all(ends[1], std::string(1 << 22, 'x')));
+  ::close(ends[0]), ::close(ends[1]);
+}
+
+TEST(OutputFiles, KeepThePermissionsOfWhatTheyReplace) {
+  const TemporaryFolder folder;
+  for (const ::mode_t mode : {0600u, 0640u, 0755u}) {
+    io::write_file(folder / "a", "old");
+    ASSERT_EQ(::chmod((folder / "a").c_str(), mode), 0);
+    io::write_file(folder / "a", "new");
+    struct stat info {};
+    ASSERT_EQ(::stat((folder / "a").c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 07777u, mode);
+  }
 }
 
 TEST(OutputFiles, ADescriptorGoesOnWhereItIs) {

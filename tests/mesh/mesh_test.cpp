@@ -104,6 +104,26 @@ TEST(MeshTest, RefusesWhatTCannotSay) {
   EXPECT_THROW(mesh.unset(1, 0), std::logic_error);
 }
 
+TEST(MeshTest, RefusesWhatIsNoEntity) {
+  Mesh mesh(zoo::square());
+  mesh.set(0, 1);
+  const Vertex twice[] = {Vertex(0), Vertex(1), Vertex(1)};
+  EXPECT_THROW(mesh.create_face(twice), std::invalid_argument);
+  EXPECT_THROW(mesh.create_edge(Vertex(1), Vertex(1)), std::invalid_argument);
+  EXPECT_THROW(mesh.create_edge(Vertex(1), Vertex(0)), std::invalid_argument);
+  EXPECT_THROW(mesh.set_classification(Face(0), ModelRef(1, 1)), std::invalid_argument);
+  EXPECT_EQ(mesh.count(1), 5u);
+  EXPECT_EQ(mesh.count(2), 2u);
+}
+
+TEST(MeshTest, ATriangleIsNotFoundByFourVertices) {
+  Mesh mesh(zoo::square());
+  mesh.set(0, 2);
+  const Vertex four[] = {Vertex(0), Vertex(1), Vertex(2), Vertex(3)};
+  EXPECT_EQ(mesh.find_face(std::span(four).first(3)), Face(0));
+  EXPECT_FALSE(mesh.find_face(four).valid());
+}
+
 TEST(MeshTest, RequestsAreCountedAndFreeTheirMemory) {
   Mesh mesh(zoo::torus(12, 9));
   {

@@ -211,6 +211,15 @@ TEST(ClassifyTest, ModelFacesThatTouchInAPointDoSoInAModelVertex) {
   EXPECT_EQ(mesh.classification(Vertex(4)), ModelRef(2, 2));
 }
 
+// Vertex 0 is in the middle of a straight border and, of other faces, of a disc.
+TEST(ClassifyTest, ABorderThatTouchesAFaceDoesSoInAModelVertex) {
+  Mesh mesh(zoo::make(
+      {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, -1, 1}, {0, -1, -1}, {0, 1, -1}},
+      {{0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 4}}));
+  classified(mesh);
+  EXPECT_EQ(mesh.classification(Vertex(0)).dimension(), 0);
+}
+
 // Tags end at 2^28 - 1: new ones then fill the gaps.
 TEST(ClassifyTest, NewTagsFillTheGapsWhereTheLargestIsTaken) {
   MeshData data = zoo::grid(2);

@@ -15,6 +15,7 @@
 #include "core/model/classify.h"
 #include "tests/model/feature_shapes.h"
 #include "tests/model/shape_builder.h"
+#include "tests/support/zoo.h"
 
 namespace aomd {
 namespace {
@@ -95,6 +96,31 @@ TEST(Features, DoNotDependOnWhichSideFacesLookTo) {
     score.add(features_of(turned));
     EXPECT_GE(std::min(score.recall(), score.precision()), 0.98) << shape.name;
   }
+}
+
+TEST(Features, AreNoneWhereNeighboursLookToOppositeSides) {
+  MeshData data = zoo::grid(12);
+  for (std::size_t f = 0; f < data.faces.size() / 2; ++f)
+    std::swap(data.faces.vertices[3 * f], data.faces.vertices[3 * f + 1]);
+  const FeatureCount count = features_of(data).count;
+  EXPECT_EQ(count.sharp, 0u);
+  EXPECT_EQ(count.rough, 0u);
+}
+
+// A ridge in the middle of a sheet, of so many edges, which are the only ones past 70 degrees.
+MeshData with_ridge(std::uint32_t edges) {
+  MeshData data = zoo::grid(20);
+  for (std::uint32_t i = 0; i <= edges; ++i) data.positions[10 * 21 + 6 + i].z = 1;
+  return data;
+}
+
+TEST(Features, AnOpenCurveHasEightEdgesOrMore) {
+  const FeatureCount eight = features_of(with_ridge(8), 70).count;
+  EXPECT_EQ(eight.sharp, 8u);
+  EXPECT_EQ(eight.rough, 0u);
+  const FeatureCount seven = features_of(with_ridge(7), 70).count;
+  EXPECT_EQ(seven.sharp, 0u);
+  EXPECT_EQ(seven.rough, 7u);
 }
 
 TEST(Features, OfASphereInFacetsAreNone) {

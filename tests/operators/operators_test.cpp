@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/mesh/verify.h"
+#include "core/model/analytic_model.h"
 #include "core/model/classify.h"
 #include "core/operators/collapse.h"
 #include "core/operators/smooth.h"
@@ -280,6 +281,23 @@ TEST(SmoothTest, MovesToTheAverageAndAlongModelEdgesOnly) {
   ASSERT_TRUE(judge_smooth(b.mesh, Vertex(1), TurnLimit(10), target).accepted());
   EXPECT_EQ(target, glm::dvec3(1, 0, 0)) << "on the model edge 0-1-2";
   EXPECT_EQ(judge_smooth(b.mesh, Vertex(0), TurnLimit(10), target).reason, Reason::Classification);
+}
+
+TEST(SmoothTest, AnEndOfACurveStays) {
+  Bench b(zoo::grid(2));
+  b.mesh.move(Vertex(1), {1.4, 0, 0});
+  b.mesh.set_classification(b.edge(0, 1), ModelRef(1, 99));
+  glm::dvec3 target;
+  EXPECT_EQ(judge_smooth(b.mesh, Vertex(1), TurnLimit(10), target).reason, Reason::Classification);
+}
+
+TEST(SmoothTest, GoesOntoTheModel) {
+  Bench b(zoo::grid(2));
+  const ModelRef face = b.mesh.classification(Vertex(4));
+  const AnalyticModel model({{face.tag(), PlaneShape{Frame::around({0, 0, 0.01}, {0, 0, 1})}, {}}});
+  glm::dvec3 target;
+  ASSERT_TRUE(judge_smooth(b.mesh, Vertex(4), {TurnLimit(10), &model}, target).accepted());
+  EXPECT_EQ(target, glm::dvec3(1, 1, 0.01));
 }
 
 TEST(SmoothTest, IsRefusedPastTheAngle) {
