@@ -214,10 +214,11 @@ TEST(FitterTest, AVertexThatMayNotGoAllTheWayGoesHalfOfIt) {
   original.locate(mesh);
   Fitter fitter(mesh, original);
   glm::dvec3 whole, half;
-  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, whole).accepted());
+  Star star;
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, whole).accepted());
   FitRules rules;
   rules.max_turn = TurnLimit(15);
-  ASSERT_TRUE(fitter.judge_move(Vertex(12), rules, half).accepted());
+  ASSERT_TRUE(fitter.judge_move(Vertex(12), rules, star, half).accepted());
   EXPECT_LE(glm::length(half - 0.5 * (whole + glm::dvec3(2, 2, 0.3))), 1e-12);
 }
 
