@@ -58,7 +58,7 @@ class Mesh {
   void swap(Mesh& other) noexcept;
 
   // Entities
-  // ------------------------------------------------------------------------------------------------
+  // ----------------------------------------------------------------------------------------------
   [[nodiscard]] std::uint32_t count(int dim) const { return level(dim).ids.size(); }
   /// One past the largest id: the size for columns.
   [[nodiscard]] std::uint32_t capacity(int dim) const { return level(dim).ids.capacity(); }

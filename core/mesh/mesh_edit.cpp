@@ -143,7 +143,7 @@ void Mesh::note_created(EntityRef e, bool fresh) {
 }
 
 // Creation
-// ---------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 Vertex Mesh::create_vertex(const glm::dvec3& position, ModelRef model) {
   require_class(Vertex(), model);
@@ -270,7 +270,7 @@ Region Mesh::create_region(Shape shape, std::span<const Face> faces, ModelRef mo
 }
 
 // Deletion
-// ---------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 std::vector<EntityRef> Mesh::users(EntityRef e) const {
   std::vector<EntityRef> result;

@@ -13,9 +13,9 @@ enum class Reason : std::uint8_t {
   Spacing,         ///< the edge is not shorter than the spacing of either end; number: its length
   Classification,  ///< paper section 3: the deleted vertex must lie on what the edge lies on, and
                    ///< not on a model vertex
-  Topology,  ///< the link condition: the surface would be pinched, doubled or torn
-  Flat,      ///< a face would have no area
-  Angle,     ///< a face normal would turn too far; number: degrees
+  Topology,        ///< the link condition: the surface would be pinched, doubled or torn
+  Flat,            ///< a face would have no area
+  Angle,           ///< a face normal would turn too far; number: degrees
   Quality,   ///< the shape would not get better; number: the smallest angle that would result, in
              ///< degrees
   Kept,      ///< the user wants the vertex to stay where it is

@@ -134,7 +134,7 @@ TEST(SpacingTest, OptionsMustBePositive) {
 }
 
 // Files
-// ----------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 struct SpacingFileTest : testing::Test {
   std::filesystem::path write(const std::string& text) {
@@ -203,7 +203,7 @@ TEST_F(SpacingFileTest, AFileGoesBeforeAWordAndAFormula) {
 }
 
 // Formulas
-// -------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 //  6--7--8     x and y run from 0 to 2, z is 0; so the diagonal of the box is sqrt(8)
 //  |/ |/ |
@@ -281,7 +281,7 @@ TEST(SpacingFormulaTest, ResultsMustBePositiveAndFinite) {
 }
 
 // Growth
-// ---------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 void expect_limited(const Mesh& mesh, double growth, const Column<Vertex, double>& before,
                     const Column<Vertex, double>& after) {

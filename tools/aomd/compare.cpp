@@ -98,7 +98,7 @@ std::vector<std::string> objections(const Comparison& c, const Options& options)
   return list;
 }
 
-// -------------------------------------------------------------------------------------------------
+// -----------------------------------------------------------------------------------------------
 // JSON --
 
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
@@ -137,7 +137,7 @@ Json comparison_json(const Comparison& c, const std::vector<std::string>& object
           {"objections", objections}};
 }
 
-// -------------------------------------------------------------------------------------------------
+// -----------------------------------------------------------------------------------------------
 // text --
 
 template <typename... Values>

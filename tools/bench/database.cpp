@@ -58,7 +58,7 @@ Mesh with(const MeshData& data, const Cells& cells) {
 }
 
 // Memory
-// -----------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 void print_memory(const MeshData& data, int dim) {
   const std::vector<std::pair<const char*, Cells>> surface = {
@@ -102,7 +102,7 @@ void print_memory(const MeshData& data, int dim) {
 }
 
 // Building
-// ---------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 // Reads what defines the relation and writes as many bytes as it takes: fresh memory on both runs.
 double plain_loop(const std::vector<std::uint32_t>& source, std::size_t bytes) {
@@ -161,7 +161,7 @@ void print_building(const MeshData& data, const Cells& cells) {
 }
 
 // Queries
-// ----------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------
 
 void print_query(const Mesh& mesh, int i, int j, const std::string& stored) {
   const AdjacencyPath path = explain(mesh, i, j);
