@@ -59,6 +59,19 @@ TEST(JournalTest, AnEditAfterUndoDiscardsTheFuture) {
   EXPECT_EQ(mesh.position(Vertex(0)), glm::dvec3(1, 2, 3));
 }
 
+TEST(JournalTest, AnIdThatWasTakenAgainIsFreeAfterUndo) {
+  Mesh mesh;
+  mesh.create_vertex({0, 0, 0});
+  mesh.create_vertex({1, 0, 0});
+  mesh.destroy(Vertex(0));
+  Journal journal;
+  mesh.attach(&journal);
+  EXPECT_EQ(mesh.create_vertex({2, 0, 0}), Vertex(0));
+  journal.undo(mesh);
+  EXPECT_TRUE(verify(mesh).empty());
+  EXPECT_EQ(mesh.create_vertex({3, 0, 0}), Vertex(0));
+}
+
 TEST(JournalTest, WhatIsCutOffIsNoPartOfTheStepBefore) {
   Mesh mesh(zoo::square());
   Journal journal;
