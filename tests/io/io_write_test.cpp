@@ -139,8 +139,11 @@ TEST(Write, RegionsAndWhatDoesNotFitAreRefused) {
   EXPECT_THROW(io::write(folder / "a.stl", mesh, {.binary = true}), io::WriteError);
   io::write(folder / "a.ply", mesh);
   EXPECT_EQ(io::read(folder / "a.ply").mesh.positions[0].x, 1e300);
-  mesh.positions[0].x = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(io::write(folder / "a.ply", mesh), io::WriteError);
+  for (const double x :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    mesh.positions[0].x = x;
+    EXPECT_THROW(io::write(folder / "a.ply", mesh), io::WriteError);
+  }
   mesh = make_sample("box", 1);
   mesh.regions.add(Shape::Tetrahedron, {0, 1, 2, 3});
   EXPECT_THROW(io::write(folder / "a.ply", mesh), io::WriteError);

@@ -59,6 +59,37 @@ TEST(JournalTest, AnEditAfterUndoDiscardsTheFuture) {
   EXPECT_EQ(mesh.position(Vertex(0)), glm::dvec3(1, 2, 3));
 }
 
+TEST(JournalTest, AnIdThatWasTakenAgainIsFreeAfterUndo) {
+  Mesh mesh;
+  mesh.create_vertex({0, 0, 0});
+  mesh.create_vertex({1, 0, 0});
+  mesh.destroy(Vertex(0));
+  Journal journal;
+  mesh.attach(&journal);
+  EXPECT_EQ(mesh.create_vertex({2, 0, 0}), Vertex(0));
+  journal.undo(mesh);
+  EXPECT_TRUE(verify(mesh).empty());
+  EXPECT_EQ(mesh.create_vertex({3, 0, 0}), Vertex(0));
+}
+
+TEST(JournalTest, WhatIsCutOffIsNoPartOfTheStepBefore) {
+  Mesh mesh(zoo::square());
+  Journal journal;
+  mesh.attach(&journal);
+  journal.keep_cut(true);
+  mesh.move(Vertex(0), {1, 2, 3});
+  mesh.move(Vertex(1), {4, 5, 6});
+  journal.undo(mesh);
+  mesh.move(Vertex(2), {7, 8, 9});
+  const auto cut = journal.take_cut();
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->steps.size(), 1u);
+  journal.seek(mesh, 0);
+  journal.redo(mesh);
+  EXPECT_EQ(mesh.position(Vertex(0)), glm::dvec3(1, 2, 3));
+  EXPECT_EQ(mesh.position(Vertex(1)), glm::dvec3(1, 0, 0));
+}
+
 TEST(JournalTest, StepsWithoutEditsLeaveNoTrace) {
   Mesh mesh(zoo::square());
   Journal journal;

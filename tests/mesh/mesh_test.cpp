@@ -214,6 +214,33 @@ TEST(EntityHashTest, GrowsTenfoldWhenCrowdedAndStaysConsistent) {
   EXPECT_EQ(EntityHash::mix(1), 0x6e789e6aa1b965f4ull) << "keys must be the same on every platform";
 }
 
+TEST(AttachedTest, OneColumnGoesAndTheOthersStay) {
+  Mesh mesh(zoo::square());
+  mesh.attached<Vertex, double>("heat", 1.0);
+  mesh.attached<Vertex, double>("mass", 2.0);
+  EXPECT_TRUE(mesh.drop_attached(0, "heat"));
+  ASSERT_EQ(mesh.attached(0).size(), 1u);
+  EXPECT_EQ(mesh.attached(0)[0]->name(), "mass");
+}
+
+TEST(EntityHashTest, CountsWhatIsLeft) {
+  EntityHash set;
+  set.build(61);
+  for (std::uint32_t id = 0; id < 20; ++id) set.insert(7, id);
+  EXPECT_GT(set.statistics().crowded, 0u);
+  for (std::uint32_t id = 0; id < 20; ++id) set.erase(id);
+  EXPECT_EQ(set.statistics().used, 0u);
+  EXPECT_EQ(set.statistics().crowded, 0u);
+}
+
+TEST(ClassListsTest, NameNoModelEntityThatNothingLiesOn) {
+  Mesh mesh(zoo::square());
+  mesh.set_classification(Face(0), ModelRef(2, 1));
+  mesh.keep_class_lists(true);
+  mesh.set_classification(Face(0), ModelRef(2, 2));
+  EXPECT_EQ(mesh.class_lists()->models(2), (std::vector<ModelRef>{ModelRef(2, 2), ModelRef()}));
+}
+
 TEST(ClassListsTest, FollowEveryEdit) {
   Mesh mesh(zoo::grid(3));
   mesh.keep_class_lists(true);
