@@ -17,13 +17,21 @@ namespace {
 // Costs are sums of squared distances times areas, many of them stored in single precision.
 constexpr double smallest_extent = 1e-20, largest_extent = 1e18;
 
-double extent(const Mesh& mesh) {
-  Box box;
+bool usual(const Box& box) {
+  const glm::dvec3 sides = box.high - box.low;
+  const double size = box.empty() ? 0 : std::max({sides.x, sides.y, sides.z});
+  return size == 0 || (size >= smallest_extent && size <= largest_extent);
+}
+
+// Vertices that no face uses have no say; only where all together are unusual does that matter.
+bool has_usual_size(const Mesh& mesh) {
+  Box all, used;
+  for (const Vertex v : mesh.vertices()) all.add(mesh.position(v));
+  if (usual(all)) return true;
   VertexBuffer buffer;
   for (const Face f : mesh.faces())
-    for (const std::uint32_t v : mesh.vertices_of(f, buffer)) box.add(mesh.position(Vertex(v)));
-  const glm::dvec3 size = box.high - box.low;
-  return box.empty() ? 0 : std::max({size.x, size.y, size.z});
+    for (const std::uint32_t v : mesh.vertices_of(f, buffer)) used.add(mesh.position(Vertex(v)));
+  return usual(used);
 }
 
 }  // namespace
@@ -48,11 +56,8 @@ const char* decimation_obstacle(const Mesh& mesh) {
   for (const Face f : mesh.faces())
     if (mesh.shape(f) != Shape::Triangle)
       return "Only triangles can be decimated, and there are quads: --triangulate cuts them.";
-  const double size = extent(mesh);
-  if (size > 0 && size < smallest_extent)
-    return "The mesh is less than 1e-20 across, too small to decimate: write it in a smaller unit.";
-  if (size > largest_extent)
-    return "The mesh is more than 1e+18 across, too large to decimate: write it in a larger unit.";
+  if (!has_usual_size(mesh))
+    return "Only meshes from 1e-20 to 1e+18 across can be decimated: write it in another unit.";
   return nullptr;
 }
 

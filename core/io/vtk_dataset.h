@@ -38,10 +38,9 @@ using FailAtCell = std::function<void(std::size_t cell, const std::string& what)
 /// polygons with more than 4 corners triangulated, higher-order cells reduced to their corners
 /// (nodes that nothing else uses are dropped), vertex cells only classify. Arrays become
 /// attributes. Classes come from the arrays model_dimension and model_tag of points and cells; else
-/// from the first one-component array of whole numbers among CellEntityIds, gmsh:geometrical,
-/// medit:ref, material, attribute and region: the tag of a model entity of the cell's own
-/// dimension. Throws ReadError, through `fail` where a cell is at fault. Linear; memory in
-/// proportion to the grid's.
+/// from the first one-component array of whole numbers among label_names: the tag of a model entity
+/// of the cell's own dimension. Throws ReadError, through `fail` where a cell is at fault. Linear;
+/// memory in proportion to the grid's.
 [[nodiscard]] ReadResult mesh_of(VtkDataset grid, const Source& source, const FailAtCell& fail);
 
 /// The grid of a mesh: edges, faces, regions. Attributes of one name become one array of the cells;
@@ -79,7 +78,8 @@ inline constexpr std::string_view dimension_name = "model_dimension", tag_name =
                                   coverage_name = "attribute_dimensions";
 
 /// Cell arrays of other programs that classify, the most telling first.
-inline constexpr std::array<std::string_view, 6> label_names{
-    "CellEntityIds", "gmsh:geometrical", "medit:ref", "material", "attribute", "region"};
+inline constexpr std::array<std::string_view, 11> label_names{
+    "CellEntityIds", "gmsh:geometrical", "gmsh:physical", "medit:ref", "material", "Material",
+    "MaterialIds",   "attribute",        "region",        "Region",    "RegionIds"};
 
 }  // namespace aomd::io::detail

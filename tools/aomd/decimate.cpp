@@ -114,7 +114,6 @@ class Run {
   void classify_mesh() {
     progress_.show("classifying");
     classify_by_angle();
-    if (const auto finding = first_misclassified(mesh_)) refuse(*finding);
     if (!options_.paper() && !model_ && !options_.snaps())
       keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
@@ -129,10 +128,6 @@ class Run {
     input_ = measure::count_entities(mesh_);
     if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, input_, false));
     watch_.lap();
-  }
-
-  [[noreturn]] void refuse(const Finding& finding) const {
-    throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding.text);
   }
 
   // The mesh may lie on what its own facets do not give, such as a model face without faces.
@@ -229,7 +224,8 @@ class Run {
   [[noreturn]] void blame(const Finding& finding) const {
     Mesh start(original_);
     classify(start, how_);
-    if (const auto findings = verify(start); !findings.empty()) refuse(findings.front());
+    if (const auto findings = verify(start); !findings.empty())
+      throw io::ReadError(options_.input, {}, "cannot be decimated: " + findings.front().text);
     const bool journal = !options_.journal.empty();
     if (journal) io::write_journal(output_path(options_.journal), record_);
     throw InternalFault(options_.input + ": internal fault: in the result " + finding.text +
