@@ -84,6 +84,8 @@ struct FaceKey {
 
 /// The entities of one level, sorted by smallest vertex. Building is a counting sort; finding reads
 /// one byte of each entity at the smallest vertex, 16 at a time, and then the one that is meant.
+/// Where a vertex is the smallest of more than `long_row` entities, they are sorted by their tags
+/// and searched by halves.
 template <typename Key>
 class SideIndex {
  public:
@@ -118,14 +120,18 @@ class SideIndex {
       bytes[at] = byte_of(key.tag);
       all[at] = {key.tag, Hit(id, key.forward)};
     });
+    for (std::uint32_t v = 0; v < vertices; ++v)
+      if (begin[v + 1] - begin[v] > long_row)
+        std::stable_sort(all + begin[v], all + begin[v + 1], by_tag);
   }
 
   /// The entity with this key for which `same(id)` holds, or an invalid hit.
   template <typename Same>
   [[nodiscard]] Hit find(const Key& key, Same&& same) const {
-    const std::uint32_t end = begin_[key.low + std::size_t{1}];
+    const std::uint32_t begin = begin_[key.low], end = begin_[key.low + std::size_t{1}];
+    if (end - begin > long_row) return find_sorted(key, begin, end, same);
     const std::uint8_t byte = byte_of(key.tag);
-    for (std::uint32_t at = begin_[key.low]; at < end; at += 16) {
+    for (std::uint32_t at = begin; at < end; at += 16) {
       unsigned hits = equal_bytes(bytes_.data() + at, byte);
       hits &= end - at < 16 ? (1u << (end - at)) - 1 : ~0u;
       for (; hits; hits &= hits - 1)
@@ -141,6 +147,19 @@ class SideIndex {
     typename Key::Tag tag;
     Hit hit;
   };
+  static constexpr std::uint32_t long_row = 256;
+
+  static bool by_tag(const Entry& a, const Entry& b) { return a.tag < b.tag; }
+  template <typename Same>
+  [[nodiscard]] Hit find_sorted(const Key& key, std::uint32_t begin, std::uint32_t end,
+                                Same&& same) const {
+    const Entry* const last = entries_.data() + end;
+    const Entry* entry =
+        std::lower_bound(entries_.data() + begin, last, Entry{key.tag, {}}, by_tag);
+    for (; entry != last && entry->tag == key.tag; ++entry)
+      if (same(entry->hit.id())) return entry->hit;
+    return {};
+  }
   static std::uint8_t byte_of(std::uint64_t tag) {
     return static_cast<std::uint8_t>((tag * 0x9e3779b97f4a7c15ull) >> 56);
   }

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
 #include "core/mesh/relation.h"
+#include "core/mesh/verify.h"
 
 namespace aomd {
 namespace {
@@ -82,6 +86,34 @@ TEST(LongRowsTest, BlocksAreUsedAgain) {
     rows.resize(0);
     if (round == 0) bytes = rows.bytes();
     EXPECT_EQ(rows.bytes(), bytes) << round;
+  }
+}
+
+// A hub, vertex 0, with `rim` faces around it, in an order that chance gave; edge (0, 3) listed
+// twice.
+MeshData hub(std::uint32_t rim) {
+  MeshData data;
+  data.positions.resize(rim + 1, {0, 0, 0});
+  std::vector<std::uint32_t> order(rim);
+  std::iota(order.begin(), order.end(), 1u);
+  for (const std::uint32_t v : order) data.positions[v] = {std::cos(v), std::sin(v), 0};
+  std::shuffle(order.begin(), order.end(), std::mt19937(7));
+  for (const std::uint32_t v : order) data.faces.add(Shape::Triangle, {0, v, v % rim + 1});
+  for (const std::uint32_t v : order) data.edges.add(Shape::Line, {v, 0}, ModelRef(1, 7));
+  data.edges.add(Shape::Line, {3, 0}, ModelRef(1, 8));
+  return data;
+}
+
+// Sides at a vertex of few faces are found by looking at all, at one of many by halves. Of an edge
+// that is listed twice the last class counts.
+TEST(LongRowsTest, SidesAtAHubAreFound) {
+  for (const std::uint32_t rim : {20u, 250u, 256u, 257u, 3000u}) {
+    Mesh mesh(hub(rim));
+    mesh.set(2, 1);
+    EXPECT_EQ(mesh.count(1), 2 * rim);
+    EXPECT_TRUE(verify(mesh).empty()) << rim;
+    EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(3))), ModelRef(1, 8)) << rim;
+    EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(4))), ModelRef(1, 7)) << rim;
   }
 }
 

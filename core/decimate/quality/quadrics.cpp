@@ -1,5 +1,7 @@
 // The quadrics of the quality strategy: what the surface around each vertex is.
 
+#include <utility>
+
 #include "core/decimate/quality/quality_loop.h"
 #include "core/mesh/geometry.h"
 
@@ -45,10 +47,12 @@ void QualityLoop::quadrics_of_points() {
 }
 
 // A model edge is a plane at right angles to each face beside it, by the square of its length.
+// These are looked for around the end that has few faces, should the other be crowded.
 void QualityLoop::quadrics_of_model_edges() {
   for (const Edge e : mesh_.edges()) {
     if (mesh_.classification(e).dimension() > 1) continue;
-    const auto [a, b] = mesh_.edge_vertices(e);
+    auto [a, b] = mesh_.edge_vertices(e);
+    if (crowded(mesh_, a) && mesh_.row<2>(b).size() < mesh_.row<2>(a).size()) std::swap(a, b);
     const glm::dvec3 along = mesh_.position(b) - mesh_.position(a);
     gather(mesh_, a, star_);
     for (const StarFace& f : star_) {
