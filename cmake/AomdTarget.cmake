@@ -15,7 +15,7 @@ function(aomd_target name)
     $<$<BOOL:${AOMD_WERROR}>:-Werror>)
   # GCC 12 warns about `"text" + std::string` at -O3 (GCC bugs 105651 and 105329).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(${name} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+    target_compile_options(${name} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
   if(AOMD_SANITIZE)
     set(sanitizers $<IF:$<STREQUAL:${AOMD_SANITIZE},THREAD>,thread,address$<COMMA>undefined>)

@@ -134,8 +134,8 @@ ReadResult read_source(const Source& source) {
   if (!found) refuse_foreign(source);
   if (!found && !named)
     source.fail(
-        "is in no format that is known here: .obj, .ply, .off, .stl, .msh, .mesh, .vtk, "
-        ".vtu or .su2");
+        "is in no format that is known here: .obj, .ply, .off, .stl, .msh, .mesh, .meshb, "
+        ".vtk, .vtu or .su2");
   ReadResult result = read_as(found ? *found : *named, source);
   detail::rename_repeated(result.mesh.attributes, result.notes);
   if (found && named && *found != *named) {

@@ -172,7 +172,7 @@ class Run {
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
     if (required > 0 && !options_.quiet)
-      print_notes(options_.input, {counted(required, "required vertex") + " kept where they are"});
+      print_notes(options_.input, {counted(required, "required vertex") + " kept in place"});
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
