@@ -8,9 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/base/box.h"
 #include "core/base/text.h"
-#include "core/decimate/spacing/spacing_expression.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
@@ -41,13 +39,6 @@ std::string dear_features(int model_vertices, std::uint32_t faces) {
   return std::to_string(model_vertices) + " model vertices would take more than half of " +
          counted(faces, "face") +
          ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
-}
-
-/// The box of what faces use.
-Box box_of(const MeshData& mesh) {
-  Box box;
-  for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
-  return box;
 }
 
 /// One run, stage by stage; each fills its part of the report.
@@ -167,7 +158,7 @@ class Run {
   /// What the decimation is told that needs the mesh.
   void add_what_needs_the_mesh() {
     if (options_.max_distance_pct > 0)
-      steps_.max_distance = options_.max_distance_pct / 100 * box_of(original_).diagonal();
+      steps_.max_distance = options_.max_distance_pct / 100 * diagonal_of(original_);
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);

@@ -16,13 +16,13 @@ std::optional<double> number_of(std::string text) {
   return parse_number(text);
 }
 
+}  // namespace
+
 double diagonal_of(const MeshData& mesh) {
   Box box;
   for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
   return box.diagonal();
 }
-
-}  // namespace
 
 void WeldOption::apply(RepairOptions& repair, const MeshData& mesh) const {
   if (!on()) return;

@@ -9,6 +9,9 @@
 
 namespace aomd::cli {
 
+/// From corner to corner of the box of what faces use: what percent of lengths are of.
+[[nodiscard]] double diagonal_of(const MeshData& mesh);
+
 /// A tolerance as given: nothing, a length, or percent of the diagonal.
 struct WeldOption {
   std::string text;
