@@ -25,7 +25,7 @@ std::vector<std::size_t> starts_of(const EntityList& list) {
   return starts;
 }
 
-/// The same entities in another order, or some of them.
+/// Some of a list's entities, or all, in the order given.
 EntityList picked(const EntityList& list, const std::vector<std::uint32_t>& order) {
   const std::vector<std::size_t> starts = starts_of(list);
   EntityList result;

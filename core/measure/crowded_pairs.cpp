@@ -17,7 +17,7 @@ namespace {
 
 using glm::dvec3;
 
-// So many triangles at one corner are compared with each other; more are a crowd.
+// Triangles at one corner that are compared with each other, at most; more are a crowd.
 constexpr std::uint32_t most_at_a_corner = 256;
 constexpr std::size_t nodes_a_piece = 512;
 constexpr std::size_t least_slots = 1024;

@@ -114,7 +114,7 @@ std::string lies_on(Session& session, Arguments&) {
   return e.valid() ? model_level(session.document().mesh(), e) : "unknown";
 }
 
-/// The same of the vertices of the selected entity.
+/// The model levels that the vertices of the selected entity lie on.
 std::string ends(Session& session, Arguments&) {
   const EntityRef e = session.sheet().selection.single();
   const Mesh& mesh = session.document().mesh();

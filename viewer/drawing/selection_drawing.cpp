@@ -11,7 +11,8 @@ constexpr Color accent = rgb(0xff9f0a);
 constexpr Color rim = rgb(0x1b2430);
 constexpr float rim_px = 2.2f;  // how much wider the dark line below is
 constexpr Color hole = rgb(0xffffff);
-// The same from both ends, so that the sides of two faces fall together; parts of a line.
+// Dashes and gaps as parts of a line, the same from both ends, so that the sides of two faces fall
+// together.
 constexpr int dashes = 4;
 constexpr float gap = 0.12f;
 constexpr float dash = (1 - (dashes - 1) * gap) / dashes;
