@@ -111,7 +111,7 @@ void MshMesh::finish(NodeClasses known, bool make_table) {
     element_tags_[dim].build(std::move(elements_[dim].tags));
 }
 
-void MshMesh::sort(Elements& elements) const {
+void MshMesh::sort(Elements& elements) {
   const std::vector<std::uint32_t> order = ascending_order(elements.tags);
   if (order.empty()) return;
   elements.list = picked(elements.list, order);

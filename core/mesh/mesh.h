@@ -329,7 +329,7 @@ class Mesh {
   [[nodiscard]] std::uint32_t find_by_hash(int dim, std::span<const std::uint32_t> vertices) const;
   [[nodiscard]] std::uint64_t hash_key(EntityRef e) const;
   [[nodiscard]] bool same_vertices(EntityRef e, std::span<const std::uint32_t> vertices) const;
-  [[nodiscard]] bool corners_from_sides(Shape shape, int k, const std::uint32_t* sides,
+  [[nodiscard]] bool corners_from_sides(Shape whole, int k, const std::uint32_t* sides,
                                         VertexBuffer& buffer) const;
   [[nodiscard]] std::uint32_t side_of(EntityRef e, int k, int i,
                                       std::span<const std::uint32_t> vertices) const;

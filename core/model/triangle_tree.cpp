@@ -177,7 +177,7 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
                d4 = glm::dot(ac, bp);
   const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  double y, z;  // of b and c
+  double y = 0, z = 0;  // of b and c
   if (va > 0 && vb > 0 && vc > 0) {
     const double sum = va + vb + vc;
     y = vb / sum, z = vc / sum;

@@ -120,7 +120,7 @@ class TriangleTree {
 /// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time
 /// Collision Detection, section 5.1.5). Returns the squared distance.
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c, glm::dvec3& barycentric);
+                           const glm::dvec3& c, glm::dvec3& at);
 
 /// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
 [[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);

@@ -9,12 +9,12 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input, output, format;
   bool ascii = false, binary = false, msh2 = false;
 };
 
-int run(const Options& options) {
+int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   check_files({{"IN", options.input}}, {{"OUT", options.output}});
   const io::ReadResult read = read_mesh(options.input);
@@ -30,7 +30,7 @@ int run(const Options& options) {
 void add_convert(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("convert", "Writes a mesh in the format that OUT's extension names");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());

@@ -21,7 +21,7 @@ namespace aomd::cli {
 /// faces with it, besides those that stay anyway (`keep`, or null). Null where nothing
 /// stays. `required` receives the number of required vertices. O(entities).
 [[nodiscard]] std::shared_ptr<const Column<Vertex, std::uint8_t>> keep_required(
-    const Mesh& mesh, std::shared_ptr<const Column<Vertex, std::uint8_t>> keep,
+    const Mesh& mesh, const std::shared_ptr<const Column<Vertex, std::uint8_t>>& keep,
     std::size_t& required);
 
 }  // namespace aomd::cli

@@ -38,6 +38,8 @@ namespace aomd::scene {
 
 // What handlers of several files need.
 
+/// No count that a line gives is larger.
+inline constexpr long long largest_count = 1'000'000'000;
 /// A file as a line names it: ~/ is the user's own folder. In command_files.cpp.
 [[nodiscard]] std::filesystem::path expanded(const std::string& text);
 /// Throws CommandError where there is no mesh yet. In command_files.cpp.

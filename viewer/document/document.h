@@ -183,7 +183,7 @@ class Document {
   std::size_t operate(std::string label, const std::function<void()>& edit);
   [[nodiscard]] std::size_t classified_at() const;
   [[nodiscard]] std::size_t classified_start() const;
-  void fit_to(GivenModel& model);
+  void fit_to(GivenModel& given);
   const Model* model_to_snap_to();
   void make_original();
   void forget_fits();

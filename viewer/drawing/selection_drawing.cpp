@@ -1,6 +1,7 @@
 #include "viewer/drawing/selection_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mesh/side_index.h"
 
@@ -18,7 +19,7 @@ constexpr float gap = 0.12f;
 constexpr float dash = (1 - (dashes - 1) * gap) / dashes;
 
 Color with_alpha(Color color, float alpha) {
-  return (color & 0x00ffffffu) | static_cast<Color>(255.0f * alpha + 0.5f) << 24;
+  return (color & 0x00ffffffu) | static_cast<Color>(std::lround(255.0f * alpha)) << 24;
 }
 
 /// Puts one entity into an overlay.
