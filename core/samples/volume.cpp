@@ -1,4 +1,4 @@
-// Volume samples: boxes of every shape, a drilled box and a ball, all classified.
+// Volume samples: boxes of every shape, a drilled box, a layered beam and a ball, all classified.
 
 #include <algorithm>
 #include <array>
@@ -63,17 +63,6 @@ class Grid {
   std::array<int, 3> cells_;
   int rows_;
 };
-
-/// Model faces 1 to 6 of the box between two corners, in the order -x, +x, -y, +y, -z, +z; `inside`
-/// otherwise.
-std::int32_t side_of_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high,
-                         std::int32_t inside) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (p[axis] == low[axis]) return 2 * axis + 1;
-    if (p[axis] == high[axis]) return 2 * axis + 2;
-  }
-  return inside;
-}
 
 constexpr ModelRef solid(3, 1);
 
@@ -221,6 +210,35 @@ MeshData make_tet_drilled(int cells) {
   grid.for_each_cell([&](int i, int j, int k) { add_tetrahedra(mesh, grid.cell(i, j, k), solid); });
   classify_below_regions(mesh, [](const glm::dvec3& p) {
     return side_of_box(p, {-1, -1, 0}, {1, 1, 1}, 7);
+  });
+  return mesh;
+}
+
+// Three layers, of 1, 2 and 1 cells, one on the other; the temperature falls along the beam and
+// towards its upper side, and what bends it pulls above the middle and presses below.
+MeshData make_layered_beam(int n) {
+  constexpr int length = 10, width = 2, height = 4;
+  constexpr ModelRef layers[height] = {{3, 1}, {3, 2}, {3, 2}, {3, 3}};
+  MeshData mesh;
+  const Grid grid(length * n, width * n, height * n);
+  grid.add_vertices(
+      mesh, [&](int i, int j, int k) { return glm::dvec3(i, j, k) / static_cast<double>(n); });
+  grid.for_each_cell(
+      [&](int i, int j, int k) { add_tetrahedra(mesh, grid.cell(i, j, k), layers[k / n]); });
+  Attribute temperature{"temperature", 0, 1, false, {}}, stress{"stress", 3, 1, false, {}};
+  for (const glm::dvec3& p : mesh.positions) temperature.values.push_back(400 - 8 * p.x - 5 * p.z);
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+    glm::dvec3 sum(0);
+    for (std::size_t k = 0; k < 4; ++k) sum += mesh.positions[mesh.regions.vertices[4 * r + k]];
+    stress.values.push_back((length - sum.x / 4) * (sum.z / 4 - 0.5 * height));
+  }
+  mesh.attributes = {temperature, stress};
+  // Model faces: 1 below, 2 and 3 between the layers, 4 above, then the four sides of each layer.
+  constexpr double planes[] = {0, 1, 3, height};
+  classify_below_regions(mesh, [&](const glm::dvec3& p) {
+    const auto next = std::lower_bound(std::begin(planes), std::end(planes), p.z);
+    const auto at = static_cast<std::int32_t>(next - std::begin(planes));
+    return *next == p.z ? at + 1 : 4 * at + side_of_box(p, {0, 0, -1}, {length, width, 9}, 0);
   });
   return mesh;
 }
