@@ -40,6 +40,15 @@ inline void gather(const Mesh& mesh, Vertex v, Ball& ball) {
   }
 }
 
+/// More tetrahedra around a vertex than this are a crowd, as largest_star is among faces: the
+/// vertex takes part in no collapse until enough of its neighbours have gone into each other.
+inline constexpr std::size_t largest_ball = 1024;
+
+/// T(0,3) must be stored.
+[[nodiscard]] inline bool in_crowd(const Mesh& mesh, Vertex v) {
+  return mesh.row<3>(v).size() > largest_ball;
+}
+
 /// Fills `star` with the faces around a vertex that lie on model faces, in ascending order: those
 /// that are listed, where level 2 is not complete (Mesh::request_listed). T(0,2) and T(2,0) must be
 /// stored, these faces be triangles. O(faces around the vertex).

@@ -58,6 +58,8 @@ class Help {
         return "leaving out --no-intersections";
       case Reason::None:
       case Reason::Quality:
+      case Reason::Inverted:
+      case Reason::Overshoot:
         break;
     }
     return "";
