@@ -23,6 +23,9 @@ template <std::unsigned_integral N>
   return grouped(static_cast<std::int64_t>(n));
 }
 
+/// A number as messages show it: so many digits, no trailing zeros.
+[[nodiscard]] std::string number_text(double value, int digits = 6);
+
 /// "a, b or c", where the last two are joined by " or ".
 template <typename Words>
 [[nodiscard]] std::string joined(const Words& words, std::string_view last) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/box.h"
+#include "core/decimate/loop.h"
 #include "core/decimate/paper/paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
@@ -144,6 +145,8 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(dec
   begin(options);
 }
 
+Decimation::~Decimation() = default;
+
 void Decimation::begin(const DecimationOptions& options) {
   const bool paper = options.strategy == Strategy::Paper;
   const char* name = paper ? PaperLoop::name : QualityLoop::name;
@@ -174,6 +177,21 @@ void Decimation::set_options(const DecimationOptions& options) {
 }
 
 void Decimation::invalidate() { loop_->restart(DecimationOptions(options())); }
+
+const DecimationOptions& Decimation::options() const { return loop_->options(); }
+Phase Decimation::phase() const { return loop_->phase(); }
+double Decimation::progress() const { return loop_->progress(); }
+const std::vector<SweepStatistics>& Decimation::sweeps() const { return loop_->sweeps(); }
+double Decimation::spacing(Vertex v) const { return loop_->spacing(v); }
+Reason Decimation::last_refusal(Edge e) const { return loop_->last_refusal(e); }
+Verdict Decimation::judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
+std::uint32_t Decimation::swap_pass() { return loop_->swap_pass(); }
+std::uint32_t Decimation::smooth_pass() { return loop_->smooth_pass(); }
+std::vector<CollapseOutlook> Decimation::outlook(Edge edge) { return loop_->outlook(edge); }
+
+std::optional<SwapOutlook> Decimation::swap_outlook(Edge edge) { return loop_->swap_outlook(edge); }
+
+std::optional<MoveOutlook> Decimation::move_outlook(Vertex v) { return loop_->move_outlook(v); }
 
 std::optional<Operation> Decimation::step() {
   while (!done())

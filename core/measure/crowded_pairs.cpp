@@ -17,7 +17,7 @@ namespace {
 
 using glm::dvec3;
 
-// Triangles at one corner that are compared with each other, at most; more are a crowd.
+// So many triangles at one corner are compared with each other; more are a crowd.
 constexpr std::uint32_t most_at_a_corner = 256;
 constexpr std::size_t nodes_a_share = 512;
 constexpr std::size_t least_slots = 1024;
@@ -90,8 +90,8 @@ class CrowdedPairs {
     std::array<std::uint32_t, 3> points{};  ///< its corners, those that all have in common first
   };
 
-  [[nodiscard]] auto visiting(const std::vector<Item>& x, const TriangleTree& of_x,
-                              const std::vector<Item>& y, const TriangleTree& of_y) const {
+  [[nodiscard]] auto visiting(const std::vector<Item>& x, const BoxTree& of_x,
+                              const std::vector<Item>& y, const BoxTree& of_y) const {
     return [&](std::uint32_t n, std::uint32_t m) {
       visit_(x[of_x.source(n)].triangle, y[of_y.source(m)].triangle);
     };
@@ -100,7 +100,7 @@ class CrowdedPairs {
   // All pairs of items whose first `shared` corners are the same.
   void meet(const std::vector<Item>& items, std::size_t shared) {
     std::vector<std::vector<Item>> parts = parted(items, shared);
-    std::vector<TriangleTree> trees;
+    std::vector<BoxTree> trees;
     trees.reserve(parts.size());
     for (const auto& part : parts) trees.push_back(tree_of(part, shared));
     parallel_for(trees[0].nodes(), threads_, nodes_a_share, [&](std::size_t b, std::size_t e) {
@@ -144,15 +144,19 @@ class CrowdedPairs {
       }
   }
 
-  // A tree only of boxes, each as a triangle that fills it.
-  [[nodiscard]] TriangleTree tree_of(const std::vector<Item>& items, std::size_t shared) const {
-    std::vector<Triangle> boxes;
-    boxes.reserve(items.size());
-    for (const Item& item : items) {
-      const Box box = box_of(item, shared);
-      boxes.push_back({box.low, box.high, box.low});
+  [[nodiscard]] BoxTree tree_of(const std::vector<Item>& items, std::size_t shared) const {
+    std::vector<BoxTree::Item> places;
+    places.reserve(items.size());
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+      const Box box = box_of(items[i], shared);
+      places.push_back({box.low + box.high, i});
     }
-    return TriangleTree(boxes, threads_);
+    BoxTree tree(places, threads_);
+    std::vector<Box> boxes;
+    boxes.reserve(items.size());
+    for (const BoxTree::Item& place : places) boxes.push_back(box_of(items[place.source], shared));
+    tree.fit(std::move(boxes));
+    return tree;
   }
 
   [[nodiscard]] Box box_of(const Item& item, std::size_t shared) const {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/decimate/spacing/spacing_expression.h"
 #include "tools/aomd/values.h"
 

@@ -1,30 +1,14 @@
 #include "tools/aomd/missed_target.h"
 
 #include <algorithm>
-#include <tuple>
-#include <vector>
 
 #include "core/base/text.h"
 #include "core/decimate/explain/stop_words.h"
-#include "core/decimate/spacing/spacing_expression.h"
+#include "core/repair/survey.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
-
-/// Whether vertices of faces share their places, as in a file that lists each triangle by itself.
-bool welding_joins(const MeshData& mesh) {
-  std::vector<std::uint32_t> used = mesh.faces.vertices;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const auto place = [&](std::uint32_t v) {
-    const glm::dvec3& p = mesh.positions[v];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::sort(used.begin(), used.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-  const auto same = [&](std::uint32_t a, std::uint32_t b) { return place(a) == place(b); };
-  return std::adjacent_find(used.begin(), used.end(), same) != used.end();
-}
 
 /// Looks for what loosens one reason.
 class Help {
@@ -75,7 +59,9 @@ class Help {
   }
 
   [[nodiscard]] std::string by_mending() const {
-    if (input_.boundary_edges > 0 && welding_joins(original_)) return "aomd repair --weld";
+    if (input_.boundary_edges > 0)
+      for (const SurfaceFinding& finding : survey(original_))
+        if (finding.remedy == Remedy::Weld) return "aomd repair " + weld_words(finding);
     return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
   }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/decimate/spacing/spacing_expression.h"
 
 namespace aomd::cli {
 namespace {
