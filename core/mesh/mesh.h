@@ -201,7 +201,7 @@ class Mesh {
   /// Deletes an entity; its lower ones stay. Throws std::logic_error naming the users where there
   /// are any. Cost as users().
   void destroy(EntityRef e);
-  /// The same for an operator that knows that nothing uses the entity: only stored relations are
+  /// Deletes an entity of which an operator knows that nothing uses it: only stored relations are
   /// asked, and an answer against it is a programming error. O(row).
   void destroy_unused(EntityRef e);
   /// Deletes an entity and everything that uses it, highest first.

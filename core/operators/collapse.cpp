@@ -269,7 +269,8 @@ Verdict Collapser::judge(const Mesh& mesh, const Contraction& c, const CollapseR
   return plan.verdict = judge_contraction(mesh, c, rules, plan.stars);
 }
 
-// By edges, not by faces as in judging: an edge without faces must find its twin too.
+// Marks the vertices at the other ends of the edges at `kept`. Judging goes by faces; here an edge
+// without faces must find its twin too.
 void Collapser::mark_edges(const Mesh& mesh, Vertex kept, const Star& star) {
   next_stamp(mesh);
   for_edges_at(mesh, kept, star, [&](Edge e, Vertex far) {

@@ -33,14 +33,14 @@ struct CollapseRules {
   /// so for Safe only. On a flat sheet no normal would ever stop a round hole from becoming a
   /// triangle.
   TurnLimit max_curve_turn{45.0};
-  /// By vertex, what the original surface around it looked like, any length, or 0; where given,
-  /// contractions hold the faces that they stretch against the sum at their corners too: small
-  /// turns add up.
+  /// For each vertex the normal of the original surface around it, of any length, or 0. Where
+  /// given, contractions hold the faces that they stretch against the sum at their corners too:
+  /// small turns add up.
   const Column<Vertex, glm::vec3>* original_normals = nullptr;
-  TurnLimit max_away{60.0};   ///< from that sum
+  TurnLimit max_away{60.0};   ///< from the sum of original normals
   LeastAngle least_angle{0};  ///< no stretched face gets a smaller one, unless it had one
-  /// Nor a smaller one than this, unless some face around the same end had: slivers may go by way
-  /// of others.
+  /// No stretched face gets a smaller angle than this either, unless some face around the same end
+  /// had one: slivers may go by way of others.
   LeastAngle least_around{0};
 };
 
@@ -77,7 +77,7 @@ class Collapser {
   /// Topology also where an end is crowded. The plan receives the verdict too.
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
                 CollapsePlan& plan);
-  /// The same for deleting the end `deleted`.
+  /// What collapsing `edge` by deleting its end `deleted` would do, judged in the same way.
   Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
                 CollapsePlan& plan);
 
