@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tools/tidy.sh: the checks of .clang-tidy over core, tools and viewer. Exit code 1 where one of them
-# finds something. Needs no build. As headers take most of the time, the files of a folder are
-# checked as one file that includes them, as the release build compiles them.
+# tools/tidy.sh: the checks of .clang-tidy over core, tools and viewer. Fails where one of them finds
+# something. Needs no build. As headers take most of the time, the files of a folder are checked as
+# one file that includes them, as the release preset compiles them.
 set -euo pipefail
 # shellcheck source=tools/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
