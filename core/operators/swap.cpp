@@ -103,6 +103,7 @@ void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair) {
 void apply_swap(Mesh& mesh, const EdgePair& pair) {
   Edge edge;
   if (mesh.stored(0, 1)) edge = mesh.find_edge(pair.a, pair.b);
+  // The ends are named as the edge runs.
   const bool along = !edge.valid() || mesh.edge_vertices(edge)[0] == pair.a;
   apply_swap(mesh, edge, along ? pair : EdgePair{pair.g, pair.f, pair.b, pair.a, pair.d, pair.c});
 }

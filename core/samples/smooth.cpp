@@ -32,7 +32,7 @@ class Geodesic {
   }
 
   MeshData make() {
-    edges_.assign(12 * 12, {});
+    edges_.assign(std::size(corners) * std::size(corners), {});
     for (const auto& face : faces) subdivide(face);
     return std::move(mesh_);
   }

@@ -161,7 +161,7 @@ class Run {
       steps_.max_distance = options_.max_distance_pct / 100 * diagonal_of(original_);
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     std::size_t required = 0;
-    steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
+    steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0 && !options_.quiet)
       print_notes(options_.input, {counted(required, "required vertex") + " kept in place"});
     const auto source = options_.spacing_source();

@@ -134,7 +134,7 @@ bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) {
   return moved;
 }
 
-void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) const {
+void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
   constexpr int most_steps = 10;
   for (int step = 0; step < most_steps; ++step) {
     const glm::vec3& at = p.barycentric;

@@ -76,7 +76,7 @@ class OriginalSurface {
   void add_faces(const Mesh& mesh, const Column<Face, double>& areas);
   void set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas);
   void locate_point(const Mesh& mesh, std::size_t i);
-  void find_face(const Mesh& mesh, OriginalPoint& p) const;
+  static void find_face(const Mesh& mesh, OriginalPoint& p);
   static bool walk_once(const Mesh& mesh, OriginalPoint& p);
   static void start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v);
   [[nodiscard]] Vertex taken_by(Vertex v);
