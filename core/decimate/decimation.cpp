@@ -104,12 +104,15 @@ bool lists_model_edges_only(const Mesh& mesh) {
     if (mesh.classification(e).dimension() > 1) return false;
     const auto [a, b] = mesh.edge_vertices(e);
     if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return false;
-    const Row<2> faces = mesh.row<2>(a);
-    const auto has_b = [&, other = b](Face f) {
-      const auto t = mesh.triangle(f);
-      return t[0] == other || t[1] == other || t[2] == other;
+    const auto has = [](const std::array<Vertex, 3>& t, Vertex v) {
+      return t[0] == v || t[1] == v || t[2] == v;
     };
-    if (std::none_of(faces.begin(), faces.end(), has_b)) return false;
+    const auto has_both = [&, first = a, second = b](Face f) {
+      const auto t = mesh.triangle(f);
+      return has(t, first) && has(t, second);
+    };
+    const Row<2> faces = fewer_faces(mesh, a, b);
+    if (std::none_of(faces.begin(), faces.end(), has_both)) return false;
   }
   return true;
 }
