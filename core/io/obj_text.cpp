@@ -27,10 +27,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> keyword_m
 class ObjScanner {
  public:
   explicit ObjScanner(const Source& source) : source_(source) {
-    const std::size_t zero = source.bytes.find('\0');
-    if (zero != std::string_view::npos)
+    text_.cleaned = without_padding(source).bytes;
+    const std::size_t zero = text_.cleaned.find('\0');
+    if (zero != std::string::npos)
       source.fail_at_byte(zero, "a zero byte: this is not a text file");
-    text_.cleaned = source.bytes;
   }
 
   ObjText run() {
@@ -43,7 +43,7 @@ class ObjScanner {
  private:
   void element(TextCursor& cursor) {
     const std::size_t start = cursor.offset();
-    const std::string_view keyword = cursor.word();
+    const std::string_view keyword = small(start, cursor.word());
     if (keyword == "v" || keyword == "f" || keyword == "l") tidy(cursor.offset());
     if (keyword == "v") {
       vertex(cursor);
@@ -55,6 +55,13 @@ class ObjScanner {
     } else {
       other(cursor, keyword, start);
     }
+  }
+
+  /// The keyword at `start`, which some programs write in capitals, in small letters.
+  std::string_view small(std::size_t start, std::string_view keyword) {
+    if (keyword[0] < 'A' || keyword[0] > 'Z') return keyword;
+    text_.cleaned.replace(start, keyword.size(), lower(keyword));
+    return keyword;
   }
 
   /// Names count; of all else we say that it is there.

@@ -33,6 +33,11 @@ void LegacyInput::fail_at_value(std::size_t start, std::size_t k, std::size_t si
   place.fail(what);
 }
 
+void LegacyInput::read_as_text() {
+  cursor_ = TextCursor(source_, without_padding(source_).bytes, cursor_.offset());
+  cursor_.pass_comment_lines();
+}
+
 std::string_view LegacyInput::word(const char* what) {
   if (cursor_.skip_to_content()) fail(std::string("the file ends before ") + what);
   return cursor_.word();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -85,13 +84,13 @@ void decode_any(std::string_view bytes, NumberType type, std::endian order, std:
   }
 }
 
-double number_of(const TextCursor& cursor, std::string_view word) {
+double value_of(const TextCursor& cursor, std::string_view word) {
   double value = 0;
   const auto [next, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc{} && next == word.data() + word.size()) return value;
-  if (!is_number(word)) cursor.fail("expected a number, found " + shown(word));
-  return std::strtod(std::string(word).c_str(),
-                     nullptr);  // a leading plus sign, or beyond the range
+  const auto unusual = number_of(word);
+  if (!unusual) cursor.fail("expected a number, found " + shown_no_number(word));
+  return *unusual;
 }
 
 /// Calls use() at the start of each of the next n words.
@@ -134,7 +133,7 @@ void read_text(TextCursor& cursor, std::size_t n, bool integer, std::vector<doub
   each_word(cursor, n, [&] {
     const TextCursor start = cursor;
     const std::string_view word = cursor.word();
-    out.push_back(number_of(start, word));
+    out.push_back(value_of(start, word));
     if (integer && out.back() != std::floor(out.back()))
       start.fail("expected a whole number, found " + shown(word));
   });
