@@ -107,6 +107,10 @@ class Mesh {
   /// Counted. `by` names who asks, for those who look (Representation::Demand), and must outlive
   /// the mesh. Throws as set() does.
   [[nodiscard]] Request request(int i, int j, const char* by = "an algorithm");
+  /// A request for a relation of the entities that both levels hold now: nothing is completed, so
+  /// that T(0,2) of a volume has its model faces only. Where a level is completed later, the
+  /// relation grows with it. Throws std::invalid_argument unless one of I and J is 0.
+  [[nodiscard]] Request request_listed(int i, int j, const char* by = "an algorithm");
 
   // Adjacency; relations that are not stored: core/mesh/derive.h
   // --------------------------------------------
@@ -133,6 +137,11 @@ class Mesh {
   [[nodiscard]] std::array<Vertex, 3> triangle(Face f) const {
     const std::uint32_t* r = representation_.down(2, 0).row(f.index);
     return {Vertex(r[0]), Vertex(r[1]), Vertex(r[2])};
+  }
+  /// The vertices of a tetrahedron whose T(3,0) is stored.
+  [[nodiscard]] std::array<Vertex, 4> tetrahedron(Region r) const {
+    const std::uint32_t* v = representation_.down(3, 0).row(r.index);
+    return {Vertex(v[0]), Vertex(v[1]), Vertex(v[2]), Vertex(v[3])};
   }
   /// The vertices of any entity in template order, from whichever downward relation is stored.
   [[nodiscard]] std::span<const std::uint32_t> vertices_of(EntityRef e, VertexBuffer& buffer) const;
@@ -201,7 +210,7 @@ class Mesh {
   /// Deletes an entity; its lower ones stay. Throws std::logic_error naming the users where there
   /// are any. Cost as users().
   void destroy(EntityRef e);
-  /// The same for an operator that knows that nothing uses the entity: only stored relations are
+  /// Deletes an entity for an operator that knows that nothing uses it: only stored relations are
   /// asked, and an answer against it is a programming error. O(row).
   void destroy_unused(EntityRef e);
   /// Deletes an entity and everything that uses it, highest first.
@@ -227,7 +236,11 @@ class Mesh {
   /// What is left are the edges on model edges and those that nothing else implies; the others come
   /// back when T asks for them. Ids of edges become consecutive. O(edges). Throws std::logic_error
   /// while a journal is attached or an algorithm has requested one of these.
-  void keep_model_edges_only();
+  void keep_model_edges_only() { keep_model_entities_only(1); }
+  /// The opposite of completing level 2: what is left are the faces on model faces, edges or
+  /// vertices and those that nothing implies. T(0,2), T(1,2), T(2,1), T(2,3) and T(3,2) go.
+  /// O(faces). Throws as keep_model_edges_only() does.
+  void keep_model_faces_only() { keep_model_entities_only(2); }
   /// Makes ids consecutive in each level, in ascending order, and frees what deleted entities still
   /// occupy. Returns the new id of each old one by level (no_index where deleted). O(size). Throws
   /// std::logic_error while a journal is attached: its records name ids.
@@ -259,13 +272,15 @@ class Mesh {
 
   // Building and freeing relations (mesh_relations.cpp; the bulk work in bulk.cpp)
   void build(int i, int j);
+  [[nodiscard]] Request hold(int i, int j, const char* by);
   void build_up(int i, int j);
   void build_vertices(int i);
   void complete_level(int dim);
   void free_unwanted(int i, int j);
   [[nodiscard]] DownRows compact_rows(int i, int j,
                                       const std::array<std::vector<std::uint32_t>, 4>& maps) const;
-  [[nodiscard]] std::vector<std::uint8_t> edges_to_keep();
+  [[nodiscard]] std::vector<std::uint8_t> entities_to_keep(int dim);
+  void keep_model_entities_only(int dim);
   /// What release_derived() let go of.
   struct Derived {
     bool bare = false;  ///< not where other relations than T(I,0) define a level
@@ -303,6 +318,8 @@ class Mesh {
   void rebind_face_sides(const Rebinding& item, std::span<const std::uint32_t> vertices);
   void rebind_faces(std::span<const Rebinding> items);
   void replace_in_row(const Rebinding& item);
+  void rebind_bare_regions(std::span<const Rebinding> items);
+  [[nodiscard]] bool regions_are_bare() const;
   void classify(int dim, std::uint32_t id, ModelRef model);
 
   // Existence (mesh_find.cpp)
@@ -312,7 +329,7 @@ class Mesh {
   [[nodiscard]] std::uint32_t find_by_hash(int dim, std::span<const std::uint32_t> vertices) const;
   [[nodiscard]] std::uint64_t hash_key(EntityRef e) const;
   [[nodiscard]] bool same_vertices(EntityRef e, std::span<const std::uint32_t> vertices) const;
-  [[nodiscard]] bool corners_from_sides(Shape shape, int k, const std::uint32_t* sides,
+  [[nodiscard]] bool corners_from_sides(Shape whole, int k, const std::uint32_t* sides,
                                         VertexBuffer& buffer) const;
   [[nodiscard]] std::uint32_t side_of(EntityRef e, int k, int i,
                                       std::span<const std::uint32_t> vertices) const;

@@ -1,11 +1,11 @@
 // Consecutive ids: what is left of a mesh after many deletions, without the holes.
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/names.h"
 
 namespace aomd {
 namespace {
@@ -18,6 +18,14 @@ void close_up(std::vector<T>& values, std::span<const std::uint32_t> new_index,
     if (new_index[old] != no_index) values[new_index[old]] = values[old];
   values.resize(count);
   values.shrink_to_fit();
+}
+
+void close_up_rows(DownRows& old, std::span<const std::uint32_t> new_index, std::uint32_t count) {
+  DownRows rows;
+  rows.allocate(count, old.stride(), false);
+  for (std::uint32_t id = 0; id < new_index.size(); ++id)
+    if (new_index[id] != no_index) std::copy_n(old.row(id), old.stride(), rows.row(new_index[id]));
+  old = std::move(rows);
 }
 
 std::vector<std::uint32_t> consecutive(const IdPool& ids) {
@@ -68,52 +76,59 @@ std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
   return maps;
 }
 
-// Those on model edges, and of the unclassified ones those that nothing else implies.
-std::vector<std::uint8_t> Mesh::edges_to_keep() {
-  std::vector<std::uint8_t> stays(capacity(1), 0);
-  std::optional<Request> faces, regions;
-  for (const Edge e : edges()) {
-    const ModelRef on = classification(e);
-    if (!on.valid() && !faces) {
-      faces = request(1, 2, "letting go of edges");
-      if (count(3) > 0) regions = request(1, 3, "letting go of edges");
-    }
-    stays[e.index] = on.valid() ? on.dimension() <= 1
-                                : row<2>(e).empty() && (count(3) == 0 || row<3>(e).empty());
+// Those on model entities of no higher dimension, and of the unclassified ones those that nothing
+// else implies.
+std::vector<std::uint8_t> Mesh::entities_to_keep(int dim) {
+  std::vector<std::uint8_t> stays(capacity(dim), 0);
+  std::vector<Request> users;
+  const auto has_users = [&](std::uint32_t id) {
+    for (int j = dim + 1; j < 4; ++j)
+      if (count(j) > 0 && !representation_.up(dim, j).row(id).empty()) return true;
+    return false;
+  };
+  for (std::uint32_t id = ids(dim).next_alive(0); id < capacity(dim);
+       id = ids(dim).next_alive(id + 1)) {
+    const ModelRef on = level(dim).classes[id];
+    if (!on.valid() && users.empty())
+      for (int j = dim + 1; j < 4; ++j)
+        if (count(j) > 0) users.push_back(request(dim, j, "letting go of entities"));
+    stays[id] = on.valid() ? on.dimension() <= dim : !has_users(id);
   }
   return stays;
 }
 
-void Mesh::keep_model_edges_only() {
+void Mesh::keep_model_entities_only(int dim) {
+  const std::string names = entity_plural(dim);
   if (journal_)
-    throw std::logic_error("a journal is attached, and its records name the present edges");
-  constexpr std::pair<int, int> relations[] = {{0, 1}, {1, 2}, {1, 3}, {2, 1}, {3, 1}};
+    throw std::logic_error("a journal is attached, and its records name the present " + names);
+  std::vector<std::pair<int, int>> relations{{0, dim}};
+  for (int other = 1; other < 4; ++other) {
+    if (other == dim) continue;
+    relations.emplace_back(std::min(dim, other), std::max(dim, other));
+    relations.emplace_back(std::max(dim, other), std::min(dim, other));
+  }
   for (const auto& [i, j] : relations) {
     if (representation_.demand(i, j).requests > 0)
-      throw std::logic_error("an algorithm has requested edges, and would lose them");
+      throw std::logic_error("an algorithm has requested " + names + ", and would lose them");
     if (stored(i, j) && i > j && !stored(i, 0)) build_vertices(i);
   }
-  const std::vector<std::uint8_t> stays = edges_to_keep();
+  const std::vector<std::uint8_t> stays = entities_to_keep(dim);
   for (const auto& [i, j] : relations) {
     representation_.demand(i, j).user = false;
     free_unwanted(i, j);
   }
-  std::vector<std::uint32_t> new_index(capacity(1), no_index);
-  DownRows rows;
+  std::vector<std::uint32_t> new_index(capacity(dim), no_index);
   std::uint32_t kept = 0;
-  for (const Edge e : edges())
-    if (stays[e.index]) new_index[e.index] = kept++;
-  rows.allocate(kept, 2, false);
   for (std::uint32_t id = 0; id < new_index.size(); ++id)
-    if (new_index[id] != no_index)
-      std::copy_n(representation_.down(1, 0).row(id), 2, rows.row(new_index[id]));
-  close_up(level(1).classes, new_index, kept);
-  attached_.compact(1, new_index, kept);
-  level(1).ids = IdPool();
-  level(1).ids.create_many(kept);
-  level(1).complete = false;
-  hash_of(1).release();
-  representation_.down(1, 0) = std::move(rows);
+    if (stays[id] != 0) new_index[id] = kept++;
+  if (stored(dim, 0)) close_up_rows(representation_.down(dim, 0), new_index, kept);
+  close_up(level(dim).classes, new_index, kept);
+  close_up(level(dim).shapes, new_index, kept);
+  attached_.compact(dim, new_index, kept);
+  level(dim).ids = IdPool();
+  level(dim).ids.create_many(kept);
+  level(dim).complete = false;
+  hash_of(dim).release();
   if (class_lists_) keep_class_lists(true);
 }
 

@@ -32,7 +32,7 @@ Held& held_of(std::vector<Held>& held, std::uint32_t id) {
   return *std::find_if(held.begin(), held.end(), [&](const Held& h) { return h.id == id; });
 }
 
-std::vector<Held> hold(const Mesh& mesh, Items items) {
+std::vector<Held> hold_all(const Mesh& mesh, Items items) {
   std::vector<Held> held;
   for (const Rebinding& r : items)
     if (std::none_of(held.begin(), held.end(),
@@ -108,12 +108,28 @@ void Mesh::rebind_faces(Items items) {
   }
 }
 
+// Regions that are known by their vertices alone, as while a volume is decimated: nothing is held.
+void Mesh::rebind_bare_regions(Items items) {
+  for (const Rebinding& item : items) {
+    std::uint32_t& vertex = representation_.down(3, 0).row(item.entity.index)[item.slot];
+    AOMD_CHECK(vertex == item.from.index);
+    vertex = item.to.index;
+    replace_in_row(item);
+  }
+}
+
+bool Mesh::regions_are_bare() const {
+  const bool sides = stored(3, 1) || stored(3, 2) || stored(1, 3) || stored(2, 3);
+  return stored(3, 0) && !sides && !hash(3).built();
+}
+
 // Regions let go of their sides before these change, and look them up again afterwards.
 void Mesh::apply_rebindings(Items items) {
   const Items edges = of_dimension(items, 1), faces = of_dimension(items, 2),
               regions = of_dimension(items, 3);
-  std::vector<Held> held_faces, held_regions = hold(*this, regions);
-  if (!stored(2, 0)) held_faces = hold(*this, faces);
+  const bool bare = regions_are_bare();
+  std::vector<Held> held_faces, held_regions = hold_all(*this, bare ? Items() : regions);
+  if (!stored(2, 0)) held_faces = hold_all(*this, faces);
   for (Held& h : held_regions) {
     for (int k = 1; k < 3; ++k) detach_sides(Region(h.id), k, h.span());
     if (hash_of(3).built()) hash_of(3).erase(h.id);
@@ -122,6 +138,7 @@ void Mesh::apply_rebindings(Items items) {
   if (stored(2, 0)) rebind_faces(faces);
   for (const Rebinding& item : held_faces.empty() ? Items() : faces)
     rebind_face(item, held_of(held_faces, item.entity.index).span());
+  if (bare) return rebind_bare_regions(regions);
   for (const Rebinding& item : regions) {
     std::uint32_t& vertex = held_of(held_regions, item.entity.index).vertices[item.slot];
     AOMD_CHECK(vertex == item.from.index);

@@ -42,6 +42,8 @@ void Request::release() {
 
 void Mesh::set(int i, int j) {
   check_cell(i, j);
+  complete_level(i);
+  complete_level(j);
   build(i, j);
   representation_.demand(i, j).user = true;
 }
@@ -61,6 +63,20 @@ void Mesh::unset(int i, int j) {
 
 Request Mesh::request(int i, int j, const char* by) {
   check_cell(i, j);
+  complete_level(i);
+  complete_level(j);
+  return hold(i, j, by);
+}
+
+Request Mesh::request_listed(int i, int j, const char* by) {
+  check_cell(i, j);
+  if (i > 0 && j > 0)
+    throw std::invalid_argument(relation_name(i, j) +
+                                " is between sides, of which levels must be complete");
+  return hold(i, j, by);
+}
+
+Request Mesh::hold(int i, int j, const char* by) {
   build(i, j);
   Representation::Demand& demand = representation_.demand(i, j);
   demand.by.push_back(by);
@@ -99,8 +115,6 @@ void Mesh::free_unwanted(int i, int j) {
 
 void Mesh::build(int i, int j) {
   using Clock = std::chrono::steady_clock;
-  complete_level(i);
-  complete_level(j);
   if (stored(i, j)) return;
   const auto before = Clock::now();
   if (i < j)
@@ -194,8 +208,8 @@ void Mesh::build_vertices(int i) {
   representation_.down(i, 0) = std::move(rows);
 }
 
-// The new ids are fresh, in the order given. Nothing that an incomplete level may have stored needs
-// more than the vertices: other relations complete the level first.
+// The new ids are fresh, in the order given. All that an incomplete level may have stored are
+// relations with the vertices, of which T(0,dim) is built again: others complete the level first.
 void Mesh::complete_level(int dim) {
   if (complete(dim)) return;
   // A history that has known higher entities would bring some back, or take some away, without
@@ -226,6 +240,7 @@ void Mesh::complete_level(int dim) {
     level(dim).classes[first + k] = missing.classes[k];
     if (class_lists_) class_lists_->insert(dim, first + k, missing.classes[k]);
   }
+  if (stored(0, dim)) build_upward(*this, 0, dim, representation_.up(0, dim));
 }
 
 }  // namespace aomd

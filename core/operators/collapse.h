@@ -15,48 +15,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/column.h"
-#include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
+#include "core/operators/collapse_rules.h"
+#include "core/operators/edge_merges.h"
+#include "core/operators/link_condition.h"
 #include "core/operators/star.h"
 #include "core/operators/verdict.h"
+#include "core/operators/vertex_marks.h"
 
 namespace aomd {
-
-/// Safe: a collapse must keep the topology (link condition). Paper: as printed, without that check.
-enum class TopologyRule : std::uint8_t { Safe, Paper };
-
-struct CollapseRules {
-  TurnLimit max_turn{10.0};  ///< how far the normal of a stretched face may turn
-  TopologyRule topology = TopologyRule::Safe;
-  /// How far a model edge may turn where it is collapsed along itself; no part of the paper's loop,
-  /// so for Safe only. On a flat sheet no normal would ever stop a round hole from becoming a
-  /// triangle.
-  TurnLimit max_curve_turn{45.0};
-  /// By vertex, what the original surface around it looked like, any length, or 0; where given,
-  /// contractions hold the faces that they stretch against the sum at their corners too: small
-  /// turns add up.
-  const Column<Vertex, glm::vec3>* original_normals = nullptr;
-  TurnLimit max_away{60.0};   ///< from that sum
-  LeastAngle least_angle{0};  ///< no stretched face gets a smaller one, unless it had one
-  /// Nor a smaller one than this, unless some face around the same end had: slivers may go by way
-  /// of others.
-  LeastAngle least_around{0};
-};
-
-/// A collapse that may also move the vertex it keeps.
-struct Contraction {
-  Vertex deleted, kept;
-  glm::dvec3 position;  ///< where the kept one goes
-};
 
 /// A collapse that was judged: what the verdict says, and what making it needs. Belongs to who
 /// asks, and is reused from one judgement to the next: then it allocates nothing.
 struct CollapsePlan {
   Verdict verdict;
-  Contraction contraction;    ///< where it is accepted
-  Edge edge;                  ///< that was judged; invalid where it was named by its ends
-  std::array<Star, 2> stars;  ///< accepted: around the end that goes (0) and the one that stays (1)
+  Contraction contraction;  ///< where it is accepted
+  Edge edge;                ///< that was judged; invalid where it was named by its ends
+  StarPair stars;           ///< accepted: around the end that goes (0) and the one that stays (1)
   std::uint64_t revision = 0;  ///< of the mesh that was judged
 
   [[nodiscard]] const Star& around_deleted() const { return stars[0]; }
@@ -77,15 +52,16 @@ class Collapser {
   /// Topology also where an end is crowded. The plan receives the verdict too.
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
                 CollapsePlan& plan);
-  /// The same for deleting the end `deleted`.
+  /// What collapsing `edge` would do by deleting its end `deleted`: the checks and the cost of the
+  /// function above.
   Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
                 CollapsePlan& plan);
 
-  /// Another look at an edge, by its ends and with a place for the kept one: `kept` moves to
-  /// `position` and the faces of both stretch. Classification: the edge lies on what the deleted
-  /// end lies on, and on what the kept one lies on if that moves. Then topology, flat faces, turned
-  /// normals, and with Safe the turn of a model edge. The edges of the mesh may be entities, or
-  /// only those on model edges (see for_edges_at).
+  /// What a collapse named by its ends would do, with a place for the kept one: `kept` moves to
+  /// `position` and the faces of both stretch. Checks in this order: classification (the edge lies
+  /// on what the deleted end lies on, and on what the kept one lies on if that moves), topology,
+  /// flat faces, turned normals, and with Safe the turn of a model edge. The edges of the mesh may
+  /// be entities, or only those on model edges (see for_edges_at).
   Verdict judge(const Mesh& mesh, const Contraction& contraction, const CollapseRules& rules,
                 CollapsePlan& plan);
 
@@ -98,49 +74,17 @@ class Collapser {
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
  private:
-  using Ends = std::array<Vertex, 2>;
-  using Stars = std::array<Star, 2>;
-  void next_stamp(const Mesh& mesh);
-  void mark_neighbours(Vertex kept, const Star& star);
-  void mark_edges(const Mesh& mesh, Vertex kept, const Star& star);
-  [[nodiscard]] bool marked(Vertex v) const { return mark_[v] == stamp_; }
   [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                      const CollapseRules& rules, CollapsePlan& plan);
   [[nodiscard]] Verdict judge_contraction(const Mesh& mesh, const Contraction& contraction,
-                                          const CollapseRules& rules, Stars& stars);
-  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge, const Ends& ends,
-                                       const Stars& stars);
-  [[nodiscard]] bool gather_apexes(const Star& star, Vertex other_end);
-  [[nodiscard]] std::uint64_t apex_bit(Vertex v) const;
-  [[nodiscard]] bool stay_together(const Ends& ends, const Stars& stars) const;
-  [[nodiscard]] bool keeps_fans(const Ends& ends, const Stars& stars) const;
-  [[nodiscard]] static bool leaves_bare_edge(const Ends& ends, const Stars& stars, Vertex apex);
-  /// One end of the edge on its way; the faces that also use the other end fall away.
-  struct Move {
-    Vertex vertex, other;
-    glm::dvec3 to;
-  };
-  [[nodiscard]] static Verdict judge_geometry(const Mesh& mesh, const Star& star, const Move& move,
-                                              const CollapseRules& rules);
-  [[nodiscard]] static Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
-                                           const Contraction& contraction, const TurnLimit& limit);
-  [[nodiscard]] static Verdict judge_rest_of_curve(const Mesh& mesh, const Star& star,
-                                                   ModelRef model, const Contraction& contraction,
-                                                   const TurnLimit& limit);
-  void make(Mesh& mesh, const Contraction& contraction, const Stars& stars);
-  void find_edits(const Mesh& mesh, const Contraction& contraction, const Stars& stars);
-  void merge_edges(Mesh& mesh);
+                                          const CollapseRules& rules, StarPair& stars);
+  void make(Mesh& mesh, const Contraction& contraction, const StarPair& stars);
+  void find_edits(const Mesh& mesh, const Contraction& contraction, const StarPair& stars);
   void destroy_bare_edges(Mesh& mesh, Vertex kept);
 
-  std::vector<Vertex> apexes_;          ///< third vertices of the edge's faces
-  Column<Vertex, std::uint32_t> mark_;  ///< == stamp_ for the neighbours of the kept vertex
-  Column<Vertex, Edge> edge_to_kept_;   ///< of vertices marked by mark_edges()
-  std::uint32_t stamp_ = 0;
-  struct Merge {
-    Edge gone, survivor;
-  };
-  Edge collapsed_;  ///< the edge between the ends, where it is an entity
-  std::vector<Merge> merges_;
+  VertexMarks marks_;
+  LinkCondition link_;
+  EdgeMerges edges_;
   std::vector<Rebinding> rebindings_;
   std::vector<Vertex> bare_;  ///< apexes whose merged edge is left without a face
 };

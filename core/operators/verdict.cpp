@@ -1,16 +1,26 @@
 #include "core/operators/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace aomd {
 
 const char* reason_name(Reason reason) {
-  constexpr const char* names[] = {"None",  "Spacing",  "Classification", "Topology",
-                                   "Flat",  "Angle",    "Quality",        "Kept",
-                                   "Shape", "Distance", "Intersection"};
+  constexpr const char* names[] = {
+      "None", "Spacing", "Classification", "Topology",     "Flat",     "Angle",    "Quality",
+      "Kept", "Shape",   "Distance",       "Intersection", "Inverted", "Overshoot"};
   return names[static_cast<int>(reason)];
+}
+
+int check_order(Reason reason) {
+  constexpr std::array<Reason, reason_count> order = {
+      Reason::None,        Reason::Kept,  Reason::Spacing, Reason::Classification,
+      Reason::Topology,    Reason::Flat,  Reason::Angle,   Reason::Inverted,
+      Reason::Overshoot,   Reason::Shape, Reason::Quality, Reason::Distance,
+      Reason::Intersection};
+  return static_cast<int>(std::find(order.begin(), order.end(), reason) - order.begin());
 }
 
 double Verdict::number() const {

@@ -7,23 +7,29 @@
 
 namespace aomd {
 
-/// Why an operator refused, in the order in which the checks run.
+/// Why an operator refused, as numbered in reports and recordings.
 enum class Reason : std::uint8_t {
   None,            ///< accepted
   Spacing,         ///< the edge is not shorter than the spacing of either end; number: its length
   Classification,  ///< paper section 3: the deleted vertex must lie on what the edge lies on, and
                    ///< not on a model vertex
-  Topology,        ///< the link condition: the surface would be pinched, doubled or torn
+  Topology,        ///< the link condition: the mesh would be pinched, doubled or torn
   Flat,            ///< a face would have no area
   Angle,           ///< a face normal would turn too far; number: degrees
   Quality,   ///< the shape would not get better; number: the smallest angle that would result, in
              ///< degrees
   Kept,      ///< the user wants the vertex to stay where it is
-  Shape,     ///< a face would get an angle below the limit; number: that angle in degrees
+  Shape,     ///< a face would get an angle below the limit, a tetrahedron too bad a shape; number:
+             ///< the angle in degrees, of a tetrahedron the smallest between two of its faces
   Distance,  ///< the surface would leave the original by more than the limit; number: the distance
   Intersection,  ///< the surface would cut itself where it did not
+  Inverted,      ///< a tetrahedron would have no volume, or be inside out
+  Overshoot,     ///< an edge would become too long for the size there; number: its length
 };
-inline constexpr int reason_count = 11;
+inline constexpr int reason_count = 13;
+
+/// Where the check stands in the order of those that a collapse passes; 0 for None.
+[[nodiscard]] int check_order(Reason reason);
 
 /// "Classification" and so on: the keys of reports.
 [[nodiscard]] const char* reason_name(Reason reason);

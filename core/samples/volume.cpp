@@ -162,20 +162,20 @@ MeshData make_tet_box(int cells) { return make_cube(cells, add_tetrahedra); }
 
 MeshData make_hex_box(int cells) { return make_cube(cells, add_hexahedron); }
 
-MeshData make_mixed(int n) {
+MeshData make_mixed(int cells) {
   constexpr ModelRef lower(3, 1), upper(3, 2);
   MeshData mesh;
-  const Grid grid(n, n, 2 * n);
+  const Grid grid(cells, cells, 2 * cells);
   const auto position = [&](double i, double j, double k) {
-    return glm::dvec3(i, j, k) / static_cast<double>(n);
+    return glm::dvec3(i, j, k) / static_cast<double>(cells);
   };
   grid.add_vertices(mesh, position);
   grid.for_each_cell([&](int i, int j, int k) {
     const Cell cell = grid.cell(i, j, k);
-    const bool prisms_below = i == n - 1;
-    if (k < n) {
+    const bool prisms_below = i == cells - 1;
+    if (k < cells) {
       (prisms_below ? add_prisms : add_hexahedron)(mesh, cell, lower);
-    } else if (k > n || prisms_below) {
+    } else if (k > cells || prisms_below) {
       add_tetrahedra(mesh, cell, upper);
     } else {
       add_transition(mesh, cell, add_vertex(mesh, position(i + 0.5, j + 0.5, k + 0.5)), upper);
@@ -191,14 +191,14 @@ MeshData make_mixed(int n) {
   return mesh;
 }
 
-MeshData make_tet_drilled(int n) {
+MeshData make_tet_drilled(int cells) {
   constexpr double radius = 0.5;
-  const int around = 4 * n, rings = std::max(1, n / 2), layers = std::max(1, n / 2);
+  const int around = 4 * cells, rings = std::max(1, cells / 2), layers = std::max(1, cells / 2);
   // Points on the square of side 2, counter-clockwise from its corner (1, -1).
   const auto on_square = [&](int j) {
-    const double t = -1 + 2.0 * (j % n) / n;
+    const double t = -1 + 2.0 * (j % cells) / cells;
     const glm::dvec2 sides[4] = {{1, t}, {-t, 1}, {-1, -t}, {t, -1}};
-    return sides[j / n];
+    return sides[j / cells];
   };
   MeshData mesh;
   const Grid grid(rings, around, layers, true);

@@ -11,7 +11,7 @@
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/compare_options.h"
+#include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/compare_volumes.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
@@ -56,7 +56,7 @@ Side measured(const std::string& file, Mesh mesh, Progress& progress, int thread
   return side;
 }
 
-Comparison compare(const CompareOptions& options, Mesh original, Mesh result) {
+Comparison compare(const CompareArguments& options, Mesh original, Mesh result) {
   Progress progress(false);
   const int threads = thread_count(options.threads);
   Comparison c{measured(options.original, std::move(original), progress, threads),
@@ -78,7 +78,7 @@ bool same_topology(const measure::Counts& a, const measure::Counts& b) {
          (a.boundary_edges > 0) == (b.boundary_edges > 0);
 }
 
-std::vector<std::string> objections(const Comparison& c, const CompareOptions& options) {
+std::vector<std::string> objections(const Comparison& c, const CompareArguments& options) {
   Objections list;
   list.limit(options.max_distance, c.percent(c.distance.max()), "largest distance", " %");
   list.limit(options.max_rms, c.percent(c.distance.rms()), "rms distance", " %");
@@ -183,7 +183,7 @@ void print(const Comparison& c) {
   sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
 }
 
-int compare_surfaces(const CompareOptions& options, Mesh original, Mesh result) {
+int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result) {
   const Comparison c = compare(options, std::move(original), std::move(result));
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
@@ -195,7 +195,7 @@ int compare_surfaces(const CompareOptions& options, Mesh original, Mesh result) 
   return list.empty() ? done : says_no;
 }
 
-int run(const CompareOptions& options) {
+int run(const CompareArguments& options) {
   Progress progress(false);
   Mesh original = read(options.original, options.json, progress),
        result = read(options.result, options.json, progress);
@@ -205,7 +205,7 @@ int run(const CompareOptions& options) {
              : compare_surfaces(options, std::move(original), std::move(result));
 }
 
-void add_limits(CLI::App* command, CompareOptions& options) {
+void add_limits(CLI::App* command, CompareArguments& options) {
   const auto limit = [command](const char* name, auto& value, const char* text) {
     return command->add_option(name, value, text)
         ->type_name("N")
@@ -234,7 +234,7 @@ void add_compare(CLI::App& app, Action& action) {
       "compare",
       "Distances, normals and topology between two surfaces, of volumes also what their regions, "
       "model edges and model vertices kept; exit code 1 beyond given limits");
-  const auto options = std::make_shared<CompareOptions>();
+  const auto options = std::make_shared<CompareArguments>();
   command->add_option("ORIGINAL", options->original, "The mesh that is the measure")->required();
   command->add_option("RESULT", options->result, "The mesh that should be like it")->required();
   command->add_flag("--json", options->json, "As JSON");

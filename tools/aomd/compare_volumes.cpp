@@ -60,7 +60,7 @@ struct Compared {
   }
 };
 
-Compared compared(const CompareOptions& options, const Mesh& original, const Mesh& result) {
+Compared compared(const CompareArguments& options, const Mesh& original, const Mesh& result) {
   const int threads = thread_count(options.threads);
   Progress progress(false);
   progress.show("measuring " + options.original);
@@ -81,7 +81,7 @@ std::size_t not_kept(const auto& changes) {
       std::count_if(changes.begin(), changes.end(), [](const auto& c) { return !c.kept(); }));
 }
 
-std::vector<std::string> objections(const Compared& c, const CompareOptions& options) {
+std::vector<std::string> objections(const Compared& c, const CompareArguments& options) {
   Objections list;
   list.limit(options.max_distance, c.percent(c.largest().max), "largest distance", " %");
   list.limit(options.max_rms, c.percent(c.largest().rms), "rms distance", " %");
@@ -211,7 +211,7 @@ Json comparison_json(const Compared& c, const std::vector<std::string>& objectio
 template <typename... Values>
 void row(const std::string& label, const Values&... values) {
   std::cout << "  " << std::left << std::setw(24) << label << std::right;
-  ((std::cout << std::setw(14) << values), ...) << '\n';
+  ((std::cout << ' ' << std::setw(15) << values), ...) << '\n';
 }
 
 std::string interface_name(const measure::Interface& on) {
@@ -333,7 +333,7 @@ void print(const Compared& c) {
 
 }  // namespace
 
-int compare_volumes(const CompareOptions& options, const Mesh& original, const Mesh& result) {
+int compare_volumes(const CompareArguments& options, const Mesh& original, const Mesh& result) {
   const Compared c = compared(options, original, result);
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {

@@ -12,13 +12,13 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input, output, format;
   bool ascii = false, binary = false, msh2 = false, split_to_tets = false;
 };
 
 /// The mesh in tetrahedra; a note says what was cut.
-MeshData in_tetrahedra(const Options& options, const MeshData& mesh) {
+MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
   SplitToTets split = split_to_tets(mesh);
   std::vector<std::string> notes;
   if (const std::string text = split.text(); !text.empty())
@@ -34,7 +34,7 @@ MeshData in_tetrahedra(const Options& options, const MeshData& mesh) {
   return std::move(split.mesh);
 }
 
-int run(const Options& options) {
+int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   check_files({{"IN", options.input}}, {{"OUT", options.output}});
   io::ReadResult read = read_mesh(options.input);
@@ -51,7 +51,7 @@ int run(const Options& options) {
 void add_convert(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("convert", "Writes a mesh in the format that OUT's extension names");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());

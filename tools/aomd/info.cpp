@@ -14,7 +14,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct InfoArguments {
   std::string file;
   bool json = false;
 };
@@ -73,7 +73,7 @@ void print(const measure::VolumeComplex& complex, const measure::VolumeQuality& 
   print_regions(complex);
 }
 
-int run(const Options& options) {
+int run(const InfoArguments& options) {
   Stopwatch watch;
   const io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
@@ -113,7 +113,7 @@ int run(const Options& options) {
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("info", "Counts, topology, classification, quality and memory of a mesh");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoArguments>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

@@ -17,6 +17,8 @@ Color verdict_color(std::uint8_t code) {
       rgb(0xe8c52e),  // shape
       rgb(0x6cc3ea),  // distance
       rgb(0xb0214f),  // intersection
+      rgb(0x11203a),  // inverted
+      rgb(0xb5c34a),  // overshoot
   };
   return code < colors.size() ? colors[code] : plain_face_color();
 }

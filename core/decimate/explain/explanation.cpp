@@ -145,7 +145,7 @@ ReasonWords reason_words(Reason reason) {
        "Its vertex lies on a model vertex, or on a model edge that this edge leaves: collapsing it "
        "would cut "
        "a corner off."},
-      {"Topology", "The surface would be pinched, doubled or torn (link condition)."},
+      {"Topology", "The mesh would be pinched, doubled or torn (link condition)."},
       {"Flat face", "A face would lose its area."},
       {"Angle", "A face would turn by more than the angle limit."},
       {"Quality", "The triangles would not get a better shape."},
@@ -155,6 +155,8 @@ ReasonWords reason_words(Reason reason) {
        "degrees unless one as small was there."},
       {"Distance", "The surface would leave the original by more than the limit."},
       {"Intersection", "The surface would cut itself where it did not."},
+      {"Inverted", "A tetrahedron would lose its volume, or turn inside out."},
+      {"Overshoot", "An edge would become too long for the size there."},
   }};
   return words[static_cast<std::size_t>(reason)];
 }

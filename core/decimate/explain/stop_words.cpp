@@ -12,10 +12,19 @@ namespace {
 
 /// What decided, as one says it after "mostly by".
 const char* decider(Reason reason) {
-  constexpr std::array<const char*, reason_count> names = {
-      "nothing",      "length",    "the classification", "the topology", "faces without area",
-      "the angle",    "the shape", "vertices to keep",   "small angles", "the distance",
-      "intersections"};
+  constexpr std::array<const char*, reason_count> names = {"nothing",
+                                                           "length",
+                                                           "the classification",
+                                                           "the topology",
+                                                           "faces without area",
+                                                           "the angle",
+                                                           "the shape",
+                                                           "vertices to keep",
+                                                           "small angles",
+                                                           "the distance",
+                                                           "intersections",
+                                                           "tetrahedra inside out",
+                                                           "overlong edges"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -42,6 +51,10 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
       return "would make an angle too small";
     case Reason::Distance:
       return "would leave the original";
+    case Reason::Inverted:
+      return "would turn a tetrahedron inside out";
+    case Reason::Overshoot:
+      return "would make an edge too long";
     case Reason::Intersection:
       break;
   }

@@ -9,7 +9,7 @@
 
 namespace aomd::cli {
 
-struct CompareOptions {
+struct CompareArguments {
   std::string original, result;
   bool json = false, same_topology = false;
   std::size_t samples = 500'000;
