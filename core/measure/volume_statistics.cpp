@@ -48,6 +48,7 @@ Figures figures_of(const Mesh& mesh, Region r) {
 }
 
 void count(Region r, const Figures& figures, VolumeQuality& quality) {
+  quality.dihedrals.push_back({r, figures.dihedral_deg});
   if (!quality.worst.valid() || figures.dihedral_deg < quality.min_dihedral_deg)
     quality.min_dihedral_deg = figures.dihedral_deg, quality.worst = r;
   if (!(figures.volume > 0)) quality.inverted.push_back(r);
@@ -58,8 +59,10 @@ void count(Region r, const Figures& figures, VolumeQuality& quality) {
   ++quality.tetrahedra;
 }
 
-void take_means(std::vector<double>& angles, VolumeQuality& quality) {
-  if (angles.empty()) return;
+void take_means(VolumeQuality& quality) {
+  if (quality.dihedrals.empty()) return;
+  std::vector<double> angles;
+  for (const Sample& sample : quality.dihedrals) angles.push_back(sample.value);
   const auto n = static_cast<double>(angles.size());
   const auto below = std::count_if(angles.begin(), angles.end(), [](double a) { return a < 10; });
   quality.mean_dihedral_deg = std::accumulate(angles.begin(), angles.end(), 0.0) / n;
@@ -149,12 +152,8 @@ VolumeQuality measure_volume(const Mesh& mesh, int threads) {
       if (mesh.ids(3).alive(id)) all[id] = figures_of(mesh, Region(id));
   });
   VolumeQuality quality;
-  std::vector<double> angles;
-  for (const Region r : mesh.regions()) {
-    count(r, all[r.index], quality);
-    angles.push_back(all[r.index].dihedral_deg);
-  }
-  take_means(angles, quality);
+  for (const Region r : mesh.regions()) count(r, all[r.index], quality);
+  take_means(quality);
   return quality;
 }
 

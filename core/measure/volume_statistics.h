@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/measure/histogram.h"
 #include "core/measure/statistics.h"
 
 namespace aomd::measure {
@@ -27,6 +28,7 @@ void count_volume_faces(const Mesh& mesh, Counts& counts);
 
 /// Smallest dihedral angles of the regions, each in degrees, whichever way its faces look.
 struct VolumeQuality {
+  std::vector<Sample> dihedrals;         ///< of each region, by ascending ids
   double min_dihedral_deg = 0;           ///< over all regions
   double p5_dihedral_deg = 0;            ///< a twentieth of the regions have a smaller one
   double mean_dihedral_deg = 0;          ///< mean over the regions of the smallest of each

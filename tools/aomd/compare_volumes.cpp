@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "core/base/parallel.h"
-#include "core/measure/histogram.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/measure/volume_comparison.h"
@@ -28,7 +27,7 @@ struct Side {
         volume(mesh, threads),
         counts(measure::count_entities(mesh)),
         quality(measure::measure_volume(mesh, threads)),
-        dihedrals(make_histogram(measure::smallest_dihedrals(mesh), 0, 90, bins)),
+        dihedrals(measure::make_histogram(quality.dihedrals, 0, 90, bins)),
         skin(volume.skin()),
         self_intersections(measure::count_self_intersections(skin, threads).pairs) {}
 
