@@ -4,13 +4,14 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/measure/volume_statistics.h"
 #include "core/mesh/names.h"
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_report.h"
 
 namespace aomd::cli {
 namespace {
@@ -36,6 +37,7 @@ struct Checked {
   std::vector<Finding> mesh;
   std::vector<SurfaceFinding> surface;
   std::vector<std::string> missing;  ///< of the required properties
+  Json volume;                       ///< null without regions
 };
 
 bool is_required(const CheckArguments& options, SurfaceProperty property) {
@@ -65,13 +67,22 @@ void look_at_surface(const CheckArguments& options, const MeshData& data, const 
                        result.missing.end());
 }
 
+void look_at_volume(const Mesh& mesh, Checked& result) {
+  if (mesh.count(3) == 0) return;
+  const int threads = thread_count(0);
+  const measure::VolumeQuality quality = measure::measure_volume(mesh, threads);
+  const measure::VolumeComplex complex = measure::analyse_volume(mesh, threads);
+  const std::vector<Finding> findings = volume_findings(complex, quality);
+  result.mesh.insert(result.mesh.end(), findings.begin(), findings.end());
+  result.volume = volume_json(complex, quality);
+}
+
 Checked checked(const CheckArguments& options) {
   io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
   Checked result;
   result.mesh = verify(mesh, {options.unused});
-  for (const Region r : measure::measure_volume(mesh).inverted)
-    result.mesh.push_back({"inverted region", r, "its volume is zero or negative"});
+  look_at_volume(mesh, result);
   look_at_surface(options, read.mesh, mesh, result);
   return result;
 }
@@ -102,6 +113,7 @@ Json json_of(const CheckArguments& options, const Checked& result) {
           {"file", options.file},
           {"findings", list},
           {"surface", surface_json(result.surface, options.file)},
+          {"volume", result.volume},
           {"required", options.required},
           {"missing", result.missing}};
 }
