@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
