@@ -1,6 +1,7 @@
 #include "core/decimate/volume/improvement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/mesh/tet_geometry.h"
 
@@ -16,30 +17,43 @@ double VolumeImprovement::shape(Region r) const {
                    mesh_.position(t[3]));
 }
 
-bool VolumeImprovement::try_edge(Vertex a, Vertex b) {
-  if (!judge(mesh_, a, b, rules_.removal, edge_).accepted() || !watch_.allows(edge_)) return false;
-  apply(mesh_, edge_);
-  watch_.made(edge_);
-  changed_ = {a, b};
+// Both keep a plan that gains more than the best so far, and say so.
+bool VolumeImprovement::beats(Vertex a, Vertex b, double& gain) {
+  if (!judge(mesh_, a, b, rules_.removal, edge_).accepted()) return false;
+  if (edge_.after - edge_.before <= gain || !watch_.allows(edge_)) return false;
+  gain = edge_.after - edge_.before;
+  std::swap(edge_, best_edge_);
   return true;
 }
 
-bool VolumeImprovement::try_face(Region r, std::uint32_t slot) {
-  if (!judge(mesh_, r, slot, face_).accepted() || !watch_.allows(face_)) return false;
-  apply(mesh_, face_);
-  watch_.made(face_);
-  changed_ = face_.apexes;
+bool VolumeImprovement::beats(Region r, std::uint32_t slot, double& gain) {
+  if (!judge(mesh_, r, slot, face_).accepted()) return false;
+  if (face_.after - face_.before <= gain || !watch_.allows(face_)) return false;
+  gain = face_.after - face_.before;
+  std::swap(face_, best_face_);
   return true;
 }
 
 bool VolumeImprovement::try_swap(Region r) {
   const auto t = mesh_.tetrahedron(r);
+  double gain = 0;
+  bool by_face = false;
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = i + 1; k < 4; ++k)
-      if (try_edge(t[i], t[k])) return true;
-  for (std::uint32_t slot = 0; slot < 4; ++slot)
-    if (try_face(r, slot)) return true;
-  return false;
+    for (std::size_t k = i + 1; k < 4; ++k) beats(t[i], t[k], gain);
+  for (std::uint32_t slot = 0; slot < 4; ++slot) by_face |= beats(r, slot, gain);
+  if (gain == 0) return false;
+  if (by_face)
+    make(best_face_, best_face_.apexes);
+  else
+    make(best_edge_, {best_edge_.ring.a, best_edge_.ring.b});
+  return true;
+}
+
+template <typename Plan>
+void VolumeImprovement::make(const Plan& plan, const std::array<Vertex, 2>& changed) {
+  apply(mesh_, plan);
+  watch_.made(plan);
+  changed_ = changed;
 }
 
 bool VolumeImprovement::try_move(Vertex v) {

@@ -45,14 +45,13 @@ class VolumeImprovement {
 
   /// Starts a pass over the regions, or vertices, that there are now.
   void begin_pass() { cursor_ = 0; }
-  /// Goes on to the next region, by id, and replaces it where it is poor: by the first edge or face
-  /// whose removal is accepted. False when there was none left. `made`: whether it did.
+  /// Goes on to the next region, by id, and replaces it where it is poor: by the edge or face whose
+  /// removal gains most. False when there was none left. `made`: whether it did.
   [[nodiscard]] bool next_swap(bool& made);
   /// Goes on to the next vertex, by id.
   [[nodiscard]] bool next_move(bool& made);
 
-  /// Whole passes; each returns how many operations it made. Those around one region go on until
-  /// none is accepted.
+  /// Whole passes; each returns how many operations it made.
   std::uint32_t swap_pass();
   std::uint32_t smooth_pass();
   /// Works through the tetrahedra whose shape is below a limit, worst first, and through those that
@@ -74,8 +73,10 @@ class VolumeImprovement {
   [[nodiscard]] bool is_tetrahedron(Region r) const;
   [[nodiscard]] double shape(Region r) const;
   [[nodiscard]] bool is_poor(Region r) const { return is_tetrahedron(r) && shape(r) < rules_.poor; }
-  bool try_edge(Vertex a, Vertex b);
-  bool try_face(Region r, std::uint32_t slot);
+  bool beats(Vertex a, Vertex b, double& gain);
+  bool beats(Region r, std::uint32_t slot, double& gain);
+  template <typename Plan>
+  void make(const Plan& plan, const std::array<Vertex, 2>& changed);
   bool try_swap(Region r);
   bool try_move(Vertex v);
   bool try_mending(Region r);
@@ -86,8 +87,8 @@ class VolumeImprovement {
   ImprovementRules rules_;
   ImprovementWatch& watch_;
   RegionMover mover_;
-  EdgeRemoval edge_;
-  FaceRemoval face_;
+  EdgeRemoval edge_, best_edge_;
+  FaceRemoval face_, best_face_;
   RegionMove move_;
   std::array<Vertex, 2>
       changed_;                  ///< all regions that the last operation changed have one of these
