@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
@@ -174,8 +175,7 @@ double RegionMover::worst_shape(const glm::dvec3& at) const {
 }
 
 // The way in which the worst cells, and those that are nearly as bad, all get better.
-glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst) {
-  constexpr double nearly = 0.03;
+glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst, double nearly) {
   slopes_.clear();
   for (const Cell& cell : cells_)
     if (cell.shape(at) <= worst + nearly) slopes_.push_back(freedom_.part_of(cell.slope(at)));
@@ -202,19 +202,22 @@ bool RegionMover::go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan,
   return true;
 }
 
-// A line search each time: half the step until the worst has grown.
+// A line search each time: half the step until the worst has grown. Where that gains little, fewer
+// cells have a say in the way.
 void RegionMover::climb(const Mesh& mesh, const MoveRules& rules, RegionMove& plan) {
-  constexpr int rounds = 8;
-  constexpr double least_gain = 1e-3, shortest = 1e-3;
+  constexpr int rounds = 12;
+  constexpr double least_gain = 1e-3, least_nearly = 1e-3, shortest = 1e-3;
+  double nearly = 0.05;
   for (int round = 0; round < rounds && plan.after < rules.poor; ++round) {
     const double before = plan.after;
-    const glm::dvec3 from = plan.target, way = uphill(from, before);
+    const glm::dvec3 from = plan.target, way = uphill(from, before, nearly);
     const double length = glm::length(way), longest = longest_step(from);
-    if (!(length > 0)) return;
-    double step = longest;
+    double step = length > 0 ? longest : 0;
     while (step > shortest * longest && !go(mesh, rules, plan, from + step / length * way))
       step /= 2;
-    if (plan.after < before + least_gain) return;
+    if (plan.after >= before + least_gain) continue;
+    nearly /= 4;
+    if (nearly < least_nearly) return;
   }
 }
 

@@ -73,7 +73,7 @@ class RegionMover {
   void average_inside(const Mesh& mesh, const Ball& ball);
   void find_cells(const Mesh& mesh, const Ball& ball);
   [[nodiscard]] double worst_shape(const glm::dvec3& at) const;
-  [[nodiscard]] glm::dvec3 uphill(const glm::dvec3& at, double worst);
+  [[nodiscard]] glm::dvec3 uphill(const glm::dvec3& at, double worst, double nearly);
   [[nodiscard]] double longest_step(const glm::dvec3& at) const;
   /// Goes there where the worst shape grows and the model faces allow it.
   bool go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan, glm::dvec3 to);
