@@ -130,6 +130,14 @@ TEST(VolumeComplex, StoredLevelsChangeNothing) {
   EXPECT_EQ(after.dangling_faces, 0u);
 }
 
+// Four faces of the boundary meet in the edge 0-1: a curve, though all lie on one interface.
+TEST(VolumeCurves, WhereOtherThanTwoFacesMeet) {
+  const Mesh mesh(zoo::tets_on_an_edge());
+  const measure::VolumeCurves curves = measure::curves_of(mesh, analyse_volume(mesh));
+  EXPECT_EQ(curves.edges, (std::vector<std::array<Vertex, 2>>{{Vertex(0), Vertex(1)}}));
+  EXPECT_EQ(curves.ends, (std::vector<Vertex>{Vertex(0), Vertex(1)}));
+}
+
 TEST(VolumeQuality, OfACornerAndARegularTetrahedron) {
   const double flat = std::acos(1 / std::sqrt(3.0)) * 180 / std::acos(-1.0);  // 54.7
   const double regular = std::acos(1 / 3.0) * 180 / std::acos(-1.0);          // 70.5

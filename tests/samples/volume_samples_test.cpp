@@ -274,14 +274,11 @@ std::uint64_t fingerprint(const MeshData& mesh) {
 }
 
 TEST(VolumeSamples, TheSameOnEveryMachine) {
-  const std::map<std::string_view, std::uint64_t> expected{{"tet-box", 3841751856467483900u},
-                                                           {"hex-box", 71534001561822612u},
-                                                           {"mixed", 9505855578600326422u},
-                                                           {"tet-drilled", 8942414415395368173u},
-                                                           {"tet-ball", 12918813644667153295u},
-                                                           {"ball-in-box", 4107320185469819167u},
-                                                           {"tet-bracket", 4247356571551694771u},
-                                                           {"layered-beam", 15656205709896221055u}};
+  const std::map<std::string_view, std::uint64_t> expected{
+      {"tet-box", 3841751856467483900u},     {"hex-box", 71534001561822612u},
+      {"mixed", 9505855578600326422u},       {"tet-drilled", 8942414415395368173u},
+      {"tet-ball", 12918813644667153295u},   {"ball-in-box", 4107320185469819167u},
+      {"tet-bracket", 4247356571551694771u}, {"layered-beam", 15656205709896221055u}};
   for (const SampleInfo& info : samples_of(3)) {
     EXPECT_EQ(fingerprint(make_sample(info.name)), expected.at(info.name)) << info.name;
     EXPECT_EQ(make_sample(info.name), make_sample(info.name));
