@@ -1,29 +1,22 @@
 #include "tools/aomd/missed_target.h"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include "core/base/text.h"
 #include "core/decimate/explain/stop_words.h"
 #include "core/decimate/spacing/spacing_expression.h"
+#include "core/repair/survey.h"
 
 namespace aomd::cli {
 namespace {
 
-/// Whether vertices of faces share their places, as in a file that lists each triangle by itself.
-bool welding_joins(const MeshData& mesh) {
-  std::vector<std::uint32_t> used = mesh.faces.vertices;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const auto place = [&](std::uint32_t v) {
-    const glm::dvec3& p = mesh.positions[v];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::sort(used.begin(), used.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-  const auto same = [&](std::uint32_t a, std::uint32_t b) { return place(a) == place(b); };
-  return std::adjacent_find(used.begin(), used.end(), same) != used.end();
+/// Whether welding equal positions closes borders: not where it only joins corners.
+bool welding_closes(const MeshData& mesh) {
+  const std::vector<SurfaceFinding> dirt = survey(mesh);
+  return std::any_of(dirt.begin(), dirt.end(), [](const SurfaceFinding& finding) {
+    return finding.remedy == Remedy::Weld && finding.tolerance == 0;
+  });
 }
 
 /// Looks for what loosens one reason.
@@ -73,7 +66,7 @@ class Help {
   }
 
   [[nodiscard]] std::string by_mending() const {
-    if (input_.boundary_edges > 0 && welding_joins(original_)) return "aomd repair --weld";
+    if (input_.boundary_edges > 0 && welding_closes(original_)) return "aomd repair --weld";
     return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
   }
 
@@ -87,6 +80,11 @@ class Help {
 
 bool misses(std::uint64_t faces, std::uint64_t target) {
   return target > 0 && 100 * faces > 101 * target;
+}
+
+std::uint64_t least_faces(const measure::Counts& input) {
+  const std::uint64_t of_a_piece = input.boundary_edges == 0 ? 4 : 1;
+  return of_a_piece * input.components;
 }
 
 std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,

@@ -72,6 +72,7 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
       .add_option("--min-piece", repair.min_piece_pct,
                   "Removes pieces smaller than this, percent of the diagonal")
       ->type_name("PCT")
+      ->transform(percent())
       ->check(between(0, 100));
   command.add_flag("--drop-unused", repair.drop_unused, "Drops vertices that nothing uses");
 }
