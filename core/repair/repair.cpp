@@ -28,7 +28,7 @@ class Repair {
     if (options_.zero_area) zero_area();
     if (options_.min_piece_pct > 0) small_pieces();
     surface_.finish();
-    options_.drop_unused ? unused() : unused_left();
+    if (options_.drop_unused) unused();
     if (!report_.done.empty()) periodic();
     return std::move(report_);
   }
@@ -107,17 +107,6 @@ class Repair {
     const Tally dropped = drop_unused_vertices(data_);
     tell(report_.done, dropped, 0, "unused vertices",
          counted(dropped.count(), "vertex") + " that nothing uses dropped");
-  }
-
-  /// Those that welding and removing have left behind too.
-  void unused_left() {
-    Tally idle;
-    const std::vector<std::uint8_t> used = used_vertices(data_);
-    for (std::uint32_t v = 0; v < used.size(); ++v)
-      if (!used[v]) idle.add(v);
-    tell(report_.left, idle, 0, "unused vertices",
-         counted(idle.count(), "vertex") + " that nothing uses left: --drop-unused drops " +
-             (idle.count() == 1 ? "it" : "them"));
   }
 
   /// Links name vertices, which have changed.

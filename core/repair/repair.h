@@ -62,7 +62,7 @@ struct RepairItem {
 
 struct RepairReport {
   std::vector<RepairItem> done;  ///< what was mended, in the order of work
-  std::vector<RepairItem> left;  ///< what could not be mended safely, and vertices left behind
+  std::vector<RepairItem> left;  ///< what could not be mended safely
 };
 
 /// Mends the faces of `data` in place. Faces and vertices that stay keep their order,

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -116,18 +117,18 @@ class Survey {
              collinear(surface_.position(v[0]), surface_.position(v[2]), surface_.position(v[k])));
       if (in_line) flat.add(f);
     });
-    const std::size_t stay = flat.count() == 0 ? 0 : left_without_area();
+    const std::size_t stay = flat.count() == 0 ? 0 : left_by_repair("zero area");
     tell(flat, 2, "zero area", SurfaceProperty::Nondegenerate,
          stay == flat.count() ? Remedy::None : Remedy::Repair,
          counted(flat.count(), "face") + " without area" +
              (stay == 0 ? "" : ", " + std::to_string(stay) + " of them to stay"));
   }
 
-  [[nodiscard]] std::size_t left_without_area() const {
+  [[nodiscard]] std::size_t left_by_repair(std::string_view name) const {
     MeshData mended = given_;
     mended.attributes.clear();
     for (const RepairItem& item : repair(mended).left)
-      if (item.name == "zero area") return item.count;
+      if (item.name == name) return item.count;
     return 0;
   }
 
@@ -146,7 +147,11 @@ class Survey {
   void crowded_edges(std::size_t distinct, bool repeated) {
     const std::string rest =
         repeated ? ", " + std::to_string(distinct) + " without the repeated ones" : "";
-    tell(edges_.crowded, 1, "non-manifold edges", SurfaceProperty::Manifold, Remedy::Repair,
+    const std::size_t all = edges_.crowded.count();
+    const bool meant =
+        all > 0 && !given_.edges.classes.empty() && left_by_repair("non-manifold edges") == all;
+    tell(edges_.crowded, 1, "non-manifold edges", SurfaceProperty::Manifold,
+         meant ? Remedy::None : Remedy::Repair,
          counted(edges_.crowded.count(), "edge") + " of three or more faces" + rest);
   }
 
