@@ -112,8 +112,7 @@ TEST(Medit, BadFilesSayTheLine) {
   };
   expect_error("a.mesh", "MeshVersionFormatted 7\n", {"a.mesh:1: ", "version 7"});
   expect_error("a.mesh", "MeshVersionFormatted 2\nDimension 4\n", {"a.mesh:2: ", "dimension 4"});
-  expect_error("a.mesh", "MeshVersionFormatted 2\nVertices 0\n",
-               {"the file has no Dimension"});
+  expect_error("a.mesh", "MeshVersionFormatted 2\nVertices 0\n", {"the file has no Dimension"});
   bad("", {"no Vertices"});
   bad("Triangles 1 1 2 3 0\n", {"the file has no Vertices"});
   bad("Vertices 4000000000\n", {"a.mesh:3: ", "too short for 4000000000"});

@@ -149,7 +149,7 @@ void add_check(CLI::App& app, Action& action) {
           "Exit code 1 also where the surface is not: " + listed + ".\nclean is all but closed")
       ->type_name("WORD,...")
       ->delimiter(',')
-      ->check(CLI::IsMember(words).description(""));
+      ->transform(CLI::IsMember(words, CLI::ignore_case).description(""));
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

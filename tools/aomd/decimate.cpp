@@ -193,7 +193,8 @@ class Run {
     if (!misses(mesh_.count(2), steps_.target_faces)) return;
     progress_.show("asking why");
     missed_ = {decimation.edges_left(), ""};
-    missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
+    if (mesh_.count(2) > least_faces(input_))
+      missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
   }
 
   void check() {

@@ -77,6 +77,11 @@ bool misses(std::uint64_t faces, std::uint64_t target) {
   return target > 0 && 100 * faces > 101 * target;
 }
 
+std::uint64_t least_faces(const measure::Counts& input) {
+  const std::uint64_t of_a_piece = input.boundary_edges == 0 ? 4 : 1;
+  return of_a_piece * input.components;
+}
+
 std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
                             const DecimationOptions& steps, const MeshData& original,
                             const measure::Counts& input) {

@@ -52,6 +52,14 @@ CLI::Validator between(double low, double high) {
                 [=](double x) { return x >= low && x <= high; });
 }
 
+CLI::Validator percent() {
+  const auto take = [](std::string& text) {
+    if (text.size() > 1 && text.back() == '%') text.pop_back();
+    return std::string();
+  };
+  return CLI::Validator(take, "");
+}
+
 CLI::Validator angle() {
   return number("more than 0 and less than 180 degrees", [](double x) { return x > 0 && x < 180; });
 }
