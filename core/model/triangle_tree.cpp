@@ -174,6 +174,8 @@ void TriangleTree::build(std::span<Item> items, std::uint32_t begin, int threads
   nodes.insert(nodes.end(), rest.begin(), rest.end());
 }
 
+// Where boxes overlap, those of thousands hold a point near what they share: one of them that it
+// lies on up to rounding is enough.
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
   Nearest best;
   if (nodes_.empty()) return best;
@@ -188,7 +190,8 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
   } stack[stack_size];
   std::size_t top = 0;
   stack[top++] = {0, bound2(0, p)};
-  while (top > 0) {
+  const double as_good_as_none = tilted_.empty() ? 0 : 1e-30 * diagonal2();
+  while (top > 0 && best.distance2 > as_good_as_none) {
     const Waiting next = stack[--top];
     if (!(next.distance2 < best.distance2)) continue;
     const Node& node = nodes_[next.node];
