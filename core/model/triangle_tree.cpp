@@ -112,17 +112,20 @@ double TriangleTree::diagonal2() const {
   return glm::dot(size, size);
 }
 
+// Where boxes overlap, those of thousands hold a point near what they share: one of them that it
+// lies on up to rounding is enough.
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
   Nearest best;
   if (triangles_.empty()) return best;
+  const double as_good_as_none = tilted_.empty() ? 0 : 1e-30 * diagonal2();
   const auto consider = [&](std::uint32_t n) {
     const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
     if (const double d2 = glm::dot(d, d); d2 < best.distance2) best = {n, q, d2};
-    return best.distance2;
+    return best.distance2 > as_good_as_none ? best.distance2 : 0;
   };
-  if (hint != no_index) consider(hint);
+  const double least = hint != no_index ? consider(hint) : best.distance2;
   boxes_.cheapest(
-      best.distance2, [&](std::uint32_t node) { return bound2(node, p); }, consider);
+      least, [&](std::uint32_t node) { return bound2(node, p); }, consider);
   return best;
 }
 

@@ -137,6 +137,7 @@ bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) {
 void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
   constexpr int most_steps = 10;
   for (int step = 0; step < most_steps; ++step) {
+    if (p.distance2 == 0) return;
     const glm::vec3& at = p.barycentric;
     if (at.x > 0 && at.y > 0 && at.z > 0) return;  // the nearest place is inside the face
     if (!walk_once(mesh, p)) return;
