@@ -168,10 +168,14 @@ void RegionMover::find_cells(const Mesh& mesh, const Ball& ball) {
         {mesh.position(r.others[0]), mesh.position(r.others[1]), mesh.position(r.others[2])});
 }
 
-double RegionMover::worst_shape(const glm::dvec3& at) const {
-  double worst = 1;
-  for (const Cell& cell : cells_) worst = std::min(worst, cell.shape(at));
-  return worst;
+RegionMover::Shapes RegionMover::shapes(const glm::dvec3& at) const {
+  Shapes shapes;
+  for (const Cell& cell : cells_) {
+    const double shape = cell.shape(at);
+    shapes.worst = std::min(shapes.worst, shape);
+    shapes.sum += shape;
+  }
+  return shapes;
 }
 
 // The way in which the worst cells, and those that are nearly as bad, all get better.
@@ -191,14 +195,15 @@ double RegionMover::longest_step(const glm::dvec3& at) const {
 bool RegionMover::go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan, glm::dvec3 to) {
   const ModelRef on = mesh.classification(plan.vertex);
   if (rules.model && on.dimension() < 3) to = rules.model->snap(on, to);
-  const double shape = worst_shape(to);
-  if (!is_better_shape(plan.after, shape)) return false;
+  const Shapes there = shapes(to);
+  if (!is_better_shape(plan.after, there.worst)) return false;
+  if (plan.before >= rules.poor && there.sum < sum_before_) return false;
   if (const Verdict v = judge_faces(mesh, plan, to, rules.max_turn); !v.accepted()) {
     refusal_ = v;
     return false;
   }
   plan.target = to;
-  plan.after = shape;
+  plan.after = there.worst;
   return true;
 }
 
@@ -229,7 +234,9 @@ Verdict RegionMover::judge_plan(const Mesh& mesh, const MoveRules& rules, Region
   if (const Verdict verdict = find_freedom(mesh, rules, plan); !verdict.accepted()) return verdict;
   find_cells(mesh, plan.ball);
   const glm::dvec3 from = plan.target, way = freedom_.part_of(average_ - from);
-  plan.before = plan.after = worst_shape(from);
+  const Shapes here = shapes(from);
+  plan.before = plan.after = here.worst;
+  sum_before_ = here.sum;
   refusal_ = {};
   for (double part = 1; part > 0.2; part /= 2)
     if (go(mesh, rules, plan, from + part * way)) break;

@@ -105,6 +105,28 @@ TEST(RegionMoveTest, ThePoorClimb) {
   EXPECT_GT(climbed, 10);
 }
 
+// The worst of good ones may not get better at the cost of all together.
+TEST(RegionMoveTest, WhereNoneIsPoorTheSumDoesNotFall) {
+  int moved = 0;
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    MeshData data = octahedron_around({0, 0, 0});
+    for (std::size_t v = 1; v < 7; ++v) data.positions[v] *= 0.4 + double(random() % 1000) / 800;
+    VolumeBench b(data, Levels::Listed, smooth_skin);
+    const RegionMove plan = judged(b.mesh, 0);
+    if (!plan.verdict.accepted() || plan.before < 0.3) continue;
+    ++moved;
+    double gain = 0;
+    for (const BallRegion& r : plan.ball) {
+      const glm::dvec3 p = b.mesh.position(r.others[0]), q = b.mesh.position(r.others[1]),
+                       s = b.mesh.position(r.others[2]);
+      gain += tet_shape(plan.target, p, q, s) - tet_shape({0, 0, 0}, p, q, s);
+    }
+    EXPECT_GE(gain, -1e-14) << seed;
+  }
+  EXPECT_GT(moved, 20);
+}
+
 // Half of it: vertex 0 on the face z = 0 with corners 1 to 4, the apex 6 below.
 MeshData half_octahedron(const glm::dvec3& centre) {
   MeshData data = octahedron_around(centre);
