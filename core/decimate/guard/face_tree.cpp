@@ -21,6 +21,7 @@ FaceTree::FaceTree(const Mesh& mesh) : place_(mesh.capacity(2), no_index) {
   std::vector<Item> items;
   items.reserve(mesh.count(2));
   for (const Face f : mesh.faces()) {
+    if (mesh.classification(f).dimension() == 3) continue;  // inside a region of a volume
     const auto t = mesh.triangle(f);
     items.push_back({{mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])}, f});
   }
