@@ -1,0 +1,61 @@
+#pragma once
+// Edge removal: the tetrahedra around an edge become others that do without it (paper, section 3;
+// there V_swapOpEdges_ of a volume).
+//
+//        r2                          r2
+//      / | \                       / | \          a and b lie below and above; each triangle
+//    r3--e--r1        --->       r3  |  r1        of the ring becomes one tetrahedron with a
+//      \ | /                       \ | /          and one with b
+//        r0                          r0
+
+#include <array>
+#include <cstdint>
+
+#include "core/mesh/geometry.h"
+#include "core/mesh/mesh.h"
+#include "core/operators/edge_ring.h"
+#include "core/operators/verdict.h"
+
+namespace aomd {
+
+/// What edge and face removal have to respect.
+struct RemovalRules {
+  TurnLimit max_turn{10.0};  ///< how far the normals of a model face may turn
+};
+
+/// Positions in a ring, ascending.
+using RingTriangle = std::array<std::uint8_t, 3>;
+
+/// The triangles that a side's ring is cut into, two fewer than its vertices. Each is followed by
+/// those behind its two other sides; the first one has the first and the last vertex.
+struct RingTriangles {
+  std::uint32_t count = 0;
+  std::array<RingTriangle, largest_ring - 2> items;
+};
+
+/// An edge removal that was judged: what the verdict says, and what making it needs. Around an
+/// inner edge n tetrahedra become 2 (n - 2), on each side of one on a model face n become 2 (n -
+/// 1): every region of the ring keeps its id and all but one vertex, except the third of three,
+/// which goes; others are created.
+struct EdgeRemoval {
+  Verdict verdict;
+  EdgeRing ring;
+  std::array<RingTriangles, 2> triangles;  ///< accepted or Quality: by side of the ring
+  double before = 0, after = 0;            ///< the worst tet_shape
+  std::uint64_t revision = 0;              ///< of the mesh that was judged
+};
+
+/// What removing the edge between two vertices would do: of all ways to cut the ring into
+/// triangles, the one whose worst tetrahedron is best (Klincsek 1980), accepted only where that is
+/// better than the worst one is now, and upright. On a model face the edge becomes the other
+/// diagonal of its two faces. Refusals in this order: as find_ring; Topology (an edge between those
+/// faces' third vertices exists), Flat, Angle (a new normal further than `max_turn` from either old
+/// one), Quality (number: the smallest dihedral angle of the worst new tetrahedron), Topology (an
+/// edge or face inside the ring exists). What must be stored: as find_ring.
+Verdict judge(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rules, EdgeRemoval& plan);
+
+/// Makes what was accepted. The mesh must not have changed since. Entities inside the ring that
+/// vanish are destroyed, and made where their level is complete. One journal step.
+void apply(Mesh& mesh, const EdgeRemoval& plan);
+
+}  // namespace aomd
