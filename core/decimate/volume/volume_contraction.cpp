@@ -95,7 +95,8 @@ void VolumeQualityLoop::keep_best_shape(Scratch& scratch) const {
   scratch.places.assign(1, chosen);
 }
 
-// The least quadric under the conditions, then the ends, which may be better for the shape.
+// The least quadric under the conditions; then places between the ends, which may be better for
+// the shape.
 void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) const {
   const State &at_v = state_[v], &at_w = state_[w];
   const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w), along = from - to;
@@ -107,29 +108,27 @@ void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) co
   LocalQuadric q = at_v.quadric.about(glm::vec3(-along));
   q += at_w.quadric;
   const float size = at_v.size * at_w.size;
-  const auto add = [&](Vertex gone, Vertex kept, const glm::dvec3& x) {
-    scratch.places.push_back({{gone, kept, to + x}, surface_cost(q, glm::vec3(x), size)});
+  const auto add = [&](const Contraction& c) {
+    const glm::vec3 x(c.position - to);
+    scratch.places.push_back({c, surface_cost(q, x, size)});
   };
-  if (freedom == Freedom::Any) {
-    find_planes(v, w, scratch);
-    const double length = glm::length(along);
-    PlacementLimits limits{0.5 * along, 2 * length, 0.1 * length};
-    if (at_v.model.dimension() == 1 && straight_curve(v, w, scratch.star)) {
-      limits.reach = 0.5 * length;
-      add(v, w, least_on_line(q, along / length, limits));
-    } else if (glm::dvec3 x;
-               least_under(q, scratch.planes, scratch.balance.conditions(), limits, x)) {
-      add(v, w, x);
-    }
+  if (freedom == Freedom::OntoFirst) return add({w, v, from});
+  if (freedom == Freedom::OntoSecond) return add({v, w, to});
+  const double length = glm::length(along);
+  const PlacementLimits limits{0.5 * along, 0.5 * length, paid_at_once * length};
+  if (at_v.model.dimension() == 1 && straight_curve(v, w, scratch.star)) {
+    add({v, w, to + least_on_line(q, along / length, limits)});
+    add({v, w, to});
+    add({w, v, from});
+    return;
   }
-  if (freedom != Freedom::OntoFirst) {
-    add(v, w, glm::dvec3(0.0));
-    scratch.places.back().contraction.position = to;
-  }
-  if (freedom != Freedom::OntoSecond) {
-    add(w, v, along);
-    scratch.places.back().contraction.position = from;
-  }
+  find_planes(v, w, scratch);
+  const auto conditions = scratch.balance.conditions();
+  const glm::dvec3 best = least_under(q, scratch.planes, conditions, limits);
+  const glm::dvec3 away = best - limits.middle;
+  if (glm::dot(away, away) <= 4 * length * length) add({v, w, to + best});
+  for (const double share : {0.5, 0.0, 1.0})
+    add({v, w, to + nearest_under(scratch.planes, conditions, limits, share * along)});
 }
 
 void VolumeQualityLoop::find_planes(Vertex v, Vertex w, Scratch& scratch) const {

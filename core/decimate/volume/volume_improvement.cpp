@@ -127,23 +127,52 @@ bool VolumeQualityLoop::advance_smooth() {
     return false;
   }
   cursor_ = id + 1;
-  return try_move(Vertex(id));
+  return settling_ > 0 ? settle(Vertex(id)) : try_move(Vertex(id));
 }
 
 bool VolumeQualityLoop::try_move(Vertex v) {
   glm::dvec3 x;
   if (!options_.smooth || options_.kept(v) || !find_target(v, scratch_, x)) return false;
-  const glm::dvec3 from = mesh_.position(v), target = from + x;
-  const glm::dvec3 gone = target - from;
+  move(v, x);
+  return true;
+}
+
+// Goes by `x`; the conditions in the scratch are those at the vertex.
+void VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
   State& s = state_[v];
   if (s.model.dimension() < 3) {
-    s.quadric = s.quadric.about(glm::vec3(gone));
-    debts_.settle(v, gone, scratch_.balance.conditions());
+    s.quadric = s.quadric.about(glm::vec3(x));
+    debts_.settle(v, x, scratch_.balance.conditions());
   }
-  apply_smooth(mesh_, v, target);
+  apply_smooth(mesh_, v, mesh_.position(v) + x);
   stir(v);
   made(StepKind::Smooth, v, plan_.change);
-  return true;
+}
+
+// Pays what the vertex owes and nothing else; what it cannot pay its neighbours may.
+bool VolumeQualityLoop::settle(Vertex v) {
+  constexpr double noise = 1e-9;  // of a size cubed
+  const State& s = state_[v];
+  if (s.model.dimension() == 0 || s.model.dimension() == 3 || options_.kept(v)) return false;
+  gather(mesh_, v, scratch_.balls[0]);
+  scratch_.balance.begin(mesh_.position(v));
+  Frame frame;
+  glm::dvec3 x(0.0);
+  if (!fix_ways(v, scratch_, frame, x)) return false;
+  double owed = 0;
+  for (const VolumeCondition& c : scratch_.balance.conditions())
+    owed = std::max(owed, std::abs(c.debt));
+  if (owed <= noise * std::pow(double(s.size), 3)) return false;
+  relaxation_.begin(mesh_, v, scratch_.balls[0]);
+  const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
+  if (x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least &&
+      keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
+    move(v, x);
+    return true;
+  }
+  const StarFace& f = scratch_.star[static_cast<std::size_t>(settling_) % scratch_.star.size()];
+  if (state_[f.next].model == s.model) debts_.hand_over(v, f.next);
+  return false;
 }
 
 // Where the energy of the vertex is least, as far as one step tells; false where it stays.
@@ -167,16 +196,15 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges
 // also along them. `x` receives what pays their debts.
 bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x) {
-  constexpr double most_paid = 0.05;  // of the size
   const int dimension = state_[v].model.dimension();
   gather_model_faces(mesh_, v, scratch.star);
   scratch.planes.clear();
   scratch.planes.add(mesh_, v, scratch.star);
   take_planes(scratch.planes, frame);
   scratch.balance.add(mesh_, v, scratch.balls[0]);
-  if (dimension == 2 && frame.taken() == 0) draw_debts(v, scratch);
+  if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
-  take_conditions(scratch.balance.conditions(), most_paid * double(state_[v].size),
+  take_conditions(scratch.balance.conditions(), paid_at_once * double(state_[v].size),
                   3 - dimension, frame, x);
   if (dimension == 2) return frame.taken() == 1;
   glm::dvec3 along;
@@ -206,7 +234,7 @@ void VolumeQualityLoop::draw_debts(Vertex v, const Scratch& scratch) {
   const ModelRef a = sides[0].region, b = sides.back().region;
   for (const StarFace& f : scratch.star) {
     const Vertex u = f.next;
-    if (state_[u].model.dimension() > 1) continue;
+    if (state_[u].model.dimension() >= state_[v].model.dimension()) continue;
     const double at_a = debts_.of(u, a), at_b = debts_.of(u, b);
     const double part = a == b ? at_a : 0.5 * (at_a - at_b);
     debts_.add(u, a, -part);

@@ -37,11 +37,6 @@ glm::dvec3 least_over(const QuadricOf<double>& q, const Frame& frame, const glm:
   return x + ((fg * sg - gg * sf) * f + (fg * sf - ff * sg) * g) / determinant;
 }
 
-bool within(const glm::dvec3& x, const PlacementLimits& limits) {
-  const glm::dvec3 away = x - limits.middle;
-  return glm::dot(away, away) <= limits.reach * limits.reach;
-}
-
 }  // namespace
 
 bool Frame::take(const glm::dvec3& n) {
@@ -84,23 +79,28 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
   }
 }
 
-bool least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
-                 std::span<const VolumeCondition> conditions, const PlacementLimits& limits,
-                 glm::dvec3& x) {
+glm::dvec3 least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
+                       std::span<const VolumeCondition> conditions,
+                       const PlacementLimits& limits) {
   const QuadricOf<double> q(quadric);
   Frame frame;
   take_planes(planes, frame);
-  glm::dvec3 met = limits.middle;
-  take_conditions(conditions, limits.payment, 2, frame, met);
-  if (frame.taken() == 0) {
-    if (!q.minimum(limits.middle, steady * q.trace(), x)) x = limits.middle;
-    return within(x, limits);
+  glm::dvec3 x = limits.middle;
+  take_conditions(conditions, limits.payment, 2, frame, x);
+  if (frame.taken() > 0) {
+    frame.complete();
+    return least_over(q, frame, x);
   }
-  frame.complete();
-  x = least_over(q, frame, met);
-  if (within(x, limits)) return true;
-  x = met;
-  return within(x, limits);
+  return q.minimum(limits.middle, steady * q.trace(), x) ? x : limits.middle;
+}
+
+glm::dvec3 nearest_under(const ModelPlanes& planes, std::span<const VolumeCondition> conditions,
+                         const PlacementLimits& limits, const glm::dvec3& x) {
+  Frame frame;
+  take_planes(planes, frame);
+  glm::dvec3 near = x;
+  take_conditions(conditions, limits.payment, 2, frame, near);
+  return near;
 }
 
 glm::dvec3 least_on_line(const LocalQuadric& quadric, const glm::dvec3& direction,

@@ -18,7 +18,7 @@ namespace aomd {
 /// conditions.
 struct PlacementLimits {
   glm::dvec3 middle{0.0};  ///< of the edge: where flat places leave the minimum open
-  double reach = 0;        ///< no further from the middle
+  double reach = 0;        ///< no further from it along a line
   double payment = 0;      ///< no further than this for the sake of debts
 };
 
@@ -51,11 +51,15 @@ void take_planes(const ModelPlanes& planes, Frame& frame);
 void take_conditions(std::span<const VolumeCondition> conditions, double payment, int most,
                      Frame& frame, glm::dvec3& x);
 
-/// Fills `x` with the place where `quadric` is least on the flat model faces around and under the
-/// conditions; false where they lead too far.
-[[nodiscard]] bool least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
-                               std::span<const VolumeCondition> conditions,
-                               const PlacementLimits& limits, glm::dvec3& x);
+/// The place where `quadric` is least on the flat model faces around and under the conditions.
+[[nodiscard]] glm::dvec3 least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
+                                     std::span<const VolumeCondition> conditions,
+                                     const PlacementLimits& limits);
+
+/// The place next to `x` that does not leave these faces and meets these conditions.
+[[nodiscard]] glm::dvec3 nearest_under(const ModelPlanes& planes,
+                                       std::span<const VolumeCondition> conditions,
+                                       const PlacementLimits& limits, const glm::dvec3& x);
 
 /// The place on the line through `middle` along `direction` (of length 1) where the quadric is
 /// least, no further than the reach.

@@ -41,6 +41,9 @@ class VolumeQualityLoop final : public Loop {
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
 
+ public:
+  void dump() const;
+
  private:
   static constexpr float unlimited = std::numeric_limits<float>::infinity();
   static constexpr std::size_t vertices_a_piece = 1024;  ///< where threads share them out
@@ -126,7 +129,8 @@ class VolumeQualityLoop final : public Loop {
   void enter(Phase phase);
   void end_phase();
   void end_round();
-  [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= target_; }
+  void end_settling();
+  [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }
   [[nodiscard]] bool last_descent() const;
 
   // Passes over tetrahedra and vertices (volume_improvement.cpp)
@@ -140,6 +144,8 @@ class VolumeQualityLoop final : public Loop {
   void note_gains(const EdgeRemoval& plan);
   bool remove_face(Region r, std::uint32_t slot);
   bool try_move(Vertex v);
+  bool settle(Vertex v);
+  void move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
@@ -147,7 +153,8 @@ class VolumeQualityLoop final : public Loop {
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);
 
-  static constexpr double curve_weight = 3;  ///< of the planes along model edges
+  static constexpr double curve_weight = 3;   ///< of the planes along model edges
+  static constexpr double paid_at_once = 0.1;  ///< of debts: by moving by this part of a length
 
   RegionCollapser collapser_;
   VertexRelaxation relaxation_;
@@ -168,9 +175,10 @@ class VolumeQualityLoop final : public Loop {
   Column<Vertex, std::uint32_t> stir_;  ///< the pass in which something around changed last
   std::uint32_t stir_now_ = 0, stir_limit_ = 0;
 
-  std::uint32_t target_ = 0;
+  std::uint32_t target_ = 0, goal_ = 0;
   std::uint32_t start_regions_ = 0;
-  int round_ = 0;  ///< of improvement, since the last descent
+  int round_ = 0;     ///< of improvement, since the last descent
+  int settling_ = 0;  ///< passes in which debts are paid, at the end
   int descents_ = 0;
   std::uint32_t before_descent_ = 0, freed_ = 0;
   std::uint32_t cursor_ = 0;  ///< of a pass
