@@ -159,7 +159,7 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
 }
 
 // Another place is worth it as long as nothing else in the queue costs less.
-float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + 0.25f; }
+float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + (float)offer_; }
 
 Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch) {
   find_places(v, w, scratch);

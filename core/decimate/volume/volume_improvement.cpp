@@ -13,7 +13,7 @@ namespace aomd {
 namespace {
 
 // A tetrahedron of this shape is good enough to be left to itself.
-constexpr double fair = 0.6;
+const double fair = knob("FAIR",0.6);
 
 constexpr std::array<std::array<std::uint8_t, 2>, 6> edges_of_tet{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -204,7 +204,7 @@ bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::
   scratch.balance.add(mesh_, v, scratch.balls[0]);
   if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
-  take_conditions(scratch.balance.conditions(), paid_at_once * double(state_[v].size),
+  take_conditions(scratch.balance.conditions(), (settling_ > 0 ? settle_step_ : paid_at_once) * double(state_[v].size),
                   3 - dimension, frame, x);
   if (dimension == 2) return frame.taken() == 1;
   glm::dvec3 along;

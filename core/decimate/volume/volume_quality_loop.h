@@ -19,7 +19,9 @@
 #include "core/operators/face_removal.h"
 #include "core/operators/region_collapse.h"
 
+#include <cstdlib>
 namespace aomd {
+inline double knob(const char* n, double d) { const char* s = std::getenv(n); return s ? std::atof(s) : d; }
 
 class VolumeQualityLoop final : public Loop {
  public:
@@ -154,7 +156,9 @@ class VolumeQualityLoop final : public Loop {
   std::uint32_t pass_done(std::uint32_t made);
 
   static constexpr double curve_weight = 3;   ///< of the planes along model edges
-  static constexpr double paid_at_once = 0.1;  ///< of debts: by moving by this part of a length
+  double paid_at_once = 0.1;  ///< of debts: by moving by this part of a length
+  double settle_step_ = 0.02;
+  int settle_passes_=8; double power_=1; double offer_=0.25;
 
   RegionCollapser collapser_;
   VertexRelaxation relaxation_;

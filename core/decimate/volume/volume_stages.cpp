@@ -61,13 +61,14 @@ double VolumeQualityLoop::stretch() const {
 
 void VolumeQualityLoop::set_rules() {
   const double w = options_.regularity;
-  floor_ = between(w, 0.15, 0.30, 0.40);
-  surface_ = static_cast<float>(between(w, 3000, 300, 30));
+  paid_at_once = knob("PAID", 0.1); settle_step_ = knob("SETTLE", 0.02); settle_passes_=(int)knob("PASSES",12); power_=knob("POWER",1); offer_=knob("OFFER",0.25); fit_=(float)knob("FIT",1);
+  floor_ = knob("FLOOR",between(w, 0.15, 0.30, 0.40));
+  surface_ = static_cast<float>(knob("SURFACE",between(w, 3000, 300, 30)));
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_shape = floor_;
-  rules_.overshoot = 2 * stretch();
+  rules_.overshoot = knob("OVER",2) * stretch();
   rules_.size = &size_;
   removal_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
 }
@@ -191,7 +192,7 @@ void VolumeQualityLoop::end_round() {
 
 // What regions are owed at the end is paid in a few passes.
 void VolumeQualityLoop::end_settling() {
-  constexpr int passes = 8;
+  const int passes = settle_passes_;
   if (settling_ < passes && options_.smooth) {
     ++settling_;
     enter(Phase::Smooth);
