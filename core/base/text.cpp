@@ -51,6 +51,7 @@ std::string limited_line(std::string_view line) {
 std::string plural(std::string_view one) {
   constexpr std::string_view latin = "vertex";
   if (one.ends_with(latin)) return std::string(one.substr(0, one.size() - 2)) + "ices";
+  if (one.ends_with("hedron")) return std::string(one.substr(0, one.size() - 2)) + 'a';
   return std::string(one) + (one.ends_with("ch") ? "es" : "s");
 }
 

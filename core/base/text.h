@@ -10,7 +10,7 @@
 
 namespace aomd {
 
-/// The word for any number of things but one: "faces", "vertices", "patches".
+/// The word for any number of things but one: "faces", "vertices", "patches", "hexahedra".
 [[nodiscard]] std::string plural(std::string_view one);
 
 /// "1 face", "12 faces", "2 vertices".

@@ -95,8 +95,8 @@ Mesh& decimable(Mesh& mesh) {
   return mesh;
 }
 
-// Then nothing needs the edges inside model faces: they need not be entities. Without T(0,1) a
-// model edge is found only by the faces around its ends, and where these may end one.
+// Whether the edges inside model faces are no entities, and all others can be found without T(0,1),
+// which takes a face around both ends, and ends where a model edge may end.
 bool lists_model_edges_only(const Mesh& mesh) {
   if (mesh.complete(1)) return false;
   for (const Edge e : mesh.edges()) {

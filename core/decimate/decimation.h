@@ -81,8 +81,8 @@ class Decimation {
   /// What would become of an edge, for each way in which the strategy may collapse it: each end for
   /// Paper, one for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) { return loop_->outlook(edge); }
-  /// The same for swapping it and for smoothing a vertex. None while Quality collapses: it judges
-  /// them by where the original's points lie, which it finds out after that.
+  /// What swapping an edge and smoothing a vertex would come to. None while Quality collapses: it
+  /// judges them by where the original's points lie, which it finds out after that.
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) {
     return loop_->swap_outlook(edge);
   }

@@ -23,15 +23,13 @@ Holds what_holds(Format format) {
   switch (format) {
     case Format::Obj:
       return {true, false, false};
-    case Format::Ply:
-      return {true, true, false};
     case Format::Off:
     case Format::Stl:
       return {false, false, false};
+    case Format::Ply:
     case Format::Medit:
+    case Format::Su2:  // as markers, as far as it has them
       return {true, true, false};
-    case Format::Su2:
-      return {true, true, false};  // as markers, as far as it has them
     case Format::Msh:
     case Format::Vtk:
     case Format::Vtu:

@@ -14,7 +14,7 @@ namespace {
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// What the lines of a keyword hold that we pass over.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> meanings{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> keyword_meanings{
     {{"vt", "texture coordinates"},
      {"vn", "normals"},
      {"mtllib", "materials"},
@@ -71,10 +71,10 @@ class ObjScanner {
   }
 
   void leave_out(std::string_view keyword) {
-    const auto at = std::find_if(meanings.begin(), meanings.end(),
+    const auto at = std::find_if(keyword_meanings.begin(), keyword_meanings.end(),
                                  [&](const auto& meaning) { return meaning.first == keyword; });
-    if (at == meanings.end()) return text_.left_out.add(shown(keyword) + " lines");
-    bool& said = said_[static_cast<std::size_t>(at - meanings.begin())];
+    if (at == keyword_meanings.end()) return text_.left_out.add(shown(keyword) + " lines");
+    bool& said = said_[static_cast<std::size_t>(at - keyword_meanings.begin())];
     if (!said) text_.left_out.add(std::string(at->second));
     said = true;
   }
@@ -164,7 +164,7 @@ class ObjScanner {
 
   const Source& source_;
   ObjText text_;
-  std::array<bool, meanings.size()> said_{};
+  std::array<bool, keyword_meanings.size()> said_{};
 };
 
 }  // namespace

@@ -186,7 +186,7 @@ class OffBinary {
     if (coloured_) left_out_.add("face colours");
     note_left_out(result.notes, left_out_);
     note_rest(result.notes, source_.bytes.substr(at_), "face");
-    if (little_) result.notes.push_back("read as little-endian");
+    if (little_) result.notes.emplace_back("read as little-endian");
     return result;
   }
 
@@ -209,7 +209,7 @@ class OffBinary {
       return at <= size;
     };
     bool inside = at <= size && faces <= size;
-    for (std::uint64_t i = 0; inside && i < faces; ++i) inside = step() && step();
+    for (std::uint64_t i = 0; inside && i < 2 * faces; ++i) inside = step();
     at_ = static_cast<std::size_t>(start);
     return inside;
   }

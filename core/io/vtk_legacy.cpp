@@ -4,11 +4,7 @@
 #include <cctype>
 
 namespace aomd::io::detail {
-namespace {
-
-constexpr std::endian big = std::endian::big;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string decoded(std::string_view name) {
   std::string text;
@@ -88,13 +84,13 @@ std::string_view LegacyInput::take(std::uint64_t n, std::size_t size) {
 
 void LegacyInput::values(NumberType type, std::uint64_t n, std::vector<double>& out) {
   check_room(n);
-  if (binary_) return decode(take(n, size_of(type)), type, big, out);
+  if (binary_) return decode(take(n, size_of(type)), type, std::endian::big, out);
   read_text(cursor_, static_cast<std::size_t>(n), is_integer(type), out);
 }
 
 void LegacyInput::values(NumberType type, std::uint64_t n, std::vector<std::int64_t>& out) {
   check_room(n);
-  if (binary_) return decode(take(n, size_of(type)), type, big, out);
+  if (binary_) return decode(take(n, size_of(type)), type, std::endian::big, out);
   read_text(cursor_, static_cast<std::size_t>(n), out);
 }
 

@@ -77,13 +77,13 @@ class LegacyReader : LegacyArrays {
   enum class Kind { Unstructured, Polygonal, Uniform, Rectilinear, Curvilinear };
 
   Kind kind_of(const std::string& name) const {
-    constexpr std::pair<std::string_view, Kind> kinds[] = {
+    constexpr std::pair<std::string_view, Kind> section_kinds[] = {
         {"unstructured_grid", Kind::Unstructured},
         {"polydata", Kind::Polygonal},
         {"structured_points", Kind::Uniform},
         {"rectilinear_grid", Kind::Rectilinear},
         {"structured_grid", Kind::Curvilinear}};
-    for (const auto& [known, kind] : kinds) {
+    for (const auto& [known, kind] : section_kinds) {
       if (known == name) return kind;
     }
     cursor_.fail("a dataset of kind " + shown(name) +

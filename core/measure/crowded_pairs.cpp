@@ -17,9 +17,9 @@ namespace {
 
 using glm::dvec3;
 
-// So many triangles at one corner are compared with each other; more are a crowd.
+// Triangles at one corner that are compared with each other, at most; more are a crowd.
 constexpr std::uint32_t most_at_a_corner = 256;
-constexpr std::size_t nodes_a_piece = 512;
+constexpr std::size_t nodes_a_share = 512;
 constexpr std::size_t least_slots = 1024;
 
 // What rounding may do to a unit vector, with room to spare.
@@ -101,8 +101,9 @@ class CrowdedPairs {
   void meet(const std::vector<Item>& items, std::size_t shared) {
     std::vector<std::vector<Item>> parts = parted(items, shared);
     std::vector<TriangleTree> trees;
+    trees.reserve(parts.size());
     for (const auto& part : parts) trees.push_back(tree_of(part, shared));
-    parallel_for(trees[0].nodes(), threads_, nodes_a_piece, [&](std::size_t b, std::size_t e) {
+    parallel_for(trees[0].nodes(), threads_, nodes_a_share, [&](std::size_t b, std::size_t e) {
       trees[0].touching_pairs(b, e, visiting(parts[0], trees[0], parts[0], trees[0]));
     });
     for (std::size_t i = 0; i < trees.size(); ++i)

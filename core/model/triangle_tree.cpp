@@ -19,6 +19,11 @@ void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices,
   }
 }
 
+double half_surface(const Box& box) {
+  const glm::dvec3 size = box.high - box.low;
+  return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
 }  // namespace
 
 Triangles triangles_of(const Mesh& mesh) {
@@ -73,6 +78,7 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles, int threads) {
     }
   });
   add_boxes();
+  if (boxes_overlap()) add_tilted_boxes();
 }
 
 void TriangleTree::add_boxes() {
@@ -84,6 +90,35 @@ void TriangleTree::add_boxes() {
       node.box = nodes_[id + 1].box;
       node.box.add(nodes_[node.right].box);
     }
+  }
+}
+
+// A line through the box of all meets as many leaves as their surfaces are larger than its own: a
+// few of a surface, thousands of a fan of thin triangles.
+bool TriangleTree::boxes_overlap() const {
+  constexpr double most_met = 64;
+  const double whole = half_surface(nodes_[0].box);
+  double leaves = 0;
+  for (const Node& node : nodes_) leaves += node.leaf() ? half_surface(node.box) : 0;
+  return leaves > most_met * whole;
+}
+
+// Along the sides of the triangle in the middle: where those of a node lie side by side, it lies as
+// all of them do.
+void TriangleTree::add_tilted_boxes() {
+  tilted_.resize(nodes_.size());
+  const Box all = box();
+  for (std::size_t id = nodes_.size(); id-- > 0;) {
+    const Node& node = nodes_[id];
+    TiltedBox& tilted = tilted_[id];
+    tilted = TiltedBox(triangles_[(node.begin + node.end) / 2], all);
+    if (!node.leaf()) {
+      tilted.add(tilted_[id + 1]);
+      tilted.add(tilted_[node.right]);
+      continue;
+    }
+    for (std::uint32_t k = node.begin; k < node.end; ++k)
+      for (const glm::dvec3& p : triangles_[k]) tilted.add(p);
   }
 }
 
@@ -152,7 +187,7 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
     double distance2;
   } stack[stack_size];
   std::size_t top = 0;
-  stack[top++] = {0, nodes_[0].box.distance2(p)};
+  stack[top++] = {0, bound2(0, p)};
   while (top > 0) {
     const Waiting next = stack[--top];
     if (!(next.distance2 < best.distance2)) continue;
@@ -161,8 +196,7 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
       for (std::uint32_t n = node.begin; n < node.end; ++n) consider(n);
       continue;
     }
-    Waiting near{next.node + 1, nodes_[next.node + 1].box.distance2(p)};
-    Waiting far{node.right, nodes_[node.right].box.distance2(p)};
+    Waiting near{next.node + 1, bound2(next.node + 1, p)}, far{node.right, bound2(node.right, p)};
     if (far.distance2 < near.distance2) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;
@@ -177,7 +211,7 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
                d4 = glm::dot(ac, bp);
   const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  double y, z;  // of b and c
+  double y = 0, z = 0;  // of b and c
   if (va > 0 && vb > 0 && vc > 0) {
     const double sum = va + vb + vc;
     y = vb / sum, z = vc / sum;

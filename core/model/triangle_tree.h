@@ -1,6 +1,7 @@
 #pragma once
 // A tree of boxes over triangles: which boxes touch, and which triangle is nearest to a point.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -12,6 +13,7 @@
 
 #include "core/base/box.h"
 #include "core/mesh/mesh.h"
+#include "core/model/tilted_box.h"
 
 namespace aomd {
 
@@ -31,7 +33,8 @@ struct Triangles {
 
 /// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median
 /// where the middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the
-/// triangles are copied, about 170 bytes each with the tree.
+/// triangles are copied, about 170 bytes each with the tree. Where boxes along the axes tell little
+/// apart, as of thin triangles around one vertex or edge, each node has a tilted box too.
 class TriangleTree {
  public:
   /// The same tree for any number of threads.
@@ -102,11 +105,19 @@ class TriangleTree {
   static void build(std::span<Item> items, std::uint32_t begin, int threads,
                     std::vector<Node>& nodes);
   void add_boxes();
+  [[nodiscard]] bool boxes_overlap() const;
+  void add_tilted_boxes();
+  /// Squared distance that all triangles below a node have from `p` at least.
+  [[nodiscard]] double bound2(std::uint32_t node, const glm::dvec3& p) const {
+    const double d2 = nodes_[node].box.distance2(p);
+    return tilted_.empty() ? d2 : std::max(d2, tilted_[node].distance2(p));
+  }
   template <typename Visit>
   void pairs_between(std::uint32_t a, const TriangleTree& other, std::uint32_t b,
                      Visit& visit) const;
 
   std::vector<Node> nodes_;
+  std::vector<TiltedBox> tilted_;  ///< of each node, or empty
   std::vector<Triangle> triangles_;
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> source_;
@@ -120,7 +131,7 @@ class TriangleTree {
 /// The place on triangle (a, b, c) nearest to `p`, as barycentric coordinates (Ericson, Real-Time
 /// Collision Detection, section 5.1.5). Returns the squared distance.
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c, glm::dvec3& barycentric);
+                           const glm::dvec3& c, glm::dvec3& at);
 
 /// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
 [[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);
@@ -134,7 +145,7 @@ void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) 
   while (top > 0) {
     const std::uint32_t id = stack[--top];
     const Node& node = nodes_[id];
-    if (node.box.distance2(p) > distance2) continue;
+    if (bound2(id, p) > distance2) continue;
     if (!node.leaf()) {
       stack[top++] = node.right;
       stack[top++] = id + 1;

@@ -16,7 +16,7 @@ struct StarFace {
   Face face;
   std::uint32_t slot = 0;  ///< where the vertex stands in the face
   Vertex next, previous;   ///< the other two, in the face's order
-  [[nodiscard]] bool uses(Vertex v) const { return (next == v) | (previous == v); }
+  [[nodiscard]] bool uses(Vertex v) const { return next == v || previous == v; }
   [[nodiscard]] Vertex third(Vertex v) const { return next == v ? previous : next; }
 };
 using Star = std::vector<StarFace>;

@@ -34,7 +34,7 @@ class ZeroAreaMender {
       queue_.pop_front();
       waiting_.erase(f);
       if (is_flat_face(f) && ++tries_[f] <= most_tries)
-        static_cast<void>(collapse(f) || swap(f) || remove(f));
+        static_cast<void>(collapse(f) || swap_side(f) || remove(f));
     }
     for (const std::uint32_t f : flat)
       if (is_flat_face(f)) result_.left.add(f);
@@ -175,7 +175,7 @@ class ZeroAreaMender {
   //     / \           /|\      .
   //    /   \   ->    / | \     .
   //   a--b--c       a--b--c
-  bool swap(std::uint32_t f) {
+  bool swap_side(std::uint32_t f) {
     const auto [a, b, c] = round_middle(f);
     const auto at_side = around_.at_side(a, c);
     if (at_side.size() != 2 || listed(a, c) || coincide(a, b) || coincide(b, c)) return false;
@@ -221,7 +221,7 @@ class ZeroAreaMender {
     std::vector<std::uint32_t> begin(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       begin[e] = 2 * e;
-      keep[e] = edges.vertices[2 * e] != edges.vertices[2 * e + 1];
+      keep[e] = edges.vertices[begin[e]] != edges.vertices[begin[e] + 1];
     }
     keep_entities(surface_.data(), 1, keep, begin);
   }

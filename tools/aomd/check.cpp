@@ -15,16 +15,17 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string file;
   bool json = false, unused = false;
   std::vector<std::string> required;  ///< names of properties
 };
 
-std::string shown(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
+std::string entity_text(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
 std::vector<std::string> property_names() {
   std::vector<std::string> names;
+  names.reserve(surface_property_count);
   for (int i = 0; i < surface_property_count; ++i)
     names.emplace_back(property_name(static_cast<SurfaceProperty>(i)));
   return names;
@@ -37,7 +38,7 @@ struct Checked {
   std::vector<std::string> missing;  ///< of the required properties
 };
 
-bool is_required(const Options& options, SurfaceProperty property) {
+bool is_required(const CheckArguments& options, SurfaceProperty property) {
   const auto names = [&](const char* name) {
     return std::find(options.required.begin(), options.required.end(), name) !=
            options.required.end();
@@ -46,7 +47,7 @@ bool is_required(const Options& options, SurfaceProperty property) {
 }
 
 // A border is no dirt: it is told where the surface is to be closed.
-void look_at_surface(const Options& options, const MeshData& data, const Mesh& mesh,
+void look_at_surface(const CheckArguments& options, const MeshData& data, const Mesh& mesh,
                      Checked& result) {
   if (!data.regions.empty()) return;
   for (const SurfaceFinding& finding : survey(data))
@@ -64,7 +65,7 @@ void look_at_surface(const Options& options, const MeshData& data, const Mesh& m
                        result.missing.end());
 }
 
-Checked checked(const Options& options) {
+Checked checked(const CheckArguments& options) {
   io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
   Checked result;
@@ -88,15 +89,15 @@ std::string summary(const Checked& result) {
 
 void print(const std::string& file, const Checked& result) {
   for (const Finding& f : result.mesh)
-    std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
+    std::cout << f.name << ": " << entity_text(f.entity) << ": " << f.text << '\n';
   for (const SurfaceFinding& f : result.surface) std::cout << line_of(f, file) << '\n';
   std::cout << file << ": " << summary(result) << '\n';
 }
 
-Json json_of(const Options& options, const Checked& result) {
+Json json_of(const CheckArguments& options, const Checked& result) {
   Json list = Json::array();
   for (const Finding& f : result.mesh)
-    list.push_back({{"name", f.name}, {"entity", shown(f.entity)}, {"text", f.text}});
+    list.push_back({{"name", f.name}, {"entity", entity_text(f.entity)}, {"text", f.text}});
   return {{"schema", 1},
           {"file", options.file},
           {"findings", list},
@@ -105,7 +106,7 @@ Json json_of(const Options& options, const Checked& result) {
           {"missing", result.missing}};
 }
 
-int run(const Options& options) {
+int run(const CheckArguments& options) {
   const Checked result = checked(options);
   if (options.json)
     std::cout << text_of(json_of(options, result));
@@ -121,7 +122,7 @@ void add_check(CLI::App& app, Action& action) {
       "check",
       "Names what is wrong with a mesh, exit code 1 when anything is, and what is dirty in a "
       "surface");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--unused", options->unused,

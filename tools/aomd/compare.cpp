@@ -17,7 +17,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::string original, result;
   bool json = false, same_topology = false;
   std::size_t samples = 500'000;
@@ -58,7 +58,7 @@ Side read_side(const std::string& file, bool quiet, Progress& progress, int thre
   return side;
 }
 
-Comparison compare(const Options& options) {
+Comparison compare(const CompareArguments& options) {
   Progress progress(false);
   const int threads = thread_count(options.threads);
   Comparison c{read_side(options.original, options.json, progress, threads),
@@ -81,7 +81,7 @@ bool same_topology(const measure::Counts& a, const measure::Counts& b) {
 }
 
 /// What goes beyond the limits that were given, one sentence each.
-std::vector<std::string> objections(const Comparison& c, const Options& options) {
+std::vector<std::string> objections(const Comparison& c, const CompareArguments& options) {
   std::vector<std::string> list;
   const auto limit = [&list](const auto& largest, auto value, const char* what, const char* unit) {
     if (!largest || value <= *largest) return;
@@ -94,7 +94,7 @@ std::vector<std::string> objections(const Comparison& c, const Options& options)
   limit(options.max_flips, c.normals.flips, "number of flips", "");
   limit(options.max_intersections, c.result.self_intersections, "number of self-intersections", "");
   if (options.same_topology && !same_topology(c.original.counts, c.result.counts))
-    list.push_back("the topology differs");
+    list.emplace_back("the topology differs");
   return list;
 }
 
@@ -191,7 +191,7 @@ void print(const Comparison& c) {
   sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
 }
 
-int run(const Options& options) {
+int run(const CompareArguments& options) {
   const Comparison c = compare(options);
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
@@ -203,7 +203,7 @@ int run(const Options& options) {
   return list.empty() ? done : says_no;
 }
 
-void add_limits(CLI::App* command, Options& options) {
+void add_limits(CLI::App* command, CompareArguments& options) {
   const auto limit = [command](const char* name, auto& value, const char* text) {
     return command->add_option(name, value, text)
         ->type_name("N")
@@ -231,7 +231,7 @@ void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "compare",
       "Distances, normals and topology between two surfaces; exit code 1 beyond given limits");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   command->add_option("ORIGINAL", options->original, "The surface that is the measure")->required();
   command->add_option("RESULT", options->result, "The surface that should be like it")->required();
   command->add_flag("--json", options->json, "As JSON");

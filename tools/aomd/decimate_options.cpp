@@ -46,6 +46,7 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
 
 std::vector<std::string> idea_names() {
   std::vector<std::string> names;
+  names.reserve(idea_count);
   for (int i = 0; i < idea_count; ++i) names.emplace_back(idea_name(static_cast<Idea>(i)));
   return names;
 }

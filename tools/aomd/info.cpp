@@ -12,7 +12,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct InfoArguments {
   std::string file;
   bool json = false;
 };
@@ -57,7 +57,7 @@ void print(const std::string& file, const Mesh& mesh, const measure::Counts& cou
   row("memory, MB", static_cast<double>(mesh.entity_bytes() + mesh.adjacency_bytes()) / 1e6);
 }
 
-int run(const Options& options) {
+int run(const InfoArguments& options) {
   Stopwatch watch;
   const io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
@@ -93,7 +93,7 @@ int run(const Options& options) {
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("info", "Counts, topology, classification, quality and memory of a mesh");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoArguments>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

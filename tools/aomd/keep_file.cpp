@@ -123,7 +123,7 @@ void mark_required(const Mesh& mesh, Kept& required) {
 
 }  // namespace
 
-std::shared_ptr<const Kept> keep_required(const Mesh& mesh, std::shared_ptr<const Kept> keep,
+std::shared_ptr<const Kept> keep_required(const Mesh& mesh, const std::shared_ptr<const Kept>& keep,
                                           std::size_t& required) {
   Kept kept(mesh.capacity(0), 0);
   mark_required<Vertex>(mesh, kept);

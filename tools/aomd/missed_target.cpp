@@ -40,7 +40,7 @@ class Help {
       case Reason::Classification:
         return against_classification();
       case Reason::Topology:
-        if (const std::string mending = by_mending(); !mending.empty()) return mending;
+        if (std::string mending = by_mending(); !mending.empty()) return mending;
         return steps_.topology == TopologyRule::Safe ? "--topology paper" : "";
       case Reason::Flat:
         return given_.repair ? "" : "--repair";
@@ -68,7 +68,7 @@ class Help {
  private:
   /// Borders that should be none, and edges of many faces, are model edges as features are.
   [[nodiscard]] std::string against_classification() const {
-    if (const std::string mending = by_mending(); !mending.empty()) return mending;
+    if (std::string mending = by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     return given_.feature_angle != "off" ? "--feature-angle off" : "";

@@ -13,7 +13,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct RepairArguments {
   std::string input, output, format;
   RepairOptions repair;
   WeldOption weld;
@@ -24,7 +24,7 @@ void print(std::ostream& out, const std::string& file, const std::vector<RepairI
   for (const RepairItem& item : items) out << printable(file) << ": " << line_of(item) << '\n';
 }
 
-int run(Options& options) {
+int run(RepairArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"IN", options.input}}, outputs);
@@ -81,7 +81,7 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
 void add_repair(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "repair", "Mends what is safe to mend in a dirty surface, and says what it did");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RepairArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());

@@ -20,7 +20,7 @@ std::string weld_words(const SurfaceFinding& finding) {
 
 // Nothing where no command mends it.
 std::string command_of(const SurfaceFinding& finding, const std::string& file) {
-  const std::string repair = "aomd repair " + file + " OUT";
+  std::string repair = "aomd repair " + file + " OUT";
   switch (finding.remedy) {
     case Remedy::Repair:
       return repair;

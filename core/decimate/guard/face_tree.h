@@ -51,8 +51,8 @@ class FaceTree {
   void put(Face f, const Box& box);
   void build();
   void build(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
-  void refit(std::uint32_t node);
-  [[nodiscard]] Box box_below(std::uint32_t node) const;
+  void refit(std::uint32_t id);
+  [[nodiscard]] Box box_below(std::uint32_t id) const;
 
   std::vector<Item> items_;
   std::vector<Node> nodes_;

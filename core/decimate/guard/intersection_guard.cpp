@@ -6,8 +6,9 @@ namespace aomd {
 
 void IntersectionGuard::take(Face face, const Triangle& corners) {
   if (without_area(corners)) return;
-  Piece& piece = pieces_.emplace_back(corners, Box(), face);
-  for (const glm::dvec3& p : corners) piece.box.add(p);
+  Box box;
+  for (const glm::dvec3& p : corners) box.add(p);
+  pieces_.push_back({corners, box, face});
 }
 
 void IntersectionGuard::mark(std::span<const Face> faces) {

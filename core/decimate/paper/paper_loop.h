@@ -36,7 +36,7 @@ class PaperLoop final : public Loop {
  private:
   void set_rules();
   [[nodiscard]] Limits limits(ModelRef edge) const;
-  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Plan& plan);
+  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> may_go, Plan& plan);
   [[nodiscard]] Verdict judge_smoothing(Vertex v, Plan& plan);
   [[nodiscard]] Verdict judge_swapping(Edge edge, Plan& plan);
   [[nodiscard]] double first_reach() const;

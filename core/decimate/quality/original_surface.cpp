@@ -91,7 +91,7 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
-void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const {
+void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
   double best = std::numeric_limits<double>::infinity();
   p.face = no_index;
   for (const Face f : mesh.row<2>(v)) {
@@ -110,7 +110,7 @@ void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex
 // To the better one of the faces that the nearest place also lies on: across its edge, or around
 // its corner; only faces that look the way the original did count, so that no point goes through a
 // thin wall.
-bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
+bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) {
   const Face from(p.face);
   const auto corners = mesh.triangle(from);
   const glm::vec3 at = p.barycentric;

@@ -52,7 +52,7 @@ class QuadricOf {
   [[nodiscard]] Number operator()(const Vec3& p) const {
     return glm::dot(p, times(p) + Number(2) * b_) + c_;
   }
-  /// The same function of x - origin: as seen by who stands there.
+  /// This function in coordinates whose origin is the point `origin`.
   [[nodiscard]] QuadricOf about(const Vec3& origin) const {
     QuadricOf q = *this;
     const Vec3 moved = times(origin);
