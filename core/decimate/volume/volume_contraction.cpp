@@ -2,6 +2,7 @@
 // of these places is taken.
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/decimate/volume/volume_quality_loop.h"
 #include "core/mesh/tet_geometry.h"
@@ -38,8 +39,10 @@ VolumeQualityLoop::Freedom VolumeQualityLoop::freedom_of(Vertex v, Vertex w) con
 
 float VolumeQualityLoop::surface_cost(const LocalQuadric& quadric, const glm::vec3& x,
                                       float size) const {
-  const float area = quadric.trace();
-  return area > 0 ? surface_ * std::max(0.0f, quadric(x)) / (area * size) : 0;
+  const float mean = quadric.trace();
+  const float area = mean > 0 && norm_ > 0 ? float(norm_) * std::pow(size, 1 - float(mix_)) * std::pow(mean, float(mix_)) : mean;
+  const float e = area > 0 ? surface_ * std::max(0.0f, quadric(x)) / (area * size) : 0;
+  return power_ == 1 ? e : std::pow(e, float(power_));
 }
 
 // The smallest shape of the tetrahedra that a contraction stretches; as soon as it is below

@@ -149,30 +149,49 @@ void VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
   made(StepKind::Smooth, v, plan_.change);
 }
 
-// Pays what the vertex owes and nothing else; what it cannot pay its neighbours may.
+// In the first passes debts spread over curved model faces, then they are paid: so that none makes
+// a bump.
 bool VolumeQualityLoop::settle(Vertex v) {
-  constexpr double noise = 1e-9;  // of a size cubed
-  const State& s = state_[v];
-  if (s.model.dimension() == 0 || s.model.dimension() == 3 || options_.kept(v)) return false;
+  const int dimension = state_[v].model.dimension();
+  if (dimension == 0 || dimension == 3 || options_.kept(v)) return false;
   gather(mesh_, v, scratch_.balls[0]);
   scratch_.balance.begin(mesh_.position(v));
   Frame frame;
   glm::dvec3 x(0.0);
-  if (!fix_ways(v, scratch_, frame, x)) return false;
-  double owed = 0;
-  for (const VolumeCondition& c : scratch_.balance.conditions())
-    owed = std::max(owed, std::abs(c.debt));
-  if (owed <= noise * std::pow(double(s.size), 3)) return false;
+  if (!fix_ways(v, scratch_, frame, x) || !owes(v)) return false;
+  if (settling_ <= spreading) {
+    spread(v);
+    return false;
+  }
   relaxation_.begin(mesh_, v, scratch_.balls[0]);
   const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
-  if (x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least &&
-      keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
-    move(v, x);
-    return true;
+  if (x == glm::dvec3(0.0) || relaxation_.worst_shape(x) < least ||
+      !keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
+    spread(v);
+    return false;
   }
-  const StarFace& f = scratch_.star[static_cast<std::size_t>(settling_) % scratch_.star.size()];
-  if (state_[f.next].model == s.model) debts_.hand_over(v, f.next);
-  return false;
+  move(v, x);
+  return true;
+}
+
+bool VolumeQualityLoop::owes(Vertex v) const {
+  constexpr double noise = 1e-9;  // of a size cubed
+  const auto conditions = scratch_.balance.conditions();
+  const double least = noise * std::pow(double(state_[v].size), 3);
+  return std::any_of(conditions.begin(), conditions.end(),
+                     [&](const VolumeCondition& c) { return std::abs(c.debt) > least; });
+}
+
+// Each neighbour inside the same model face takes an equal part.
+void VolumeQualityLoop::spread(Vertex v) {
+  const auto takes = [&](const StarFace& f) { return state_[f.next].model == state_[v].model; };
+  const auto takers = std::count_if(scratch_.star.begin(), scratch_.star.end(), takes);
+  for (const VolumeCondition& c : scratch_.balance.conditions()) {
+    const double part = c.debt / double(takers + 1);
+    for (const StarFace& f : scratch_.star)
+      if (takes(f)) debts_.add(f.next, c.region, part);
+    debts_.add(v, c.region, part - c.debt);
+  }
 }
 
 // Where the energy of the vertex is least, as far as one step tells; false where it stays.

@@ -147,6 +147,8 @@ class VolumeQualityLoop final : public Loop {
   bool remove_face(Region r, std::uint32_t slot);
   bool try_move(Vertex v);
   bool settle(Vertex v);
+  [[nodiscard]] bool owes(Vertex v) const;
+  void spread(Vertex v);
   void move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
@@ -157,8 +159,8 @@ class VolumeQualityLoop final : public Loop {
 
   static constexpr double curve_weight = 3;   ///< of the planes along model edges
   double paid_at_once = 0.1;  ///< of debts: by moving by this part of a length
-  double settle_step_ = 0.02;
-  int settle_passes_=8; double power_=1; double offer_=0.25;
+  int spreading = 8; double settle_step_ = 0.02;
+  int settle_passes_=8; double power_=1; double offer_=0.25; double norm_=0, mix_=0;
 
   RegionCollapser collapser_;
   VertexRelaxation relaxation_;

@@ -61,7 +61,7 @@ double VolumeQualityLoop::stretch() const {
 
 void VolumeQualityLoop::set_rules() {
   const double w = options_.regularity;
-  paid_at_once = knob("PAID", 0.1); settle_step_ = knob("SETTLE", 0.02); settle_passes_=(int)knob("PASSES",12); power_=knob("POWER",1); offer_=knob("OFFER",0.25); fit_=(float)knob("FIT",1);
+  norm_=knob("NORM",0); mix_=knob("MIX",0); spreading=(int)knob("SPREAD",8); paid_at_once = knob("PAID", 0.1); settle_step_ = knob("SETTLE", 0.02); settle_passes_=(int)knob("PASSES",14); power_=knob("POWER",1); offer_=knob("OFFER",0.25); fit_=(float)knob("FIT",1);
   floor_ = knob("FLOOR",between(w, 0.15, 0.30, 0.40));
   surface_ = static_cast<float>(knob("SURFACE",between(w, 3000, 300, 30)));
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
@@ -179,7 +179,7 @@ void VolumeQualityLoop::end_phase() {
 }
 
 void VolumeQualityLoop::end_round() {
-  const int rounds = last_descent() || descents_ > 2 ? 3 : 1;
+  const int rounds = last_descent() || descents_ > 2 ? int(knob("ROUNDS",3)) : int(knob("FIRST",1));
   if (++round_ < rounds) {
     open_sweep();
     enter(options_.swap ? Phase::Swap : Phase::Smooth);
