@@ -37,12 +37,12 @@ VolumeQualityLoop::Freedom VolumeQualityLoop::freedom_of(Vertex v, Vertex w) con
                                                                : Freedom::OntoSecond;
 }
 
+// The third power of the distance, summed over the area: few large errors count more than many
+// small ones. By the size, to which the length of the edge is held too.
 float VolumeQualityLoop::surface_cost(const LocalQuadric& quadric, const glm::vec3& x,
-                                      float size) const {
-  const float mean = quadric.trace();
-  const float area = mean > 0 && norm_ > 0 ? float(norm_) * std::pow(size, 1 - float(mix_)) * std::pow(mean, float(mix_)) : mean;
-  const float e = area > 0 ? surface_ * std::max(0.0f, quadric(x)) / (area * size) : 0;
-  return power_ == 1 ? e : std::pow(e, float(power_));
+                                      float size2) const {
+  const float squares = surface_ * std::max(0.0f, quadric(x)) / (size2 * size2);
+  return squares * std::sqrt(squares);
 }
 
 // The smallest shape of the tetrahedra that a contraction stretches; as soon as it is below
@@ -162,7 +162,7 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
 }
 
 // Another place is worth it as long as nothing else in the queue costs less.
-float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + (float)offer_; }
+float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + 0.25f; }
 
 Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch) {
   find_places(v, w, scratch);

@@ -13,7 +13,7 @@ namespace aomd {
 namespace {
 
 // A tetrahedron of this shape is good enough to be left to itself.
-const double fair = knob("FAIR",0.6);
+constexpr double fair = 0.65;
 
 constexpr std::array<std::array<std::uint8_t, 2>, 6> edges_of_tet{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -152,6 +152,7 @@ void VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
 // In the first passes debts spread over curved model faces, then they are paid: so that none makes
 // a bump.
 bool VolumeQualityLoop::settle(Vertex v) {
+  constexpr int spreading = 8;  // passes
   const int dimension = state_[v].model.dimension();
   if (dimension == 0 || dimension == 3 || options_.kept(v)) return false;
   gather(mesh_, v, scratch_.balls[0]);
@@ -207,7 +208,7 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   if (!fix_ways(v, scratch, frame, shift)) return false;
   for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
-    relaxation_.add_surface(s.quadric, double(fit_ * surface_ / (area * s.size * s.size)));
+    relaxation_.add_surface(s.quadric, double(surface_ / (area * s.size * s.size)));
   return relaxation_.step(floor_, shift, x) &&
          keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }
@@ -223,7 +224,7 @@ bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::
   scratch.balance.add(mesh_, v, scratch.balls[0]);
   if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
-  take_conditions(scratch.balance.conditions(), (settling_ > 0 ? settle_step_ : paid_at_once) * double(state_[v].size),
+  take_conditions(scratch.balance.conditions(), paid_at_once * double(state_[v].size),
                   3 - dimension, frame, x);
   if (dimension == 2) return frame.taken() == 1;
   glm::dvec3 along;

@@ -1,9 +1,6 @@
 // What the quality strategy says about an operation on a volume that it has not made.
 
 #include <algorithm>
-#include <cstdio>
-#include <map>
-#include "core/mesh/tet_geometry.h"
 
 #include "core/decimate/volume/volume_quality_loop.h"
 
@@ -79,22 +76,6 @@ Reason VolumeQualityLoop::last_refusal(Edge e) const {
 
 double VolumeQualityLoop::spacing(Vertex v) const {
   return v.index < state_.size() ? 2.0 * double(state_[v].reach) : 0;
-}
-
-void VolumeQualityLoop::dump() const {
-  std::map<int, std::array<double, 4>> by;
-  for (const Region r : mesh_.regions()) {
-    auto t = mesh_.tetrahedron(r);
-    by[mesh_.classification(r).tag()][0] += six_volumes(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]), mesh_.position(t[3]));
-  }
-  for (auto& [tag, v] : by) {
-    for (const Vertex u : mesh_.vertices()) {
-      double d = debts_.of(u, ModelRef(3, tag));
-      int dim = state_[u].model.dimension();
-      v[1 + std::min(dim, 2)] += d;
-    }
-    std::printf("region %d six volume %.10g debts by vertices %.3g%% curves %.3g%% faces %.3g%%\n", tag, v[0], 100 * v[1] / v[0], 100 * v[2] / v[0], 100 * v[3] / v[0]);
-  }
 }
 
 }  // namespace aomd

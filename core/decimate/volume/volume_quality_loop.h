@@ -19,9 +19,7 @@
 #include "core/operators/face_removal.h"
 #include "core/operators/region_collapse.h"
 
-#include <cstdlib>
 namespace aomd {
-inline double knob(const char* n, double d) { const char* s = std::getenv(n); return s ? std::atof(s) : d; }
 
 class VolumeQualityLoop final : public Loop {
  public:
@@ -42,9 +40,6 @@ class VolumeQualityLoop final : public Loop {
   [[nodiscard]] Reason last_refusal(Edge e) const override;
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
-
- public:
-  void dump() const;
 
  private:
   static constexpr float unlimited = std::numeric_limits<float>::infinity();
@@ -100,7 +95,7 @@ class VolumeQualityLoop final : public Loop {
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
   [[nodiscard]] float surface_cost(const LocalQuadric& quadric, const glm::vec3& x,
-                                   float size) const;
+                                   float size2) const;
   void find_places(Vertex v, Vertex w, Scratch& scratch) const;
   void places_inside(Vertex v, Vertex w, Scratch& scratch) const;
   void places_on_model(Vertex v, Vertex w, Scratch& scratch) const;
@@ -158,17 +153,15 @@ class VolumeQualityLoop final : public Loop {
   std::uint32_t pass_done(std::uint32_t made);
 
   static constexpr double curve_weight = 3;   ///< of the planes along model edges
-  double paid_at_once = 0.1;  ///< of debts: by moving by this part of a length
-  int spreading = 8; double settle_step_ = 0.02;
-  int settle_passes_=8; double power_=1; double offer_=0.25; double norm_=0, mix_=0;
+  /// Debts are paid by moving by this part of a size, or of an edge, at a time.
+  static constexpr double paid_at_once = 0.03;
 
   RegionCollapser collapser_;
   VertexRelaxation relaxation_;
   VolumeRules rules_;
   RemovalRules removal_;
   double floor_ = 0.3;  ///< no tetrahedron gets a poorer shape, if it can be helped
-  float surface_ = 0;   ///< what a squared distance costs, in squared sizes
-  float fit_ = 1;       ///< the same in the energy of a vertex that moves
+  float surface_ = 0;   ///< what squared distances cost, in sizes
   Column<Vertex, State> state_;
   Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
   VertexQueue queue_;

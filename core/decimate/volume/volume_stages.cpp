@@ -61,14 +61,13 @@ double VolumeQualityLoop::stretch() const {
 
 void VolumeQualityLoop::set_rules() {
   const double w = options_.regularity;
-  norm_=knob("NORM",0); mix_=knob("MIX",0); spreading=(int)knob("SPREAD",8); paid_at_once = knob("PAID", 0.1); settle_step_ = knob("SETTLE", 0.02); settle_passes_=(int)knob("PASSES",14); power_=knob("POWER",1); offer_=knob("OFFER",0.25); fit_=(float)knob("FIT",1);
-  floor_ = knob("FLOOR",between(w, 0.15, 0.30, 0.40));
-  surface_ = static_cast<float>(knob("SURFACE",between(w, 3000, 300, 30)));
+  floor_ = between(w, 0.20, 0.30, 0.40);
+  surface_ = static_cast<float>(between(w, 7000, 150, 10));
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_shape = floor_;
-  rules_.overshoot = knob("OVER",2) * stretch();
+  rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
   removal_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
 }
@@ -179,7 +178,7 @@ void VolumeQualityLoop::end_phase() {
 }
 
 void VolumeQualityLoop::end_round() {
-  const int rounds = last_descent() || descents_ > 2 ? int(knob("ROUNDS",3)) : int(knob("FIRST",1));
+  const int rounds = last_descent() || descents_ > 2 ? 3 : 1;
   if (++round_ < rounds) {
     open_sweep();
     enter(options_.swap ? Phase::Swap : Phase::Smooth);
@@ -192,7 +191,7 @@ void VolumeQualityLoop::end_round() {
 
 // What regions are owed at the end is paid in a few passes.
 void VolumeQualityLoop::end_settling() {
-  const int passes = settle_passes_;
+  constexpr int passes = 18;
   if (settling_ < passes && options_.smooth) {
     ++settling_;
     enter(Phase::Smooth);
