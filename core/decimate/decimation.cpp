@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/base/box.h"
-#include "core/decimate/paper/paper_loop.h"
+#include "core/decimate/hanging.h"
+#include "core/decimate/paper/surface_paper_loop.h"
+#include "core/decimate/paper/volume_paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
 #include "core/mesh/verify.h"
@@ -23,14 +25,17 @@ bool usual(const Box& box) {
   return size == 0 || (size >= smallest_extent && size <= largest_extent);
 }
 
-// Vertices that no face uses have no say; only where all together are unusual does that matter.
+// Vertices that nothing uses have no say; only where all together are unusual does that matter.
 bool has_usual_size(const Mesh& mesh) {
   Box all, used;
   for (const Vertex v : mesh.vertices()) all.add(mesh.position(v));
   if (usual(all)) return true;
   VertexBuffer buffer;
-  for (const Face f : mesh.faces())
-    for (const std::uint32_t v : mesh.vertices_of(f, buffer)) used.add(mesh.position(Vertex(v)));
+  const auto add = [&](EntityRef e) {
+    for (const std::uint32_t v : mesh.vertices_of(e, buffer)) used.add(mesh.position(Vertex(v)));
+  };
+  for (const Face f : mesh.faces()) add(f);
+  for (const Region r : mesh.regions()) add(r);
   return usual(used);
 }
 
@@ -51,10 +56,19 @@ double usual_angle_deg(Strategy strategy, bool coarsest) {
   return strategy == Strategy::Paper || coarsest ? 10 : 60;
 }
 
+bool has_tetrahedra(const Mesh& mesh) {
+  const auto regions = mesh.regions();
+  for (const Region r : regions)
+    if (mesh.shape(r) == Shape::Tetrahedron) return true;
+  return false;
+}
+
 const char* decimation_obstacle(const Mesh& mesh) {
-  if (mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
+  if (mesh.count(3) > 0 && !has_tetrahedra(mesh))
+    return "Of volumes only tetrahedra can be decimated, and there are none: --split-to-tets makes "
+           "some.";
   for (const Face f : mesh.faces())
-    if (mesh.shape(f) != Shape::Triangle)
+    if (mesh.count(3) == 0 && mesh.shape(f) != Shape::Triangle)
       return "Only triangles can be decimated, and there are quads: --triangulate cuts them.";
   if (!has_usual_size(mesh))
     return "Only meshes from 1e-20 to 1e+18 across can be decimated: write it in another unit.";
@@ -88,6 +102,11 @@ bool has_edges_without_face(const Mesh& mesh) {
         bare.erase(key_of(a, b));
   }
   return !bare.empty();
+}
+
+void require_classified(const Mesh& mesh) {
+  if (const auto finding = first_misclassified(mesh))
+    throw std::invalid_argument(finding->text + ": classify() mends that");
 }
 
 Mesh& decimable(Mesh& mesh) {
@@ -145,6 +164,8 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(dec
 }
 
 void Decimation::begin(const DecimationOptions& options) {
+  given_ = options;
+  if (mesh_.count(3) > 0) return begin_volume(options);
   const bool paper = options.strategy == Strategy::Paper;
   const char* name = paper ? PaperLoop::name : QualityLoop::name;
   std::vector<Request> needs;
@@ -157,23 +178,43 @@ void Decimation::begin(const DecimationOptions& options) {
     if (paper || !lists_model_edges_only(mesh_)) need(0, 1);
   }
   needs_ = std::move(needs);
-  if (const auto finding = first_misclassified(mesh_))
-    throw std::invalid_argument(finding->text + ": classify() mends that");
+  require_classified(mesh_);
   if (paper)
-    loop_ = std::make_unique<PaperLoop>(mesh_, options);
+    loop_ = std::make_unique<SurfacePaperLoop>(mesh_, options);
   else
     loop_ = std::make_unique<QualityLoop>(mesh_, options);
 }
 
+// The printed loop goes over all edges; faces inside regions need not be entities.
+void Decimation::begin_volume(const DecimationOptions& options) {
+  if (options.strategy != Strategy::Paper)
+    throw std::invalid_argument("the quality strategy does not take volumes yet: paper does");
+  if (options.topology != TopologyRule::Safe)
+    throw std::invalid_argument("collapses among tetrahedra always keep the topology");
+  std::vector<Request> needs;
+  for (const auto& [i, j] :
+       {std::array{3, 0}, std::array{0, 3}, std::array{1, 0}, std::array{0, 1}})
+    needs.push_back(mesh_.request(i, j, PaperLoop::name));
+  needs.push_back(mesh_.request_listed(2, 0, PaperLoop::name));
+  needs.push_back(mesh_.request_listed(0, 2, PaperLoop::name));
+  needs_ = std::move(needs);
+  require_classified(mesh_);
+  DecimationOptions volume = options;
+  volume.keep = keep_hanging(mesh_, options.keep);
+  loop_ = std::make_unique<VolumePaperLoop>(mesh_, volume);
+}
+
 void Decimation::set_options(const DecimationOptions& options) {
-  if (options == this->options()) return;
-  if (options.strategy == this->options().strategy && options.exchange == this->options().exchange)
-    loop_->restart(options);
+  if (options == given_) return;
+  const bool same = options.strategy == given_.strategy && options.exchange == given_.exchange &&
+                    mesh_.count(3) == 0;
+  if (same)
+    loop_->restart(given_ = options);
   else
     begin(options);
 }
 
-void Decimation::invalidate() { loop_->restart(DecimationOptions(options())); }
+void Decimation::invalidate() { loop_->restart(DecimationOptions(loop_->options())); }
 
 std::optional<Operation> Decimation::step() {
   while (!done())
@@ -182,7 +223,7 @@ std::optional<Operation> Decimation::step() {
 }
 
 std::uint32_t Decimation::sweep() {
-  if (done()) loop_->restart(DecimationOptions(options()));
+  if (done()) invalidate();
   while (phase() == Phase::Swap || phase() == Phase::Smooth) loop_->advance();
   std::uint32_t collapses = 0;
   const std::size_t present = sweeps().size();

@@ -16,8 +16,12 @@
 
 namespace aomd {
 
-/// Why a mesh cannot be decimated, as a sentence; null where it can: it has no regions, its faces
-/// are triangles, and its box is between 1e-20 and 1e+18 across. O(size).
+/// Whether a mesh has regions that are tetrahedra: of volumes nothing else is decimated.
+/// O(regions).
+[[nodiscard]] bool has_tetrahedra(const Mesh& mesh);
+
+/// Why a mesh cannot be decimated, as a sentence; null where it can: it has tetrahedra, or no
+/// regions and faces that are triangles, and its box is between 1e-20 and 1e+18 across. O(size).
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
 /// Lets go of all edges but those on model edges (Mesh::keep_model_edges_only), which Quality needs
@@ -28,8 +32,9 @@ void keep_edges_for_quality(Mesh& mesh);
 
 /// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too
 /// for Paper and where the mesh has other edges than those on model edges; with
-/// DecimationOptions::exchange T(2,0), and what the present phase needs. They go with it. The mesh
-/// must not change otherwise while it lives, except through invalidate().
+/// DecimationOptions::exchange T(2,0), and what the present phase needs. On a volume T(3,0),
+/// T(0,3), T(1,0) and T(0,1), and T(2,0) and T(0,2) as listed. They go with it. The mesh must not
+/// change otherwise while it lives, except through invalidate().
 class Decimation {
  public:
   /// Throws std::invalid_argument where there is an obstacle (above), and where a vertex lies on a
@@ -38,7 +43,7 @@ class Decimation {
 
   enum class Stop { Done, Budget, Cancelled };
 
-  [[nodiscard]] const DecimationOptions& options() const { return loop_->options(); }
+  [[nodiscard]] const DecimationOptions& options() const { return given_; }
   /// Takes new options at any time; everything is judged again. Another strategy starts from the
   /// mesh as it is.
   void set_options(const DecimationOptions& options);
@@ -90,8 +95,10 @@ class Decimation {
 
  private:
   void begin(const DecimationOptions& options);
+  void begin_volume(const DecimationOptions& options);
 
   Mesh& mesh_;
+  DecimationOptions given_;
   std::vector<Request> needs_;
   std::unique_ptr<Loop> loop_;
 };

@@ -8,18 +8,23 @@
 #include "core/decimate/explain/outlook.h"
 #include "core/decimate/guard/guards.h"
 #include "core/decimate/options.h"
+#include "core/operators/edge_removal.h"
+#include "core/operators/region_collapse.h"
+#include "core/operators/region_move.h"
 
 namespace aomd {
 
 /// An operation that a loop has judged: what the operator needs to make it, and what the guards are
 /// told then. Each of its kinds has its own part. Reused, it allocates nothing.
 struct Plan {
-  CollapsePlan collapse;
-  EdgePair pair;  ///< a swap
+  VolumeCollapsePlan collapse;  ///< on a surface without balls
+  EdgePair pair;                ///< a swap
+  EdgeRemoval removal;          ///< the same among tetrahedra
   struct {
     glm::dvec3 target{0.0};
     Star star;
-  } move;  ///< of a vertex that is smoothed: where to, and the faces around it
+  } move;                  ///< of a vertex that is smoothed: where to, and the faces around it
+  RegionMove region_move;  ///< the same among tetrahedra
   Change change;
 };
 
@@ -69,8 +74,13 @@ class Loop {
   void open_sweep() {
     const bool unused = !sweeps_.empty() && sweeps_.back() == SweepStatistics{};
     if (unused) return;
-    if (!sweeps_.empty()) sweeps_.back().faces = mesh_.count(2);
+    if (!sweeps_.empty()) close_sweep();
     sweeps_.emplace_back();
+  }
+  /// Notes what the sweep has left of the mesh.
+  void close_sweep() {
+    sweeps_.back().faces = mesh_.count(2);
+    sweeps_.back().regions = mesh_.count(3);
   }
   /// Whether a swap would change a face that stays.
   [[nodiscard]] bool keeps_face_of(const EdgePair& e) const {

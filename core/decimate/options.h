@@ -45,8 +45,8 @@ struct DecimationOptions {
   /// Wanted length of edges by vertex, in the mesh's units, instead of factor times the average;
   /// none: factor.
   std::shared_ptr<const Column<Vertex, double>> spacing = {};
-  std::uint32_t target_faces =
-      0;                  ///< stop at this many faces; 0: nothing but spacing and limits stop it
+  /// Stop at this many faces, of a volume tetrahedra; 0: nothing but spacing and limits stop it.
+  std::uint32_t target_faces = 0;
   double angle_deg = 10;  ///< how far the normal of a face may turn in one operation, degrees
   double min_angle_deg =
       0;                    ///< no face gets an angle below it unless it had a smaller one, degrees
@@ -88,7 +88,7 @@ struct DecimationOptions {
 /// by reason.
 struct SweepStatistics {
   std::uint32_t collapses = 0, swaps = 0, smooths = 0;
-  std::uint32_t faces = 0;  ///< after it
+  std::uint32_t faces = 0, regions = 0;  ///< after it
   std::array<std::uint32_t, reason_count> refused{};
 
   friend bool operator==(const SweepStatistics&, const SweepStatistics&) = default;

@@ -49,6 +49,15 @@ inline constexpr std::size_t largest_ball = 1024;
   return mesh.row<3>(v).size() > largest_ball;
 }
 
+/// The first region around a vertex that is no tetrahedron; invalid where all are. T(0,3) must be
+/// stored.
+[[nodiscard]] inline Region first_other_shape(const Mesh& mesh, Vertex v) {
+  if (mesh.uniform_shape(3) && mesh.uniform_shape(3)->vertex_count == 4) return {};
+  for (const Region r : mesh.row<3>(v))
+    if (mesh.shape(r) != Shape::Tetrahedron) return r;
+  return {};
+}
+
 /// Fills `star` with the faces around a vertex that lie on model faces, in ascending order: those
 /// that are listed, where level 2 is not complete (Mesh::request_listed). T(0,2) and T(2,0) must be
 /// stored, these faces be triangles. O(faces around the vertex).

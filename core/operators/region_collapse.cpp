@@ -9,6 +9,16 @@
 namespace aomd {
 namespace {
 
+// Whether the balls of both ends can be looked at.
+Verdict judge_surroundings(const Mesh& mesh, const EdgeEnds& ends) {
+  for (const Vertex v : ends) {
+    if (const Region other = first_other_shape(mesh, v); other.valid())
+      return {Reason::Kept, other};
+    if (in_crowd(mesh, v)) return {Reason::Topology, v};
+  }
+  return {};
+}
+
 // Model faces are gathered where the edge lies on one: strata that the vertex which goes is not
 // part of do not change.
 void gather_ends(const Mesh& mesh, const EdgeEnds& ends, bool on_faces, VolumeCollapsePlan& plan) {
@@ -122,8 +132,7 @@ Verdict RegionCollapser::judge_either(const Mesh& mesh, Edge edge, std::array<bo
     if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
   }
   if (!may_go[0] && !may_go[1]) return furthest;
-  for (const Vertex v : ends)
-    if (in_crowd(mesh, v)) return {Reason::Topology, v};
+  if (const Verdict v = judge_surroundings(mesh, ends); !v.accepted()) return v;
   gather_ends(mesh, ends, on_model_face(model), plan);
   if (const Verdict v = judge_topology(mesh, edge, ends, model, plan); !v.accepted()) return v;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -146,8 +155,7 @@ Verdict RegionCollapser::judge_either(const Mesh& mesh, Edge edge, std::array<bo
 
 Verdict RegionCollapser::judge_contraction(const Mesh& mesh, const Contraction& c,
                                            const VolumeRules& rules, VolumeCollapsePlan& plan) {
-  for (const Vertex v : {c.deleted, c.kept})
-    if (in_crowd(mesh, v)) return {Reason::Topology, v};
+  if (const Verdict s = judge_surroundings(mesh, {c.deleted, c.kept}); !s.accepted()) return s;
   gather_ends(mesh, {c.deleted, c.kept}, on_model_face(mesh.classification(c.deleted)), plan);
   const ModelRef model = class_between(mesh, c.deleted, c.kept, plan.stars[0], plan.balls[0]);
   const bool moves = c.position != mesh.position(c.kept);
@@ -223,7 +231,7 @@ void RegionCollapser::find_edits(const Mesh& mesh, const VolumeCollapsePlan& pla
   regions_.clear();
   edges_.find(mesh, c, plan.stars, marks_, rebindings_);
   find_faces(mesh, c, plan.balls);
-  const Ball& ball = plan.around_deleted();
+  const Ball& ball = plan.balls[0];
   for (auto r = ball.rbegin(); r != ball.rend(); ++r)
     if (!r->uses(c.kept)) regions_.push_back({r->region, r->slot, c.deleted, c.kept});
   rebindings_.insert(rebindings_.end(), regions_.begin(), regions_.end());
@@ -236,7 +244,7 @@ void RegionCollapser::apply(Mesh& mesh, const VolumeCollapsePlan& plan) {
                           plan.edge.valid() ? EntityRef(plan.edge) : EntityRef(c.kept));
   if (c.position != mesh.position(c.kept)) mesh.move(c.kept, c.position);
   find_edits(mesh, plan);
-  for (const BallRegion& r : plan.around_deleted())
+  for (const BallRegion& r : plan.balls[0])
     if (r.uses(c.kept)) mesh.destroy_unused(r.region);
   for (const Face f : at_edge_) mesh.destroy_unused(f);
   mesh.rebind(rebindings_);

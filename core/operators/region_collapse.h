@@ -17,36 +17,24 @@
 #include <vector>
 
 #include "core/operators/ball.h"
-#include "core/operators/collapse_rules.h"
-#include "core/operators/edge_merges.h"
-#include "core/operators/link_condition.h"
+#include "core/operators/collapse.h"
 #include "core/operators/region_checks.h"
-#include "core/operators/verdict.h"
-#include "core/operators/vertex_marks.h"
 
 namespace aomd {
 
-/// A collapse among tetrahedra that was judged. Belongs to who asks, and is reused.
-struct VolumeCollapsePlan {
-  Verdict verdict;
-  Contraction contraction;    ///< where it is accepted
-  Edge edge;                  ///< that was judged; invalid where it was named by its ends
+/// A collapse among tetrahedra that was judged: as on surfaces, with the tetrahedra around both
+/// ends. Its stars are of model faces, and empty where the end that goes lies inside a region.
+struct VolumeCollapsePlan : CollapsePlan {
   std::array<Ball, 2> balls;  ///< accepted: around the end that goes (0) and the one that stays (1)
-  StarPair
-      stars;  ///< the model faces there; both empty where the end that goes lies inside a region
-  std::uint64_t revision = 0;  ///< of the mesh that was judged
-
-  [[nodiscard]] const Ball& around_deleted() const { return balls[0]; }
-  [[nodiscard]] const Ball& around_kept() const { return balls[1]; }
 };
 
 /// Judges and applies collapses on one mesh of tetrahedra that is classified: every side of one
 /// region, and between regions on different model regions, is a face entity on a model face, and
 /// the edges between model faces are edge entities on model edges (classify()). Faces and edges
 /// inside may be entities or not; the result is the same. T(3,0), T(0,3), T(2,0), T(0,2) and T(0,1)
-/// must be stored, as listed or complete (Mesh::request_listed). Around both ends all regions are
-/// tetrahedra, all faces triangles, and every face and edge a side of one. Holds marks, so that a
-/// sweep allocates nothing, and nothing else from one call to the next.
+/// must be stored, as listed or complete (Mesh::request_listed). Around both ends every face and
+/// edge is a side of a region. Holds marks, so that a sweep allocates nothing, and nothing else
+/// from one call to the next.
 class RegionCollapser {
  public:
   explicit RegionCollapser(const Mesh& mesh) : marks_(mesh), edges_(mesh) {}
@@ -54,8 +42,9 @@ class RegionCollapser {
   /// What collapsing `edge` would do, by deleting one of the ends that `may_go` names (in the
   /// edge's order): the first that is accepted, else the refusal that got furthest. O(regions
   /// around both ends). Checks in this order: classification, topology, model faces (flat, turned,
-  /// shape) and model edges, then by tetrahedron inverted, overshoot, shape. Topology also where an
-  /// end is crowded. The plan receives the verdict too.
+  /// shape) and model edges, then by tetrahedron inverted, overshoot, shape. Kept where
+  /// a region around an end is no tetrahedron, Topology also where an end is crowded. The plan
+  /// receives the verdict too.
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const VolumeRules& rules,
                 VolumeCollapsePlan& plan);
 

@@ -42,14 +42,6 @@ Verdict judge_faces(const Mesh& mesh, const RegionMove& plan, const glm::dvec3& 
   return {};
 }
 
-// The first region around a vertex that is no tetrahedron; invalid where all are.
-Region first_other(const Mesh& mesh, Vertex v) {
-  if (mesh.uniform_shape(3) && mesh.uniform_shape(3)->vertex_count == 4) return {};
-  for (const Region r : mesh.row<3>(v))
-    if (mesh.shape(r) != Shape::Tetrahedron) return r;
-  return {};
-}
-
 // The point of the convex hull of some slopes that is nearest to none at all: every one of them
 // rises along it (Gilbert's iteration).
 glm::dvec3 nearest_to_zero(const std::vector<glm::dvec3>& slopes) {
@@ -220,7 +212,7 @@ void RegionMover::climb(const Mesh& mesh, const MoveRules& rules, RegionMove& pl
 
 Verdict RegionMover::judge_plan(const Mesh& mesh, const MoveRules& rules, RegionMove& plan) {
   const Vertex v = plan.vertex;
-  if (const Region other = first_other(mesh, v); other.valid()) return {Reason::Kept, other};
+  if (const Region other = first_other_shape(mesh, v); other.valid()) return {Reason::Kept, other};
   gather(mesh, v, plan.ball);
   gather_model_faces(mesh, v, plan.star);
   if (const Verdict verdict = find_freedom(mesh, rules, plan); !verdict.accepted()) return verdict;

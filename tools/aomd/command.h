@@ -32,6 +32,11 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// There is nothing that the command could do: exit code 1.
+struct NothingToDo : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// This program contradicts itself: exit code 70.
 struct InternalFault : std::runtime_error {
   using std::runtime_error::runtime_error;

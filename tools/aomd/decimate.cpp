@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/decimate/explain/verdict_words.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
 #include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
+#include "core/measure/volume_statistics.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
@@ -76,11 +78,30 @@ class Run {
     if (options_.triangulate) cut_quads();
     if (options_.repair && original_.regions.empty()) repair_mesh();
     mesh_ = Mesh(original_);
+    if (volume() && !has_tetrahedra(mesh_))
+      throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
-    steps_.target_faces = options_.target_faces(mesh_.count(2));
+    count_cells();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+  }
+
+  [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
+
+  // Regions of other shapes than tetrahedra stay, and count beside the target.
+  void count_cells() {
+    if (volume() && steps_.topology != TopologyRule::Safe)
+      throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
+    for (const Region r : mesh_.regions()) others_ += mesh_.shape(r) != Shape::Tetrahedron;
+    const std::uint32_t cells = volume() ? mesh_.count(3) - others_ : mesh_.count(2);
+    target_ = options_.target_count(volume(), cells);
+    steps_.target_faces = target_ > 0 ? target_ + others_ : 0;
+  }
+
+  /// Faces, or tetrahedra.
+  [[nodiscard]] std::uint32_t cells() const {
+    return volume() ? mesh_.count(3) - others_ : mesh_.count(2);
   }
 
   void cut_quads() {
@@ -105,7 +126,8 @@ class Run {
   void classify_mesh() {
     progress_.show("classifying");
     classify_by_angle();
-    if (!options_.paper() && !model_ && !options_.snaps())
+    if (volume()) mesh_.keep_model_faces_only();
+    if (!volume() && !options_.paper() && !model_ && !options_.snaps())
       keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
@@ -134,7 +156,8 @@ class Run {
   // What the angle finds is classified without edges that would cost too much of the target.
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
-    const bool free = !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
+    const bool free =
+        !volume() && !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(original_);
@@ -190,7 +213,7 @@ class Run {
                {"journal", record_.journal.bytes()},
                {"decimate_peak", peak_bytes()}};
     sweeps_ = decimation.sweeps();
-    if (!misses(mesh_.count(2), steps_.target_faces)) return;
+    if (!misses(cells(), target_)) return;
     progress_.show("asking why");
     missed_ = {decimation.edges_left(), ""};
     missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
@@ -201,13 +224,29 @@ class Run {
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
     self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads).pairs;
-    const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
-                                steps_.threads);
-    flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
+    if (volume()) check_volume();
+    if (!volume()) count_flips();
     seconds_["check"] = watch_.lap();
     output_ = measure::count_entities(mesh_);
     quality_ = measure::measure_quality(mesh_);
     watch_.lap();
+  }
+
+  void count_flips() {
+    const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
+                                steps_.threads);
+    flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
+  }
+
+  // No operation turns a tetrahedron inside out; an input may have some.
+  void check_volume() {
+    const std::size_t before = measure::measure_volume(Mesh(original_)).inverted.size();
+    volume_quality_ = measure::measure_volume(mesh_);
+    const std::size_t after = volume_quality_.inverted.size();
+    if (after > before)
+      throw InternalFault(options_.input +
+                          ": internal fault: " + counted(after - before, "region") +
+                          " inside out in the result, which was not written");
   }
 
   /// The result contradicts itself: because the input did, or because of a fault in this program.
@@ -255,7 +294,9 @@ class Run {
   }
 
   [[nodiscard]] Json options_json() const {
-    Json options = options_.json(steps_);
+    DecimationOptions told = steps_;
+    told.target_faces = target_;
+    Json options = options_.json(told, volume());
     options["feature_angle_deg"] =
         how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr);
     return options;
@@ -272,23 +313,39 @@ class Run {
             {"seconds", seconds_},
             {"memory_bytes", memory_},
             {"sweeps", sweeps_json(sweeps_)},
-            {"quality", quality_json(quality_)},
+            {"quality", quality_report()},
             {"findings",
              {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", 0}}},
             {"stopped", stopped_json()}};
   }
 
+  [[nodiscard]] Json quality_report() const {
+    Json quality = quality_json(quality_);
+    if (volume()) add_volume_quality(quality, volume_quality_);
+    return quality;
+  }
+
+  [[nodiscard]] std::string change_words() const {
+    return volume()
+               ? counted(input_.regions - others_, "tetrahedron") + " -> " + std::to_string(cells())
+               : counted(input_.faces, "face") + " -> " + std::to_string(output_.faces);
+  }
+
+  [[nodiscard]] std::string state_words() const {
+    return volume() ? "smallest dihedral angle " +
+                          words::degrees(volume_quality_.min_dihedral_deg) + " degrees"
+                    : counted(flips_, "flipped face");
+  }
+
   void print_summary() const {
     const bool kept = input_.euler == output_.euler;
     stream_beside(options_.outputs())
-        << printable(options_.input) << ": " << counted(input_.faces, "face") << " -> "
-        << output_.faces << ", Euler number " << input_.euler
+        << printable(options_.input) << ": " << change_words() << ", Euler number " << input_.euler
         << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
-        << counted(self_intersections_, "self-intersection") << ", "
-        << counted(flips_, "flipped face") << ", " << std::llround(1000 * watch_.total())
-        << " ms\n";
+        << counted(self_intersections_, "self-intersection") << ", " << state_words() << ", "
+        << std::llround(1000 * watch_.total()) << " ms\n";
     if (!missed_) return;
-    print_notes(options_.output, {sentence(*missed_, steps_, output_.faces)});
+    print_notes(options_.output, {sentence(*missed_, steps_, target_, cells(), volume())});
     print_notes(options_.input, dirt_notes(original_, input_, true));
   }
 
@@ -306,8 +363,10 @@ class Run {
   io::JournalFile record_;
   measure::Counts input_, output_;
   measure::Quality quality_;
+  measure::VolumeQuality volume_quality_;
   std::vector<SweepStatistics> sweeps_;
   std::optional<MissedTarget> missed_;
+  std::uint32_t target_ = 0, others_ = 0;  ///< faces or tetrahedra; regions of other shapes
   std::size_t flips_ = 0, self_intersections_ = 0;
 };
 

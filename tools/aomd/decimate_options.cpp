@@ -67,9 +67,16 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
                          "Stops at this many faces, or at this share of the input's, or where\n"
                          "nothing more may go");
   target->type_name("N|P%")->check(number_or_share());
+  CLI::Option* tets =
+      command.add_option("--target-tets", o.target_tets, "The same of a volume's tetrahedra");
+  tets->type_name("N|P%")->check(number_or_share())->excludes(target);
   CLI::Option* factor =
       command.add_option("--factor", o.decimation.factor, "Edges become this many times longer");
-  factor->type_name("F")->check(positive_number())->capture_default_str()->excludes(target);
+  factor->type_name("F")
+      ->check(positive_number())
+      ->capture_default_str()
+      ->excludes(target)
+      ->excludes(tets);
   CLI::Option* coarsest =
       command.add_flag("--coarsest", o.decimation.coarsest, "No limit on the length of edges");
   coarsest->excludes(factor);
@@ -88,7 +95,7 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
       "How much the spacing may grow per unit of length; default " +
           number_text(default_spacing_growth) + " for\ncurvature, else no limit");
   gradation->type_name("G")->check(positive_number())->needs(spacing);
-  put_into("What to aim at", {target, factor, coarsest, spacing, gradation});
+  put_into("What to aim at", {target, tets, factor, coarsest, spacing, gradation});
 }
 
 void add_ways(CLI::App& command, DecimateOptions& o) {
@@ -184,11 +191,18 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 
 }  // namespace
 
-std::uint32_t DecimateOptions::target_faces(std::uint32_t input_faces) const {
-  if (target.empty()) return 0;
-  if (const auto number = parse_whole_number(target)) return static_cast<std::uint32_t>(*number);
-  const double faces = *parse_share(target) / 100 * double(input_faces);
-  return std::max(1u, static_cast<std::uint32_t>(std::lround(faces)));
+std::uint32_t DecimateOptions::target_count(bool volume, std::uint32_t input_count) const {
+  if (volume && !target.empty())
+    throw UsageError("--target-faces is for surfaces, and " + input +
+                     " has regions: --target-tets says how many tetrahedra");
+  if (!volume && !target_tets.empty())
+    throw UsageError("--target-tets is for volumes, and " + input +
+                     " has no regions: --target-faces says how many faces");
+  const std::string& text = volume ? target_tets : target;
+  if (text.empty()) return 0;
+  if (const auto number = parse_whole_number(text)) return static_cast<std::uint32_t>(*number);
+  const double share = *parse_share(text) / 100 * double(input_count);
+  return std::max(1u, static_cast<std::uint32_t>(std::lround(share)));
 }
 
 std::vector<NamedFile> DecimateOptions::inputs() const {
@@ -237,12 +251,14 @@ std::optional<SpacingSource> DecimateOptions::spacing_source() const {
   }
 }
 
-Json DecimateOptions::json(const DecimationOptions& steps) const {
+Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
   const auto source = spacing_source();
   const bool by_factor = !steps.coarsest && !source && steps.target_faces == 0;
+  const Json target = steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr);
   return {{"strategy", strategy},
           {"regularity", steps.regularity},
-          {"target_faces", steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr)},
+          {"target_faces", volume ? Json(nullptr) : target},
+          {"target_tets", volume ? target : Json(nullptr)},
           {"factor", by_factor ? Json(steps.factor) : Json(nullptr)},
           {"coarsest", steps.coarsest},
           {"spacing", or_null(spacing)},

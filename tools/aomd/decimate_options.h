@@ -21,6 +21,7 @@ struct DecimateOptions {
   std::string input, output, format;
   // What to aim at
   std::string target;               ///< "1000", or "10%" of the input's faces; empty: none
+  std::string target_tets;          ///< the same of tetrahedra
   std::string spacing;              ///< empty: by factor
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
@@ -42,8 +43,9 @@ struct DecimateOptions {
   [[nodiscard]] bool paper() const { return strategy == "paper"; }
   [[nodiscard]] bool snaps() const { return snap == "model"; }
 
-  /// The number of faces to aim at, at least 1; 0 for none.
-  [[nodiscard]] std::uint32_t target_faces(std::uint32_t input_faces) const;
+  /// The number of faces, or of tetrahedra, to aim at, at least 1; 0 for none. Throws UsageError
+  /// for a target of the other kind.
+  [[nodiscard]] std::uint32_t target_count(bool volume, std::uint32_t input_count) const;
   /// The files that it reads.
   [[nodiscard]] std::vector<NamedFile> inputs() const;
   /// The files that it writes.
@@ -56,7 +58,7 @@ struct DecimateOptions {
   [[nodiscard]] std::optional<SpacingSource> spacing_source() const;
   /// "options" of a report: each of them, null where it is not in use; `steps` is what the library
   /// was told.
-  [[nodiscard]] Json json(const DecimationOptions& steps) const;
+  [[nodiscard]] Json json(const DecimationOptions& steps, bool volume) const;
 };
 
 /// Adds them to the command, in groups.

@@ -45,7 +45,7 @@ class KeepFile {
  private:
   void item() {
     const std::string_view word = cursor_.word();
-    constexpr std::array<std::string_view, 3> dimensions = {"vertex", "edge", "face"};
+    constexpr std::array<std::string_view, 4> dimensions = {"vertex", "edge", "face", "region"};
     const auto found = std::find(dimensions.begin(), dimensions.end(), word);
     if (found == dimensions.end()) return keep_range(word);
     const std::int64_t tag = cursor_.integer("the tag of a model entity");
@@ -74,7 +74,7 @@ class KeepFile {
   // One pass over the mesh for all of them.
   void keep_classes() {
     if (classes_.empty()) return;
-    for (int dim = 0; dim < 3; ++dim)
+    for (int dim = 0; dim < 4; ++dim)
       for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
         if (mesh_.alive({dim, id})) keep_if_listed({dim, id});
     for (const auto& [ref, entry] : classes_)

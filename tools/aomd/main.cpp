@@ -69,6 +69,8 @@ int run_caught(const Action& action) {
     return fail(e.what(), out_of_limits);
   } catch (const UsageError& e) {
     return fail(e.what(), wrong_usage);
+  } catch (const NothingToDo& e) {
+    return fail(e.what(), says_no);
   } catch (const InternalFault& e) {
     return fail(e.what(), internal_fault);
   } catch (const std::bad_alloc&) {

@@ -34,16 +34,18 @@ class Help {
       : given_(given), steps_(steps), original_(original), input_(input) {}
 
   [[nodiscard]] std::string against(Reason reason) const {
+    const bool volume = !original_.regions.empty();
     switch (reason) {
       case Reason::Spacing:
         return given_.spacing.empty() ? "" : "a larger --spacing";
       case Reason::Classification:
         return against_classification();
       case Reason::Topology:
+        if (volume) return "";
         if (std::string mending = by_mending(); !mending.empty()) return mending;
         return steps_.topology == TopologyRule::Safe ? "--topology paper" : "";
       case Reason::Flat:
-        return given_.repair ? "" : "--repair";
+        return given_.repair || volume ? "" : "--repair";
       case Reason::Angle:
         return steps_.angle_deg < 90
                    ? "--angle " + number_text(std::min(90.0, 2 * steps_.angle_deg))
@@ -68,7 +70,8 @@ class Help {
  private:
   /// Borders that should be none, and edges of many faces, are model edges as features are.
   [[nodiscard]] std::string against_classification() const {
-    if (std::string mending = by_mending(); !mending.empty()) return mending;
+    const bool volume = !original_.regions.empty();
+    if (std::string mending = volume ? "" : by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     return given_.feature_angle != "off" ? "--feature-angle off" : "";
@@ -101,9 +104,9 @@ std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& g
 }
 
 std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
-                     std::uint64_t faces) {
-  return grouped(faces) + " faces, above the target of " + grouped(steps.target_faces) + ": " +
-         words_of_edges_left(missed.edges, steps) +
+                     std::uint64_t target, std::uint64_t cells, bool volume) {
+  return grouped(cells) + (volume ? " tetrahedra" : " faces") + ", above the target of " +
+         grouped(target) + ": " + words_of_edges_left(missed.edges, steps) +
          (missed.would_help.empty() ? "" : "; " + missed.would_help + " would help");
 }
 

@@ -25,9 +25,10 @@ struct MissedTarget {
                                           const DecimationOptions& steps, const MeshData& original,
                                           const measure::Counts& input);
 
-/// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help".
+/// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help"; of a
+/// volume tetrahedra.
 [[nodiscard]] std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
-                                   std::uint64_t faces);
+                                   std::uint64_t target, std::uint64_t cells, bool volume);
 
 /// "refused" of a report: how many edges each reason keeps, those that keep none left out.
 [[nodiscard]] Json refused_json(const EdgesByReason& edges);

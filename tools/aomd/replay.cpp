@@ -53,6 +53,7 @@ int run(const ReplayArguments& options) {
   mend(options, read.mesh);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
+  if (mesh.count(3) > 0) mesh.keep_model_faces_only();  // as volumes are recorded
   if (file.start.counts[1] < mesh.count(1))
     keep_edges_for_quality(mesh);  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);
@@ -67,7 +68,9 @@ int run(const ReplayArguments& options) {
   write_mesh(options.output, format, result, options.quiet);
   if (!options.quiet)
     stream_beside(outputs) << printable(options.output) << ": " << counted(step, "step") << " of "
-                           << file.journal.size() << " replayed, " << counted(mesh.count(2), "face")
+                           << file.journal.size() << " replayed, "
+                           << (mesh.count(3) > 0 ? counted(mesh.count(3), "region")
+                                                 : counted(mesh.count(2), "face"))
                            << '\n';
   return done;
 }

@@ -51,7 +51,7 @@ Json sweeps_json(const std::vector<SweepStatistics>& sweeps) {
                     {"swaps", sweep.swaps},
                     {"smooths", sweep.smooths},
                     {"faces", sweep.faces},
-                    {"regions", 0},
+                    {"regions", sweep.regions},
                     {"refused", refused}});
   }
   return list;

@@ -29,6 +29,7 @@ void Document::mark_saved(std::filesystem::path file) {
 
 std::string_view Document::hindrance() const {
   if (!loaded_ || !loaded_->skin) return {};
+  if (loaded_->mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
   const char* obstacle = decimation_obstacle(loaded_->mesh);
   return obstacle ? obstacle : "";
 }

@@ -4,23 +4,27 @@
 #include <limits>
 #include <map>
 
-#include "core/base/assertion.h"
-
 namespace aomd {
 
 namespace {
 
+// Of a volume the faces on its model, quads as two triangles.
 Envelope envelope_of(const Mesh& mesh, double distance) {
-  const Triangles all = triangles_of(mesh);
-  AOMD_CHECK(all.faces.size() == mesh.count(2));  // quads would be two
+  std::vector<Triangle> corners;
   std::vector<std::array<std::uint32_t, 3>> vertices;
-  vertices.reserve(all.faces.size());
+  corners.reserve(mesh.count(2));
+  vertices.reserve(mesh.count(2));
   VertexBuffer buffer;
-  for (const Face f : all.faces) {
+  const auto at = [&](std::uint32_t v) { return mesh.position(Vertex(v)); };
+  for (const Face f : mesh.faces()) {
+    if (mesh.classification(f).dimension() == 3) continue;
     const auto v = mesh.vertices_of(f, buffer);
-    vertices.push_back({v[0], v[1], v[2]});
+    for (std::size_t k = 2; k < v.size(); ++k) {
+      corners.push_back({at(v[0]), at(v[k - 1]), at(v[k])});
+      vertices.push_back({v[0], v[k - 1], v[k]});
+    }
   }
-  return Envelope(all.corners, distance, vertices);
+  return Envelope(corners, distance, vertices);
 }
 
 }  // namespace

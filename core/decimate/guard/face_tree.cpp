@@ -22,6 +22,7 @@ bool same(const Box& a, const Box& b) { return a.low == b.low && a.high == b.hig
 FaceTree::FaceTree(const Mesh& mesh) : place_(mesh.capacity(2), no_index) {
   items_.reserve(mesh.count(2));
   for (const Face f : mesh.faces()) {
+    if (mesh.classification(f).dimension() == 3) continue;  // inside a region of a volume
     const auto t = mesh.triangle(f);
     const Triangle corners{mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
     items_.push_back({box_of(corners), corners, f});

@@ -3,79 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "core/decimate/spacing/spacing.h"
 
 namespace aomd {
-namespace {
 
-bool has_wires(Mesh& mesh) {
-  const Request faces = mesh.request(1, 2, PaperLoop::name);
-  for (const Edge e : mesh.edges())
-    if (mesh.row<2>(e).empty()) return true;
-  return false;
-}
-
-}  // namespace
-
-PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options)
+PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options, int dimension)
     : Loop(mesh, options),
-      collapser_(mesh),
+      dimension_(dimension),
       changed_(mesh.capacity(0), 1),
       judged_(mesh.capacity(1), 0),
-      refusal_(mesh.capacity(1), Reason::None) {
+      refusal_(mesh.capacity(1), Reason::None) {}
+
+void PaperLoop::start() {
   set_rules();
-  if (options_.exchange) wires_ = has_wires(mesh_);
-  fill_spacing();
-  begin_sweep();
-}
-
-PaperLoop::~PaperLoop() {
-  needs_.clear();
-  if (built_hash_) mesh_.drop_hash(1);
-}
-
-/// What collapses read, or swaps and smoothing; what the others need goes first.
-void PaperLoop::hold(bool collapses) {
-  if (!options_.exchange || collapsing_ == collapses) return;
-  collapsing_ = collapses;
-  needs_.clear();
-  if (std::exchange(built_hash_, false)) mesh_.drop_hash(1);
-  if (collapses) {
-    needs_.push_back(mesh_.request(0, 2, name));
-    if (wires_) needs_.push_back(mesh_.request(0, 1, name));
-    built_hash_ = !mesh_.stored(0, 1) && !mesh_.hash(1).built();
-    if (built_hash_) mesh_.build_hash(1);
-  } else {
-    needs_.push_back(mesh_.request(0, 1, name));
-    needs_.push_back(mesh_.request(1, 2, name));
-  }
-}
-
-void PaperLoop::fill_spacing() {
   reach_ = first_reach();
   average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+  begin_sweep();
 }
 
 // Towards a target twice the factor that would lead there if the angle refused nothing: started
 // lower it grows in many sweeps, each of which leaves what no longer fits together.
 double PaperLoop::first_reach() const {
   if (!aims()) return options_.factor;
-  return std::max(1.5, 2 * std::sqrt(double(mesh_.count(2)) / options_.target_faces));
+  const double ratio = double(mesh_.count(dimension_)) / options_.target_faces;
+  return std::max(1.5, 2 * (dimension_ == 2 ? std::sqrt(ratio) : std::cbrt(ratio)));
 }
 
 double PaperLoop::spacing(Vertex v) const {
   if (options_.spacing) return v.index < options_.spacing->size() ? (*options_.spacing)[v] : 0;
   if (options_.coarsest) return std::numeric_limits<double>::infinity();
   return v.index < average_length_.size() ? average_length_[v] * reach_ : 0;
-}
-
-void PaperLoop::set_rules() {
-  rules_.max_turn = smooth_.max_turn = TurnLimit(options_.angle_deg);
-  rules_.topology = options_.topology;
-  rules_.least_angle = smooth_.least_angle = LeastAngle(options_.min_angle_deg);
-  smooth_.model = options_.model;
 }
 
 void PaperLoop::restart(const DecimationOptions& options) {
@@ -107,7 +65,6 @@ Verdict PaperLoop::judge(Vertex a, Vertex b) {
 }
 
 Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
-  hold(true);
   const auto ends = mesh_.edge_vertices(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
@@ -115,11 +72,7 @@ Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
   const std::size_t first = may_go[0] ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
-  CollapsePlan& collapse = plan.collapse;
-  const Verdict verdict = collapser_.judge(mesh_, edge, may_go, rules_, collapse);
-  if (!verdict.accepted()) return verdict;
-  return guards_.judge(mesh_, plan.change, collapse.contraction, collapse.around_deleted(),
-                       collapse.around_kept());
+  return judge_collapse(edge, may_go, plan);
 }
 
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
@@ -146,21 +99,10 @@ bool PaperLoop::try_collapse(Edge edge) {
     ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
     return false;
   }
+  collapse();
   ++now_;
-  collapser_.apply(mesh_, plan_.collapse);
-  for (const StarFace& f : plan_.collapse.around_deleted()) touch(f.next), touch(f.previous);
   made(StepKind::Collapse, edge, plan_.change);
   return true;
-}
-
-Limits PaperLoop::limits(ModelRef edge) const {
-  Limits limits;
-  limits.turn_deg = options_.angle_deg;
-  if (edge.dimension() == 1 && options_.topology == TopologyRule::Safe)
-    limits.curve_deg = rules_.max_curve_turn.angle_deg();
-  limits.min_angle_deg = options_.min_angle_deg;
-  limits.distance = options_.max_distance;
-  return limits;
 }
 
 std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
@@ -178,59 +120,19 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
   return outlooks;
 }
 
-Verdict PaperLoop::judge_swapping(Edge edge, Plan& plan) {
-  hold(false);
-  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, plan.pair);
-  if (verdict.accepted() && keeps_face_of(plan.pair)) return {Reason::Kept, plan.pair.a};
-  return verdict.accepted() ? guards_.judge(mesh_, plan.change, plan.pair) : verdict;
-}
-
-std::optional<SwapOutlook> PaperLoop::swap_outlook(Edge edge) {
-  SwapOutlook o;
-  Plan plan;
-  o.verdict = judge_swapping(edge, plan);
-  o.pair = plan.pair;
-  o.limits = limits({});
-  return o;
-}
-
-Verdict PaperLoop::judge_smoothing(Vertex v, Plan& plan) {
-  if (options_.kept(v)) return {Reason::Kept, v};
-  hold(false);
-  const Verdict verdict = judge_smooth(mesh_, v, smooth_, plan.move.target);
-  if (!verdict.accepted() || !guards_.any()) return verdict;
-  std::vector<std::uint32_t> derived;
-  gather(mesh_, v, faces_around(mesh_, v, derived), plan.move.star);
-  return guards_.judge(mesh_, plan.change, v, plan.move.star, plan.move.target);
-}
-
-std::optional<MoveOutlook> PaperLoop::move_outlook(Vertex v) {
-  MoveOutlook o;
-  Plan plan;
-  plan.move.target = mesh_.position(v);
-  o.vertex = v;
-  o.verdict = judge_smoothing(v, plan);
-  o.target = plan.move.target;
-  o.limits = limits({});
-  return o;
-}
-
+// Edges that a swap among tetrahedra has made were not judged yet.
 bool PaperLoop::try_swap(Edge edge) {
-  if (!judge_swapping(edge, plan_).accepted()) return false;
-  const EdgePair& pair = plan_.pair;
+  if (!swap(edge)) return false;
   ++now_;
-  apply_swap(mesh_, edge, pair);
-  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
+  judged_.resize(mesh_.capacity(1), 0);
+  refusal_.resize(mesh_.capacity(1), Reason::None);
   made(StepKind::Swap, edge, plan_.change);
   return true;
 }
 
 bool PaperLoop::try_smooth(Vertex v) {
-  if (!judge_smoothing(v, plan_).accepted()) return false;
+  if (!smooth(v)) return false;
   ++now_;
-  apply_smooth(mesh_, v, plan_.move.target);
-  for (const Edge e : mesh_.row<1>(v))
-    for (const Vertex u : mesh_.edge_vertices(e)) touch(u);
   made(StepKind::Smooth, v, plan_.change);
   return true;
 }
@@ -240,7 +142,7 @@ std::uint32_t PaperLoop::end_of_phase() const {
 }
 
 bool PaperLoop::at_target() const {
-  return options_.target_faces > 0 && mesh_.count(2) <= options_.target_faces;
+  return options_.target_faces > 0 && mesh_.count(dimension_) <= options_.target_faces;
 }
 
 bool PaperLoop::advance() {
@@ -268,8 +170,8 @@ void PaperLoop::next_phase() {
 }
 
 void PaperLoop::end_sweep() {
-  SweepStatistics& sweep = sweeps_.back();
-  sweep.faces = mesh_.count(2);
+  close_sweep();
+  const SweepStatistics& sweep = sweeps_.back();
   ++improved_;
   if (at_target() || (sweep.collapses == 0 && !grow()))
     phase_ = Phase::Done;

@@ -1,0 +1,41 @@
+#pragma once
+// The printed strategy on surfaces.
+
+#include <optional>
+
+#include "core/decimate/paper/paper_loop.h"
+#include "core/operators/smooth.h"
+#include "core/operators/swap.h"
+
+namespace aomd {
+
+class SurfacePaperLoop final : public PaperLoop {
+ public:
+  /// T(0,1), T(0,2) and T(2,0) must be stored; where they are exchanged, T(1,0) and T(2,0).
+  SurfacePaperLoop(Mesh& mesh, const DecimationOptions& options);
+  ~SurfacePaperLoop() override;
+
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
+  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
+
+ private:
+  void set_rules() override;
+  [[nodiscard]] Limits limits(ModelRef edge) const override;
+  [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) override;
+  [[nodiscard]] Verdict judge_smoothing(Vertex v, Plan& plan);
+  [[nodiscard]] Verdict judge_swapping(Edge edge, Plan& plan);
+  void collapse() override;
+  bool swap(Edge edge) override;
+  bool smooth(Vertex v) override;
+  void hold(bool collapses);
+
+  std::vector<Request> needs_;      ///< of the present phase, where relations are exchanged
+  std::optional<bool> collapsing_;  ///< which ones needs_ are for
+  bool built_hash_ = false;
+  bool wires_ = false;  ///< some edges have no face: T(0,1) alone finds them
+  CollapseRules rules_;
+  SmoothRules smooth_{TurnLimit(0)};
+  Collapser collapser_;
+};
+
+}  // namespace aomd

@@ -1,0 +1,179 @@
+// Collapses among a few tetrahedra, of which every answer is known.
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/verify.h"
+#include "core/model/classify.h"
+#include "core/operators/region_collapse.h"
+#include "tests/support/strata.h"
+
+namespace aomd {
+namespace {
+
+constexpr ModelRef inside(3, 1);
+
+/// A mesh with what the collapser needs.
+struct Stored {
+  explicit Stored(const MeshData& data) : mesh(data) {
+    needs.push_back(mesh.request_listed(0, 1));
+    needs.push_back(mesh.request_listed(0, 2));
+    needs.push_back(mesh.request(0, 3));
+  }
+  Verdict judge(std::uint32_t deleted, std::uint32_t kept, const VolumeRules& rules = {}) {
+    return collapser().judge(
+        mesh, Contraction{Vertex(deleted), Vertex(kept), mesh.position(Vertex(kept))}, rules, plan);
+  }
+  RegionCollapser& collapser() {
+    if (!held) held.emplace(mesh);
+    return *held;
+  }
+
+  Mesh mesh;
+  std::vector<Request> needs;
+  std::optional<RegionCollapser> held;
+  VolumeCollapsePlan plan;
+};
+
+// The corner of a cube with a vertex 4 inside: four tetrahedra. Sides lie on one model face each.
+MeshData corner_with_a_point() {
+  MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}};
+  for (const auto& [a, b, c] : {std::array{0u, 2u, 1u}, std::array{0u, 1u, 3u},
+                                std::array{1u, 2u, 3u}, std::array{2u, 0u, 3u}}) {
+    data.regions.add(Shape::Tetrahedron, {a, c, b, 4}, inside);
+    data.faces.add(Shape::Triangle, {a, b, c},
+                   ModelRef(2, static_cast<int>(data.faces.size()) + 1));
+  }
+  for (const auto& [a, b] : {std::array{0u, 1u}, std::array{0u, 2u}, std::array{0u, 3u},
+                             std::array{1u, 2u}, std::array{2u, 3u}, std::array{3u, 1u}})
+    data.edges.add(Shape::Line, {a, b}, ModelRef(1, static_cast<int>(data.edges.size()) + 1));
+  data.vertex_classes = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, inside};
+  return data;
+}
+
+// One tetrahedron with nothing but a closed curve around its side 0 1 2.
+MeshData cup() {
+  MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  data.regions.add(Shape::Tetrahedron, {0, 1, 2, 3}, inside);
+  const ModelRef lid(2, 1), side(2, 2), rim(1, 1);
+  data.faces.add(Shape::Triangle, {0, 2, 1}, lid);
+  data.faces.add(Shape::Triangle, {0, 1, 3}, side);
+  data.faces.add(Shape::Triangle, {1, 2, 3}, side);
+  data.faces.add(Shape::Triangle, {2, 0, 3}, side);
+  data.edges.add(Shape::Line, {0, 1}, rim);
+  data.edges.add(Shape::Line, {1, 2}, rim);
+  data.edges.add(Shape::Line, {2, 0}, rim);
+  data.vertex_classes = {rim, rim, rim, side};
+  return data;
+}
+
+TEST(RegionCollapseTest, AVertexInsideGoesIntoACorner) {
+  Stored s(corner_with_a_point());
+  ASSERT_TRUE(s.judge(4, 0).accepted());
+  EXPECT_EQ(s.plan.balls[0].size(), 4u);
+  EXPECT_EQ(s.plan.balls[1].size(), 3u);
+  EXPECT_TRUE(s.plan.stars[0].empty() && s.plan.stars[1].empty());
+  s.collapser().apply(s.mesh, s.plan);
+  ASSERT_EQ(s.mesh.count(3), 1u);
+  EXPECT_EQ(s.mesh.count(2), 4u);
+  EXPECT_EQ(s.mesh.count(1), 6u);
+  EXPECT_EQ(s.mesh.count(0), 4u);
+  EXPECT_EQ(s.mesh.tetrahedron(Region(2)),
+            (std::array{Vertex(1), Vertex(3), Vertex(2), Vertex(0)}));
+  EXPECT_EQ(test::wrong_with_tets(s.mesh), "");
+  EXPECT_TRUE(verify(s.mesh).empty());
+}
+
+TEST(RegionCollapseTest, ACornerDoesNotGoInside) {
+  Stored s(corner_with_a_point());
+  const Verdict v = s.judge(0, 4);
+  EXPECT_EQ(v.reason, Reason::Classification);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(0)));
+}
+
+TEST(RegionCollapseTest, ByAnEdgeEitherEndIsTried) {
+  Stored s(corner_with_a_point());
+  s.needs.push_back(s.mesh.request(0, 1));
+  const Edge e = s.mesh.find_edge(Vertex(0), Vertex(4));
+  ASSERT_TRUE(e.valid());
+  EXPECT_TRUE(s.collapser().judge(s.mesh, e, {true, true}, {}, s.plan).accepted());
+  EXPECT_EQ(s.plan.contraction.deleted, Vertex(4));
+  EXPECT_EQ(s.plan.balls[0].size(), 4u) << "of the end that goes";
+  const bool first = s.mesh.edge_vertices(e)[0] == Vertex(0);
+  EXPECT_EQ(s.collapser().judge(s.mesh, e, {first, !first}, {}, s.plan).reason,
+            Reason::Classification);
+}
+
+TEST(RegionCollapseTest, AClosedCurveOfThreeEdgesStays) {
+  Stored s(cup());
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(2)));
+}
+
+TEST(RegionCollapseTest, TwoModelFacesDoNotFallTogether) {
+  MeshData data = cup();
+  data.edges = {};
+  data.faces.classes.assign(4, ModelRef(2, 1));
+  data.vertex_classes.assign(4, ModelRef(2, 1));
+  Stored s(data);
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Face(2))) << "1 2 3 and 0 2 3 are one afterwards";
+}
+
+TEST(RegionCollapseTest, ATetrahedronThatWouldTurnInsideOutIsNamed) {
+  Stored s(corner_with_a_point());
+  RegionCollapser& collapser = s.collapser();
+  s.mesh.move(Vertex(4), {0.4, 0.4, 0.4});  // beyond the side 1 2 3
+  const Verdict v = collapser.judge(s.mesh, {Vertex(4), Vertex(0), {-1, -1, -1}}, {}, s.plan);
+  EXPECT_EQ(v.reason, Reason::Classification) << "a corner does not move";
+  s.mesh.move(Vertex(0), {0.5, 0.5, 0.5});
+  const Verdict turned = s.judge(4, 0);
+  EXPECT_EQ(turned.reason, Reason::Inverted);
+  EXPECT_EQ(turned.entity, EntityRef(Region(2)));
+}
+
+TEST(RegionCollapseTest, AnEdgeThatWouldBeTooLongIsNamedByItsEnd) {
+  Stored s(corner_with_a_point());
+  const Column<Vertex, double> size(5, 0.5);
+  const Verdict v = s.judge(4, 0, {.overshoot = 1.9, .size = &size});
+  EXPECT_EQ(v.reason, Reason::Overshoot);
+  EXPECT_EQ(v.entity.dimension, 0);
+  EXPECT_DOUBLE_EQ(v.number(), 1);
+  EXPECT_TRUE(s.judge(4, 0, {.overshoot = 2.1, .size = &size}).accepted());
+}
+
+TEST(RegionCollapseTest, AShapeBelowTheLeastNeedsOneAsBadAround) {
+  Stored s(corner_with_a_point());
+  const auto& p = [&](std::uint32_t v) { return s.mesh.position(Vertex(v)); };
+  const double made = tet_shape(p(0), p(1), p(2), p(3));
+  s.mesh.move(Vertex(4), {0.25, 0.25, 0.25});
+  const double worst_there = tet_shape(p(0), p(1), p(2), p(4));
+  ASSERT_GT(made, worst_there) << "so that the limit does not bind";
+  EXPECT_TRUE(s.judge(4, 0, {.least_shape = 0.99}).accepted());
+  s.mesh.move(Vertex(0), {0.24, 0.24, 0.24});  // now the one that is made is worse than all
+  const Verdict v = s.judge(4, 0, {.least_shape = 0.99});
+  EXPECT_EQ(v.reason, Reason::None) << "one as bad was around it";
+  s.mesh.move(Vertex(4), {0.28, 0.28, 0.28});
+}
+
+TEST(RegionCollapseTest, ACrowdWaits) {
+  MeshData data;
+  const std::uint32_t n = largest_ball + 1;
+  data.positions = {{0, 0, 0}, {0, 0, 1}};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    data.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    data.regions.add(Shape::Tetrahedron, {0, 2 + i, 2 + (i + 1) % n, 1}, inside);
+  }
+  data.vertex_classes.assign(data.positions.size(), inside);
+  Stored s(data);
+  const Verdict v = s.judge(2, 0);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(0)));
+}
+
+}  // namespace
+}  // namespace aomd
