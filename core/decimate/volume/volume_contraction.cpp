@@ -164,15 +164,18 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
 // Another place is worth it as long as nothing else in the queue costs less.
 float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + 0.25f; }
 
-Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch) {
+Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan) {
   find_places(v, w, scratch);
   Verdict furthest{Reason::Classification, v};
   const float most = scratch.places.empty() ? 0 : worst_cost(scratch.places.front().cost);
   for (const Place& p : scratch.places) {
     if (p.cost > most) continue;
-    const Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, scratch.plan);
+    Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, plan.collapse);
+    if (verdict.accepted())
+      verdict = guards_.judge(mesh_, plan.change, p.contraction, plan.collapse.around_deleted(),
+                              plan.collapse.around_kept());
     if (verdict.accepted()) return verdict;
-    if (verdict.reason >= furthest.reason) furthest = verdict;
+    if (check_order(verdict.reason) >= check_order(furthest.reason)) furthest = verdict;
   }
   return furthest;
 }
@@ -185,17 +188,17 @@ void VolumeQualityLoop::note_refusal(Vertex v, Vertex w, const Verdict& verdict)
 }
 
 bool VolumeQualityLoop::collapse(Vertex v, Vertex w) {
-  const Verdict verdict = judge(v, w, scratch_);
+  const Verdict verdict = judge(v, w, scratch_, plan_);
   if (!verdict.accepted()) {
     note_refusal(v, w, verdict);
     return false;
   }
-  const Contraction c = scratch_.plan.contraction;
+  const Contraction c = plan_.collapse.contraction;
   take_over(c, mesh_.position(w));
-  collapser_.apply(mesh_, scratch_.plan);
+  collapser_.apply(mesh_, plan_.collapse);
   refresh_around(c.kept);
   stir(c.kept);
-  made(StepKind::Collapse, c.kept, plan_.change);
+  Loop::made(StepKind::Collapse, c.kept, plan_.change);
   return true;
 }
 

@@ -9,36 +9,40 @@ namespace aomd {
 Verdict VolumeQualityLoop::judge(Edge edge, Vertex& deleted) {
   const auto [a, b] = mesh_.edge_vertices(edge);
   Scratch scratch;
-  Verdict verdict = judge_edge(a, b, scratch);
+  Plan plan;
+  Verdict verdict = judge_edge(a, b, scratch, plan);
   if (verdict.reason == Reason::Spacing) verdict.entity = edge;
   if (!scratch.places.empty()) deleted = scratch.places.front().contraction.deleted;
-  if (verdict.accepted()) deleted = scratch.plan.contraction.deleted;
+  if (verdict.accepted()) deleted = plan.collapse.contraction.deleted;
   return verdict;
 }
 
 Verdict VolumeQualityLoop::judge(Vertex a, Vertex b) {
   Scratch scratch;
-  return judge_edge(a, b, scratch);
+  Plan plan;
+  return judge_edge(a, b, scratch, plan);
 }
 
-Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch) {
+Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch,
+                                      Plan& plan) {
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
   if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
     return {Reason::Spacing, a, length};
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
   if (!(cost(a, b) < unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
-  return judge(a, b, scratch);
+  return judge(a, b, scratch, plan);
 }
 
 std::vector<CollapseOutlook> VolumeQualityLoop::outlook(Edge edge) {
   const auto [a, b] = mesh_.edge_vertices(edge);
   CollapseOutlook o;
   Scratch scratch;
+  Plan plan;
   o.contraction = {a, b, mesh_.position(b)};
-  o.verdict = judge_edge(a, b, scratch);
+  o.verdict = judge_edge(a, b, scratch, plan);
   if (!scratch.places.empty()) o.contraction = scratch.places.front().contraction;
-  if (o.verdict.accepted()) o.contraction = scratch.plan.contraction;
+  if (o.verdict.accepted()) o.contraction = plan.collapse.contraction;
   o.limits.turn_deg = rules_.faces.max_turn.angle_deg();
   o.limits.min_angle_deg = rules_.faces.least_angle.angle_deg();
   if (mesh_.classification(edge).dimension() == 1)
@@ -66,7 +70,7 @@ std::optional<MoveOutlook> VolumeQualityLoop::move_outlook(Vertex v) {
     o.target += x;
   else
     o.verdict = {Reason::Quality, v};
-  o.limits.turn_deg = removal_.max_turn.angle_deg();
+  o.limits.turn_deg = improving_.removal.max_turn.angle_deg();
   return o;
 }
 

@@ -12,16 +12,15 @@
 #include "core/decimate/loop.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
+#include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"
 #include "core/decimate/volume/vertex_relaxation.h"
 #include "core/decimate/volume/volume_placement.h"
-#include "core/operators/edge_removal.h"
-#include "core/operators/face_removal.h"
 #include "core/operators/region_collapse.h"
 
 namespace aomd {
 
-class VolumeQualityLoop final : public Loop {
+class VolumeQualityLoop final : public Loop, private ImprovementWatch {
  public:
   static constexpr const char* name = "the quality loop";  ///< of its requests
 
@@ -73,7 +72,6 @@ class VolumeQualityLoop final : public Loop {
     ModelPlanes planes;
     RegionBalance balance;
     std::vector<Place> places;
-    VolumeCollapsePlan plan;
   };
 
   // The queue (volume_queue.cpp)
@@ -105,13 +103,13 @@ class VolumeQualityLoop final : public Loop {
                                    double enough) const;
   void keep_best_shape(Scratch& scratch) const;
   [[nodiscard]] float worst_cost(float best) const;
-  [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch);
+  [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan);
   bool collapse(Vertex v, Vertex w);
   void note_refusal(Vertex v, Vertex w, const Verdict& verdict);
   void take_over(const Contraction& c, const glm::dvec3& origin);
 
   // What is said without being done (volume_outlook.cpp)
-  [[nodiscard]] Verdict judge_edge(Vertex a, Vertex b, Scratch& scratch);
+  [[nodiscard]] Verdict judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan);
 
   // Stages (volume_stages.cpp)
   void start(const DecimationOptions& options);
@@ -127,30 +125,35 @@ class VolumeQualityLoop final : public Loop {
   void end_phase();
   void end_round();
   void end_settling();
+  /// False where other shapes than tetrahedra are around a vertex, or nothing: it stays.
+  [[nodiscard]] bool among_tets(Vertex v) const { return state_[v].size > 0; }
   [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }
   [[nodiscard]] bool last_descent() const;
 
-  // Passes over tetrahedra and vertices (volume_improvement.cpp)
+  // Passes over tetrahedra and vertices (volume_passes.cpp)
   bool advance_swap();
   bool advance_smooth();
-  bool improve(Region r);
-  [[nodiscard]] bool stirred(const std::array<Vertex, 4>& t) const;
-  void stir(Vertex v);
-  bool remove_edge(Vertex a, Vertex b);
+  [[nodiscard]] bool looks_at(Region poor) override;
+  [[nodiscard]] bool allows(const EdgeRemoval& plan) override;
+  [[nodiscard]] bool allows(const FaceRemoval& plan) override;
+  void made(const EdgeRemoval& plan) override;
+  void made(const FaceRemoval& plan) override;
+  void stir(Vertex v) { stir_[v] = stir_now_; }
   [[nodiscard]] bool keeps_close(const EdgeRing& ring) const;
-  void note_gains(const EdgeRemoval& plan);
-  bool remove_face(Region r, std::uint32_t slot);
   bool try_move(Vertex v);
-  bool settle(Vertex v);
-  [[nodiscard]] bool owes(Vertex v) const;
-  void spread(Vertex v);
-  void move(Vertex v, const glm::dvec3& x);
+  bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
-  void draw_debts(Vertex v, const Scratch& scratch);
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);
+
+  // Debts (volume_settling.cpp)
+  void note_gains(const EdgeRemoval& plan);
+  void draw_debts(Vertex v, const Scratch& scratch);
+  bool settle(Vertex v);
+  [[nodiscard]] bool owes(Vertex v) const;
+  void spread(Vertex v);
 
   static constexpr double curve_weight = 3;   ///< of the planes along model edges
   /// Debts are paid by moving by this part of a size, or of an edge, at a time.
@@ -159,7 +162,8 @@ class VolumeQualityLoop final : public Loop {
   RegionCollapser collapser_;
   VertexRelaxation relaxation_;
   VolumeRules rules_;
-  RemovalRules removal_;
+  ImprovementRules improving_;
+  VolumeImprovement improvement_;
   double floor_ = 0.3;  ///< no tetrahedron gets a poorer shape, if it can be helped
   float surface_ = 0;   ///< what squared distances cost, in sizes
   Column<Vertex, State> state_;
@@ -168,8 +172,7 @@ class VolumeQualityLoop final : public Loop {
   VolumeDebts debts_;
   Scratch scratch_;
   std::vector<Candidate> found_;
-  EdgeRemoval edge_removal_;
-  FaceRemoval face_removal_;
+  Change allowed_;  ///< by the removal that is to be made
   Column<Edge, Reason> refusal_;
   Column<Vertex, std::uint32_t> stir_;  ///< the pass in which something around changed last
   std::uint32_t stir_now_ = 0, stir_limit_ = 0;

@@ -34,7 +34,7 @@ std::span<const Vertex> VolumeQualityLoop::neighbours_of(Vertex v, Scratch& scra
 // through a region nothing goes from one to the other.
 template <typename Visit>
 void VolumeQualityLoop::look_around(Vertex v, Scratch& scratch, Visit&& visit) const {
-  if (mesh_.row<3>(v).size() > largest_ball || crowded(mesh_, v)) return;
+  if (!among_tets(v) || in_crowd(mesh_, v)) return;
   const std::span<const Vertex> around = neighbours_of(v, scratch);
   const bool inside = state_[v].model.dimension() == 3;
   if (!inside) gather_model_faces(mesh_, v, scratch.star);

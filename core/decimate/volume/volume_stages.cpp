@@ -29,7 +29,7 @@ constexpr double worth_another = 0.01;
 }  // namespace
 
 VolumeQualityLoop::VolumeQualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options), collapser_(mesh) {
+    : Loop(mesh, options), collapser_(mesh), improvement_(mesh, improving_, *this) {
   start(options);
 }
 
@@ -69,7 +69,9 @@ void VolumeQualityLoop::set_rules() {
   rules_.least_shape = floor_;
   rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
-  removal_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
+  improving_.removal.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
+  improving_.poor = 0.65;
+  improvement_.set_rules(improving_);
 }
 
 void VolumeQualityLoop::measure_vertices() {
@@ -91,6 +93,7 @@ void VolumeQualityLoop::measure_vertices() {
 
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 void VolumeQualityLoop::measure(Vertex v, Scratch& scratch) {
+  if (first_other_shape(mesh_, v).valid()) return;
   const std::span<const Vertex> around = neighbours_of(v, scratch);
   double sum = 0;
   for (const Vertex w : around) sum += glm::length(mesh_.position(v) - mesh_.position(w));
@@ -160,6 +163,7 @@ void VolumeQualityLoop::begin_improvement() {
 // A pass looks at what has changed since the one before it began.
 void VolumeQualityLoop::enter(Phase phase) {
   cursor_ = 0;
+  improvement_.begin_pass();
   if (phase == Phase::Swap) stir_limit_ = stir_now_++;
   phase_ = phase;
 }
@@ -197,7 +201,7 @@ void VolumeQualityLoop::end_settling() {
     enter(Phase::Smooth);
     return;
   }
-  sweeps_.back().faces = mesh_.count(2);
+  close_sweep();
   phase_ = Phase::Done;
 }
 
