@@ -125,6 +125,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void end_phase();
   void end_round();
   void end_settling();
+  bool relax();
   /// False where other shapes than tetrahedra are around a vertex, or nothing: it stays.
   [[nodiscard]] bool among_tets(Vertex v) const { return state_[v].size > 0; }
   [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }

@@ -186,11 +186,20 @@ void VolumeQualityLoop::end_round() {
   if (++round_ < rounds) {
     open_sweep();
     enter(options_.swap ? Phase::Swap : Phase::Smooth);
-  } else if (!last_descent()) {
+  } else if (!last_descent() || relax()) {
     begin_descent();
   } else {
     end_settling();
   }
+}
+
+// A target that shape and length keep out of reach is worth poorer tetrahedra, to a point.
+bool VolumeQualityLoop::relax() {
+  constexpr double poorest = 0.15;
+  if (target_ == 0 || reached() || rules_.least_shape <= poorest) return false;
+  rules_.least_shape = std::max(poorest, 0.7 * rules_.least_shape);
+  rules_.overshoot *= 1.25;
+  return true;
 }
 
 // What regions are owed at the end is paid in a few passes.
