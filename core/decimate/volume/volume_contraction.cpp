@@ -154,8 +154,8 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
       if (mesh_.classification(e) != model) return;
       const glm::dvec3 next = mesh_.position(far) - mesh_.position(end),
                        across = glm::cross(along, next);
-      all = all && glm::dot(across, across) <=
-                       straight * glm::dot(along, along) * glm::dot(next, next);
+      all = all &&
+            glm::dot(across, across) <= straight * glm::dot(along, along) * glm::dot(next, next);
     });
   }
   return all;

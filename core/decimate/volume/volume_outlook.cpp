@@ -23,8 +23,7 @@ Verdict VolumeQualityLoop::judge(Vertex a, Vertex b) {
   return judge_edge(a, b, scratch, plan);
 }
 
-Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch,
-                                      Plan& plan) {
+Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan) {
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
   if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
     return {Reason::Spacing, a, length};

@@ -30,8 +30,8 @@ bool VolumeQualityLoop::allows(const EdgeRemoval& plan) {
   plan_.change.clear();
   if (options_.kept(ring.a) && options_.kept(ring.b)) return false;
   if (ring.on_model_face()) {
-    const EdgePair pair{ring.faces[0],  ring.faces[1],  ring.a, ring.b,
-                        ring.apexes[0], ring.apexes[1]};
+    const EdgePair pair{ring.faces[0], ring.faces[1],  ring.a,
+                        ring.b,        ring.apexes[0], ring.apexes[1]};
     if (!keeps_close(ring) || keeps_face_of(pair) ||
         !guards_.judge(mesh_, plan_.change, pair).accepted())
       return false;
@@ -117,8 +117,7 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
     relaxation_.add_surface(s.quadric, double(surface_ / (area * s.size * s.size)));
-  return relaxation_.step(floor_, shift, x) &&
-         keeps_faces(v, scratch.star, mesh_.position(v) + x);
+  return relaxation_.step(floor_, shift, x) && keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }
 
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges

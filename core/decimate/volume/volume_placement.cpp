@@ -80,8 +80,7 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
 }
 
 glm::dvec3 least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
-                       std::span<const VolumeCondition> conditions,
-                       const PlacementLimits& limits) {
+                       std::span<const VolumeCondition> conditions, const PlacementLimits& limits) {
   const QuadricOf<double> q(quadric);
   Frame frame;
   take_planes(planes, frame);

@@ -156,7 +156,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] bool owes(Vertex v) const;
   void spread(Vertex v);
 
-  static constexpr double curve_weight = 3;   ///< of the planes along model edges
+  static constexpr double curve_weight = 3;  ///< of the planes along model edges
   /// Debts are paid by moving by this part of a size, or of an edge, at a time.
   static constexpr double paid_at_once = 0.03;
 

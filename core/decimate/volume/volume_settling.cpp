@@ -10,8 +10,8 @@ namespace aomd {
 namespace {
 
 double six_volumes_of(const Mesh& mesh, Vertex a, Vertex b, Vertex c, Vertex d) {
-  return std::abs(six_volumes(mesh.position(a), mesh.position(b), mesh.position(c),
-                              mesh.position(d)));
+  return std::abs(
+      six_volumes(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d)));
 }
 
 // How much volume the tetrahedra on one side of a model face gain, six times.

@@ -169,7 +169,8 @@ void VolumeQualityLoop::enter(Phase phase) {
 }
 
 bool VolumeQualityLoop::last_descent() const {
-  return (descents_ > 1 && reached()) || (descents_ > 1 && freed_ < worth_another * before_descent_);
+  return (descents_ > 1 && reached()) ||
+         (descents_ > 1 && freed_ < worth_another * before_descent_);
 }
 
 void VolumeQualityLoop::end_phase() {
