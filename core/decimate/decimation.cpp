@@ -12,6 +12,7 @@
 #include "core/decimate/paper/volume_paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
+#include "core/decimate/volume/volume_quality_loop.h"
 #include "core/mesh/verify.h"
 
 namespace aomd {
@@ -191,23 +192,28 @@ void Decimation::begin(const DecimationOptions& options) {
     loop_ = std::make_unique<QualityLoop>(mesh_, options);
 }
 
-// The printed loop goes over all edges; faces inside regions need not be entities.
+// The printed loop goes over all edges, quality names them by their ends; faces inside regions need
+// not be entities.
 void Decimation::begin_volume(const DecimationOptions& options) {
-  if (options.strategy != Strategy::Paper)
-    throw std::invalid_argument("the quality strategy does not take volumes yet: paper does");
   if (options.topology != TopologyRule::Safe)
     throw std::invalid_argument("collapses among tetrahedra always keep the topology");
+  const bool paper = options.strategy == Strategy::Paper;
+  const char* name = paper ? PaperLoop::name : VolumeQualityLoop::name;
   std::vector<Request> needs;
-  for (const auto& [i, j] :
-       {std::array{3, 0}, std::array{0, 3}, std::array{1, 0}, std::array{0, 1}})
-    needs.push_back(mesh_.request(i, j, PaperLoop::name));
-  needs.push_back(mesh_.request_listed(2, 0, PaperLoop::name));
-  needs.push_back(mesh_.request_listed(0, 2, PaperLoop::name));
+  for (const auto& [i, j] : {std::array{3, 0}, std::array{0, 3}})
+    needs.push_back(mesh_.request(i, j, name));
+  for (const auto& [i, j] : {std::array{1, 0}, std::array{0, 1}})
+    needs.push_back(paper ? mesh_.request(i, j, name) : mesh_.request_listed(i, j, name));
+  for (const auto& [i, j] : {std::array{2, 0}, std::array{0, 2}})
+    needs.push_back(mesh_.request_listed(i, j, name));
   needs_ = std::move(needs);
   require_classified(mesh_);
   DecimationOptions volume = options;
   volume.keep = keep_hanging(mesh_, options.keep);
-  loop_ = std::make_unique<VolumePaperLoop>(mesh_, volume);
+  if (paper)
+    loop_ = std::make_unique<VolumePaperLoop>(mesh_, volume);
+  else
+    loop_ = std::make_unique<VolumeQualityLoop>(mesh_, volume);
 }
 
 void Decimation::set_options(const DecimationOptions& options) {

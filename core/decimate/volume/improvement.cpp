@@ -68,7 +68,7 @@ bool VolumeImprovement::next_swap(bool& made) {
   const std::uint32_t id = mesh_.ids(3).next_alive(cursor_);
   if (id >= mesh_.capacity(3)) return false;
   cursor_ = id + 1;
-  made = is_poor(Region(id)) && try_swap(Region(id));
+  made = is_poor(Region(id)) && watch_.looks_at(Region(id)) && try_swap(Region(id));
   return true;
 }
 

@@ -23,6 +23,8 @@ struct ImprovementRules {
 class ImprovementWatch {
  public:
   virtual ~ImprovementWatch() = default;
+  /// Asked for a poor tetrahedron before a pass of removals looks at its edges and faces.
+  [[nodiscard]] virtual bool looks_at(Region /*poor*/) { return true; }
   /// Asked for what an operator has accepted.
   [[nodiscard]] virtual bool allows(const EdgeRemoval& /*plan*/) { return true; }
   [[nodiscard]] virtual bool allows(const FaceRemoval& /*plan*/) { return true; }
