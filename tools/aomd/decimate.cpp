@@ -80,6 +80,9 @@ class Run {
     mesh_ = Mesh(original_);
     if (volume() && !has_tetrahedra(mesh_))
       throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
+    if (volume() && !options_.paper())
+      throw io::LimitError(options_.input, {},
+                           "the quality strategy does not take volumes yet: --strategy paper does");
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
     count_cells();
