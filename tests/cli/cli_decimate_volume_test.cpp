@@ -72,9 +72,9 @@ TEST_F(DecimateVolume, NothingIsClassifiedThatWasNot) {
       "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
       "0.2 0.2 0.2 0\nTetrahedra\n4\n1 2 3 5 0\n1 4 2 5 0\n2 4 3 5 0\n1 3 4 5 0\nEnd\n");
   ASSERT_EQ(aomd("decimate t.mesh o.mesh --strategy paper --coarsest").code, 0);
-  const std::string text = text("o.mesh");
-  EXPECT_NE(text.find("Tetrahedra\n1\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("Triangles"), std::string::npos) << text;
+  const std::string result = text("o.mesh");
+  EXPECT_NE(result.find("Tetrahedra\n1\n"), std::string::npos) << result;
+  EXPECT_EQ(result.find("Triangles"), std::string::npos) << result;
 }
 
 }  // namespace

@@ -71,44 +71,45 @@ struct TetAnimal {
 inline std::vector<TetAnimal> tets() {
   const auto in = [](int v, int low, int high) { return low <= v && v < high; };
   const auto inner = [=](const Cell& c) { return in(c.x, 1, 3) && in(c.y, 1, 3) && in(c.z, 1, 3); };
-  return {
-      {"box", tet_grid(
-                  {3, 3, 3}, [](const Cell&) { return 1; }, 0.1)},
-      {"on a face", tet_grid(
-                        {4, 2, 2}, [](const Cell& c) { return c.x < 2 ? 1 : 2; }, 0.1)},
-      {"on an edge", tet_grid({4, 4, 2}, [](const Cell& c) { return (c.x < 2) == (c.y < 2); })},
-      {"on a vertex",
-       tet_grid({4, 4, 4}, [](const Cell& c) { return c.x < 2 == c.y < 2 && c.y < 2 == c.z < 2; })},
-      {"shell", tet_grid({4, 4, 4}, [=](const Cell& c) { return inner(c) ? 0 : 1; })},
-      {"ball in a box", tet_grid(
-                            {4, 4, 4}, [=](const Cell& c) { return inner(c) ? 2 : 1; }, 0.1)},
-      {"three materials on a line",
-       tet_grid(
-           {4, 4, 3}, [](const Cell& c) { return c.y < 2   ? 1
-                                                 : c.x < 2 ? 2
-                                                           : 3; }, 0.1)},
-      {"torus in a torus", tet_grid({5, 5, 3},
-                                    [=](const Cell& c) {
-                                      if (c.x == 2 && c.y == 2) return 0;
-                                      return c.z == 1 && in(c.x, 1, 4) && in(c.y, 1, 4) ? 2 : 1;
-                                    })},
-      {"one cell thick", tet_grid(
-                             {4, 4, 3}, [](const Cell& c) { return c.z == 1 ? 2 : 1; }, 0.1)},
-      {"tube of triangles",
-       tet_grid(
-           {3, 3, 4}, [](const Cell& c) { return c.x == 1 && c.y == 1 && c.part < 3 ? 2 : 1; },
-           0.1)},
-      {"touches in a point", tet_grid({4, 4, 4},
-                                      [=](const Cell& c) {
-                                        return in(c.x, 1, 3) && in(c.y, 1, 3) &&
-                                                       (c.z < 1 ? c.x + c.y == 2 && c.part == 0
-                                                                : c.z < 3)
-                                                   ? 2
-                                                   : 1;
-                                      })},
-      {"two beside each other", tet_grid({4, 4, 3}, [=](const Cell& c) {
-         return c.z == 1 && ((c.x == 1 && c.y == 1) || (c.x == 2 && c.y == 2)) ? 2 : 1;
-       })}};
+  return {{"box", tet_grid(
+                      {3, 3, 3}, [](const Cell&) { return 1; }, 0.1)},
+          {"on a face", tet_grid(
+                            {4, 2, 2}, [](const Cell& c) { return c.x < 2 ? 1 : 2; }, 0.1)},
+          {"on an edge", tet_grid({4, 4, 2}, [](const Cell& c) { return (c.x < 2) == (c.y < 2); })},
+          {"on a vertex", tet_grid({4, 4, 4},
+                                   [](const Cell& c) {
+                                     return (c.x < 2) == (c.y < 2) && (c.y < 2) == (c.z < 2);
+                                   })},
+          {"shell", tet_grid({4, 4, 4}, [=](const Cell& c) { return inner(c) ? 0 : 1; })},
+          {"ball in a box", tet_grid(
+                                {4, 4, 4}, [=](const Cell& c) { return inner(c) ? 2 : 1; }, 0.1)},
+          {"three materials on a line",
+           tet_grid(
+               {4, 4, 3}, [](const Cell& c) { return c.y < 2   ? 1
+                                                     : c.x < 2 ? 2
+                                                               : 3; }, 0.1)},
+          {"torus in a torus", tet_grid({5, 5, 3},
+                                        [=](const Cell& c) {
+                                          if (c.x == 2 && c.y == 2) return 0;
+                                          return c.z == 1 && in(c.x, 1, 4) && in(c.y, 1, 4) ? 2 : 1;
+                                        })},
+          {"one cell thick", tet_grid(
+                                 {4, 4, 3}, [](const Cell& c) { return c.z == 1 ? 2 : 1; }, 0.1)},
+          {"tube of triangles",
+           tet_grid(
+               {3, 3, 4}, [](const Cell& c) { return c.x == 1 && c.y == 1 && c.part < 3 ? 2 : 1; },
+               0.1)},
+          {"touches in a point", tet_grid({4, 4, 4},
+                                          [=](const Cell& c) {
+                                            return in(c.x, 1, 3) && in(c.y, 1, 3) &&
+                                                           (c.z < 1 ? c.x + c.y == 2 && c.part == 0
+                                                                    : c.z < 3)
+                                                       ? 2
+                                                       : 1;
+                                          })},
+          {"two beside each other", tet_grid({4, 4, 3}, [=](const Cell& c) {
+             return c.z == 1 && ((c.x == 1 && c.y == 1) || (c.x == 2 && c.y == 2)) ? 2 : 1;
+           })}};
 }
 
 }  // namespace aomd::zoo

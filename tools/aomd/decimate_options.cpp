@@ -253,11 +253,11 @@ std::optional<SpacingSource> DecimateOptions::spacing_source() const {
 Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
   const auto source = spacing_source();
   const bool by_factor = !steps.coarsest && !source && steps.target_faces == 0;
-  const Json target = steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr);
+  const Json aim = steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr);
   return {{"strategy", strategy},
           {"regularity", steps.regularity},
-          {"target_faces", volume ? Json(nullptr) : target},
-          {"target_tets", volume ? target : Json(nullptr)},
+          {"target_faces", volume ? Json(nullptr) : aim},
+          {"target_tets", volume ? aim : Json(nullptr)},
           {"factor", by_factor ? Json(steps.factor) : Json(nullptr)},
           {"coarsest", steps.coarsest},
           {"spacing", or_null(spacing)},
