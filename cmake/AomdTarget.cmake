@@ -8,6 +8,7 @@ set(AOMD_COMMON_HEADERS
 
 # aomd_target(NAME): the settings that every target of this project shares.
 function(aomd_target name)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/aomd>)
   target_compile_features(${name} PUBLIC cxx_std_20)
@@ -22,4 +23,38 @@ function(aomd_target name)
     target_compile_options(${name} PUBLIC -fsanitize=${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${name} PUBLIC -fsanitize=${sanitizers})
   endif()
+endfunction()
+
+# aomd_unity(TARGET [EXCEPT LAYER...]): with CMAKE_UNITY_BUILD (the release preset), up to eight
+# files of one folder are compiled as one, so that headers are read and their templates compiled
+# once for all of them. What two files of a folder each keep in an unnamed namespace must therefore
+# differ in name. AOMD_UNITY_EVERYWHERE passes over EXCEPT, for what is only to be looked at.
+function(aomd_unity target)
+  cmake_parse_arguments(PARSE_ARGV 1 unity "" "" EXCEPT)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_MODE GROUP)
+  # GCC takes a source that another one includes for a header, in which unnamed namespaces would be
+  # a fault.
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  set(last "")
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    cmake_path(RELATIVE_PATH path BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    cmake_path(GET path PARENT_PATH folder)
+    string(REGEX MATCH "^[^/]+/[^/]+" layer "${folder}")
+    if(layer IN_LIST unity_EXCEPT AND NOT AOMD_UNITY_EVERYWHERE)
+      continue()
+    endif()
+    if(NOT folder STREQUAL last)
+      set(last "${folder}")
+      set(count 0)
+    endif()
+    math(EXPR part "${count} / 8")
+    math(EXPR count "${count} + 1")
+    string(MAKE_C_IDENTIFIER "${folder}_${part}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
 endfunction()

@@ -19,6 +19,7 @@ declare -A may_include=(
   [core/decimate/explain]="$below_decimate core/decimate/explain"
   [core/decimate/paper]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/loop.h core/decimate/paper"
   [core/decimate/quality]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/loop.h core/decimate/quality"
+  [core/decimate/volume]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/loop.h core/decimate/quality core/decimate/volume"
   [core/measure]="core/base core/mesh core/model core/io core/measure"
   [core/repair]="core/base core/mesh core/model core/io core/repair"
   [core/samples]="core/base core/mesh core/samples"

@@ -37,6 +37,7 @@ struct Box {
     const glm::dvec3 d = glm::max(glm::max(low - p, p - high), glm::dvec3(0));
     return glm::dot(d, d);
   }
+  [[nodiscard]] bool operator==(const Box&) const = default;
 };
 
 }  // namespace aomd

@@ -27,7 +27,7 @@ void parallel_for(std::size_t count, int threads, std::size_t grain,
   std::mutex mutex;
   const auto work = [&] {
     try {
-      for (std::size_t i; (i = next++) < pieces;)
+      for (std::size_t i = next++; i < pieces; i = next++)
         body(count * i / pieces, count * (i + 1) / pieces);
     } catch (...) {
       const std::scoped_lock lock(mutex);

@@ -1,6 +1,8 @@
 #include "core/base/text.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace aomd {
 namespace {
@@ -63,6 +65,13 @@ std::string grouped(std::int64_t n) {
   std::string text = std::to_string(n < 0 ? -n : n);
   for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, ",");
   return n < 0 ? "\u2212" + text : text;
+}
+
+std::string number_text(double value, int digits) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
+  return {text.begin(), end};
 }
 
 std::string lower(std::string_view text) {

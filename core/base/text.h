@@ -10,7 +10,7 @@
 
 namespace aomd {
 
-/// The word for any number of things but one: "faces", "vertices", "patches".
+/// The word for any number of things but one: "faces", "vertices", "patches", "hexahedra".
 [[nodiscard]] std::string plural(std::string_view one);
 
 /// "1 face", "12 faces", "2 vertices".
@@ -22,6 +22,9 @@ template <std::unsigned_integral N>
 [[nodiscard]] std::string grouped(N n) {
   return grouped(static_cast<std::int64_t>(n));
 }
+
+/// A number as messages show it: so many digits, no trailing zeros.
+[[nodiscard]] std::string number_text(double value, int digits = 6);
 
 /// "a, b or c", where the last two are joined by " or ".
 template <typename Words>

@@ -7,10 +7,12 @@
 
 #include "core/base/box.h"
 #include "core/decimate/hanging.h"
+#include "core/decimate/loop.h"
 #include "core/decimate/paper/surface_paper_loop.h"
 #include "core/decimate/paper/volume_paper_loop.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
+#include "core/decimate/volume/volume_quality_loop.h"
 #include "core/mesh/verify.h"
 
 namespace aomd {
@@ -114,20 +116,23 @@ Mesh& decimable(Mesh& mesh) {
   return mesh;
 }
 
-// Then nothing needs the edges inside model faces: they need not be entities. Without T(0,1) a
-// model edge is found only by the faces around its ends, and where these may end one.
+// Whether the edges inside model faces are no entities, and all others can be found without T(0,1),
+// which takes a face around both ends, and ends where a model edge may end.
 bool lists_model_edges_only(const Mesh& mesh) {
   if (mesh.complete(1)) return false;
   for (const Edge e : mesh.edges()) {
     if (mesh.classification(e).dimension() > 1) return false;
     const auto [a, b] = mesh.edge_vertices(e);
     if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return false;
-    const Row<2> faces = mesh.row<2>(a);
-    const auto has_b = [&, other = b](Face f) {
-      const auto t = mesh.triangle(f);
-      return t[0] == other || t[1] == other || t[2] == other;
+    const auto has = [](const std::array<Vertex, 3>& t, Vertex v) {
+      return t[0] == v || t[1] == v || t[2] == v;
     };
-    if (std::none_of(faces.begin(), faces.end(), has_b)) return false;
+    const auto has_both = [&, first = a, second = b](Face f) {
+      const auto t = mesh.triangle(f);
+      return has(t, first) && has(t, second);
+    };
+    const Row<2> faces = fewer_faces(mesh, a, b);
+    if (std::none_of(faces.begin(), faces.end(), has_both)) return false;
   }
   return true;
 }
@@ -163,6 +168,8 @@ Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(dec
   begin(options);
 }
 
+Decimation::~Decimation() = default;
+
 void Decimation::begin(const DecimationOptions& options) {
   given_ = options;
   if (mesh_.count(3) > 0) return begin_volume(options);
@@ -185,36 +192,58 @@ void Decimation::begin(const DecimationOptions& options) {
     loop_ = std::make_unique<QualityLoop>(mesh_, options);
 }
 
-// The printed loop goes over all edges; faces inside regions need not be entities.
+// The printed loop goes over all edges, quality names them by their ends; faces inside regions need
+// not be entities.
 void Decimation::begin_volume(const DecimationOptions& options) {
-  if (options.strategy != Strategy::Paper)
-    throw std::invalid_argument("the quality strategy does not take volumes yet: paper does");
   if (options.topology != TopologyRule::Safe)
     throw std::invalid_argument("collapses among tetrahedra always keep the topology");
+  const bool paper = options.strategy == Strategy::Paper;
+  const char* name = paper ? PaperLoop::name : VolumeQualityLoop::name;
   std::vector<Request> needs;
-  for (const auto& [i, j] :
-       {std::array{3, 0}, std::array{0, 3}, std::array{1, 0}, std::array{0, 1}})
-    needs.push_back(mesh_.request(i, j, PaperLoop::name));
-  needs.push_back(mesh_.request_listed(2, 0, PaperLoop::name));
-  needs.push_back(mesh_.request_listed(0, 2, PaperLoop::name));
+  for (const auto& [i, j] : {std::array{3, 0}, std::array{0, 3}})
+    needs.push_back(mesh_.request(i, j, name));
+  for (const auto& [i, j] : {std::array{1, 0}, std::array{0, 1}})
+    needs.push_back(paper ? mesh_.request(i, j, name) : mesh_.request_listed(i, j, name));
+  for (const auto& [i, j] : {std::array{2, 0}, std::array{0, 2}})
+    needs.push_back(mesh_.request_listed(i, j, name));
   needs_ = std::move(needs);
   require_classified(mesh_);
-  DecimationOptions volume = options;
-  volume.keep = keep_hanging(mesh_, options.keep);
-  loop_ = std::make_unique<VolumePaperLoop>(mesh_, volume);
+  if (paper)
+    loop_ = std::make_unique<VolumePaperLoop>(mesh_, for_loop(options));
+  else
+    loop_ = std::make_unique<VolumeQualityLoop>(mesh_, for_loop(options));
+}
+
+// A volume's loop looks at regions alone.
+DecimationOptions Decimation::for_loop(const DecimationOptions& options) const {
+  DecimationOptions result = options;
+  if (mesh_.count(3) > 0) result.keep = keep_hanging(mesh_, options.keep);
+  return result;
 }
 
 void Decimation::set_options(const DecimationOptions& options) {
   if (options == given_) return;
-  const bool same = options.strategy == given_.strategy && options.exchange == given_.exchange &&
-                    mesh_.count(3) == 0;
-  if (same)
-    loop_->restart(given_ = options);
-  else
-    begin(options);
+  if (options.strategy != given_.strategy || options.exchange != given_.exchange)
+    return begin(options);
+  given_ = options;
+  loop_->restart(for_loop(options));
 }
 
 void Decimation::invalidate() { loop_->restart(DecimationOptions(loop_->options())); }
+
+Phase Decimation::phase() const { return loop_->phase(); }
+double Decimation::progress() const { return loop_->progress(); }
+const std::vector<SweepStatistics>& Decimation::sweeps() const { return loop_->sweeps(); }
+double Decimation::spacing(Vertex v) const { return loop_->spacing(v); }
+Reason Decimation::last_refusal(Edge e) const { return loop_->last_refusal(e); }
+Verdict Decimation::judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
+std::uint32_t Decimation::swap_pass() { return loop_->swap_pass(); }
+std::uint32_t Decimation::smooth_pass() { return loop_->smooth_pass(); }
+std::vector<CollapseOutlook> Decimation::outlook(Edge edge) { return loop_->outlook(edge); }
+
+std::optional<SwapOutlook> Decimation::swap_outlook(Edge edge) { return loop_->swap_outlook(edge); }
+
+std::optional<MoveOutlook> Decimation::move_outlook(Vertex v) { return loop_->move_outlook(v); }
 
 std::optional<Operation> Decimation::step() {
   while (!done())

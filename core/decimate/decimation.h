@@ -10,11 +10,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/decimate/loop.h"
+#include "core/decimate/explain/outlook.h"
 #include "core/decimate/options.h"
 #include "core/mesh/mesh.h"
 
 namespace aomd {
+
+class Loop;
 
 /// Whether a mesh has regions that are tetrahedra: of volumes nothing else is decimated.
 /// O(regions).
@@ -40,6 +42,7 @@ class Decimation {
   /// Throws std::invalid_argument where there is an obstacle (above), and where a vertex lies on a
   /// model entity of higher dimension than what it bounds: classify() comes before a decimation.
   explicit Decimation(Mesh& mesh, const DecimationOptions& options = {});
+  ~Decimation();
 
   enum class Stop { Done, Budget, Cancelled };
 
@@ -59,8 +62,8 @@ class Decimation {
   Stop run_phase(const std::function<bool()>& cancelled = {});
   /// One pass of swaps, of smoothing, or of both, now, whatever the phase. Returns how many
   /// operations it made.
-  std::uint32_t swap_pass() { return loop_->swap_pass(); }
-  std::uint32_t smooth_pass() { return loop_->smooth_pass(); }
+  std::uint32_t swap_pass();
+  std::uint32_t smooth_pass();
   std::uint32_t improve() { return swap_pass() + smooth_pass(); }
 
   /// Runs until done, until `budget` of time is spent (checked every few operations), or until
@@ -68,34 +71,33 @@ class Decimation {
   Stop run(std::optional<std::chrono::microseconds> budget = {},
            const std::function<bool()>& cancelled = {});
 
-  [[nodiscard]] Phase phase() const { return loop_->phase(); }
-  [[nodiscard]] bool done() const { return loop_->done(); }
+  [[nodiscard]] Phase phase() const;
+  [[nodiscard]] bool done() const { return phase() == Phase::Done; }
   /// A guess in [0,1].
-  [[nodiscard]] double progress() const { return loop_->progress(); }
-  [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const { return loop_->sweeps(); }
+  [[nodiscard]] double progress() const;
+  [[nodiscard]] const std::vector<SweepStatistics>& sweeps() const;
   /// The spacing at a vertex: what the options give, else the average length of its edges at the
   /// start, times factor. Infinite for coarsest.
-  [[nodiscard]] double spacing(Vertex v) const { return loop_->spacing(v); }
+  [[nodiscard]] double spacing(Vertex v) const;
   /// Why the edge was not collapsed when it was last judged (None: not judged yet).
-  [[nodiscard]] Reason last_refusal(Edge e) const { return loop_->last_refusal(e); }
+  [[nodiscard]] Reason last_refusal(Edge e) const;
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
-  [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
+  [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted);
   /// How many edges each reason keeps now, which takes a few microseconds an edge. For Paper on
   /// large meshes what its last sweep counted, before swaps and smoothing.
   [[nodiscard]] EdgesByReason edges_left();
   /// What would become of an edge, for each way in which the strategy may collapse it: each end for
   /// Paper, one for Quality. core/decimate/explanation.h puts it into words. Changes nothing.
-  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) { return loop_->outlook(edge); }
-  /// The same for swapping it and for smoothing a vertex. None while Quality collapses: it judges
-  /// them by where the original's points lie, which it finds out after that.
-  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) {
-    return loop_->swap_outlook(edge);
-  }
-  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) { return loop_->move_outlook(v); }
+  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge);
+  /// What swapping an edge and smoothing a vertex would come to. None while Quality collapses: it
+  /// judges them by where the original's points lie, which it finds out after that.
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge);
+  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v);
 
  private:
   void begin(const DecimationOptions& options);
   void begin_volume(const DecimationOptions& options);
+  [[nodiscard]] DecimationOptions for_loop(const DecimationOptions& options) const;
 
   Mesh& mesh_;
   DecimationOptions given_;

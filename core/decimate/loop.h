@@ -48,11 +48,12 @@ class Loop {
   virtual std::uint32_t smooth_pass() = 0;
   /// Judges an edge as the loop would: the end that may go, or the refusal that got furthest.
   [[nodiscard]] virtual Verdict judge(Edge edge, Vertex& deleted) = 0;
-  /// The same for the edge between two vertices, which need not be an entity for Quality.
+  /// Judges the edge between two vertices, which need not be an entity for Quality.
   [[nodiscard]] virtual Verdict judge(Vertex a, Vertex b) = 0;
   /// What would become of an edge, for each way in which the loop may collapse it. Changes nothing.
   [[nodiscard]] virtual std::vector<CollapseOutlook> outlook(Edge edge) = 0;
-  /// The same for swapping it and for smoothing a vertex; none where the loop could not tell now.
+  /// What swapping an edge and smoothing a vertex would come to; none where the loop could not tell
+  /// now.
   [[nodiscard]] virtual std::optional<SwapOutlook> swap_outlook(Edge edge) = 0;
   [[nodiscard]] virtual std::optional<MoveOutlook> move_outlook(Vertex v) = 0;
   /// Why an edge was not collapsed when it was last judged (None: not judged yet).

@@ -14,7 +14,7 @@ namespace aomd::io::detail {
 [[nodiscard]] ReadResult read_off(const Source& source);
 /// `binary` as is_binary_stl() says, or as the caller knows better.
 [[nodiscard]] ReadResult read_stl(const Source& source, bool binary);
-/// Gmsh MSH 2.2 and 4.1, text and binary.
+/// Gmsh MSH 1, 2, 4.0 and 4.1, text and binary.
 [[nodiscard]] ReadResult read_msh(const Source& source);
 /// Medit, text (.mesh) and binary (.meshb).
 [[nodiscard]] ReadResult read_medit(const Source& source);
@@ -28,6 +28,8 @@ namespace aomd::io::detail {
 /// True where the size is what the count in a binary header promises: many binary files start with
 /// "solid".
 [[nodiscard]] bool is_binary_stl(std::string_view bytes);
+/// True where the first line, in any case and with any blanks, is that of a legacy VTK file.
+[[nodiscard]] bool is_vtk(std::string_view bytes);
 /// True where a binary Medit file (.meshb) starts: with the number 1 in 32 bits, of either byte
 /// order.
 [[nodiscard]] bool is_binary_medit(std::string_view bytes);

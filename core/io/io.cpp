@@ -14,6 +14,7 @@
 #include "core/io/losses.h"
 #include "core/io/notes.h"
 #include "core/io/text_cursor.h"
+#include "core/io/text_file.h"
 
 namespace aomd::io {
 namespace {
@@ -53,19 +54,21 @@ std::string_view first_word(const Source& source) {
 
 /// What the content is beyond doubt, if anything.
 std::optional<Format> format_of_content(const Source& source) {
-  if (source.bytes.starts_with("# vtk DataFile")) return Format::Vtk;
+  if (detail::is_vtk(source.bytes)) return Format::Vtk;
   if (detail::is_binary_stl(source.bytes)) return Format::Stl;
   if (detail::is_binary_medit(source.bytes)) return Format::Medit;
   const std::string_view word = first_word(source);
-  if (word == "ply") return Format::Ply;
-  if (word.starts_with("$MeshFormat") || word == "$Comments") return Format::Msh;
+  if (lower(word.substr(0, 4)) == "ply") return Format::Ply;
+  if (word.starts_with("$MeshFormat") || word == "$Comments" || word == "$NOD") return Format::Msh;
   if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
   if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
-  if (word.starts_with("NDIME") || word.starts_with("NZONE")) return Format::Su2;
+  if (const std::string key = lower(word.substr(0, 5)); key == "ndime" || key == "nzone")
+    return Format::Su2;
   if (detail::is_off(word)) return Format::Off;
   if (lower(word.substr(0, 6)) == "solid") return Format::Stl;
   constexpr std::string_view obj_words[] = {"v", "vn", "vt", "f", "o", "g", "mtllib", "usemtl"};
-  if (std::find(std::begin(obj_words), std::end(obj_words), word) != std::end(obj_words))
+  const std::string small = lower(word.substr(0, 8));
+  if (std::find(std::begin(obj_words), std::end(obj_words), small) != std::end(obj_words))
     return Format::Obj;
   return {};
 }
@@ -75,6 +78,7 @@ std::optional<Format> format_of_content(const Source& source) {
 bool is_text_stl(const Source& source) {
   if (detail::is_binary_stl(source.bytes)) return false;
   detail::TextCursor cursor(source, source.bytes);
+  cursor.pass_comment_lines();
   cursor.skip_to_content();
   if (lower(cursor.word().substr(0, 6)) != "solid") return false;
   const std::size_t zero = source.bytes.find('\0');
@@ -108,8 +112,10 @@ ReadResult read_as(Format format, const Source& source) {
 }
 
 /// What people hand to a mesh program that no reader takes, by its first bytes, and what helps.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> foreign{
-    {{"\xff\xfe", "is text in UTF-16: save it as UTF-8"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> foreign{
+    {{std::string_view("\xff\xfe\0\0", 4), "is text in UTF-32: save it as UTF-8"},
+     {std::string_view("\0\0\xfe\xff", 4), "is text in UTF-32: save it as UTF-8"},
+     {"\xff\xfe", "is text in UTF-16: save it as UTF-8"},
      {"\xfe\xff", "is text in UTF-16: save it as UTF-8"},
      {"\x1f\x8b", "is compressed by gzip: unpack it first"},
      {"BZh", "is compressed by bzip2: unpack it first"},
@@ -122,7 +128,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10> foreign{
      {"Kaydara FBX", "is an FBX file: export .ply or .obj"},
      {"\x89HDF", "is an HDF5 file: export .vtu or .msh"}}};
 
+/// Text in UTF-16 that does not say so: every second byte is zero.
+bool is_wide_text(std::string_view bytes) {
+  if (bytes.size() < 4) return false;
+  const auto zero = [&](std::size_t i) { return bytes[i] == '\0'; };
+  return zero(0) != zero(1) && zero(0) == zero(2) && zero(1) == zero(3);
+}
+
 void refuse_foreign(const Source& source) {
+  if (is_wide_text(source.bytes)) source.fail("is text in UTF-16: save it as UTF-8");
   for (const auto& [start, what] : foreign) {
     if (source.bytes.starts_with(start)) source.fail(std::string(what));
   }
@@ -146,12 +160,10 @@ ReadResult read_source(const Source& source) {
   return result;
 }
 
-/// Without the byte order mark that some editors put before text. The free header of a binary STL
-/// may begin with anything.
-Source without_mark(const std::string& name, std::string_view bytes) {
-  constexpr std::string_view mark = "\xef\xbb\xbf";
-  if (!bytes.starts_with(mark) || detail::is_binary_stl(bytes)) return {name, bytes};
-  return {name, bytes.substr(mark.size()), mark.size()};
+/// The free header of a binary STL may begin with a byte order mark too.
+Source source_of(const std::string& name, std::string_view bytes) {
+  const Source whole{name, bytes};
+  return detail::is_binary_stl(bytes) ? whole : detail::without_mark(whole);
 }
 
 bool writes_binary(const std::filesystem::path& path, Format format, const MeshData& mesh,
@@ -236,7 +248,7 @@ ReadResult read(const std::filesystem::path& path) {
 }
 
 ReadResult read_bytes(const std::string& name, std::string_view bytes) {
-  const Source source = without_mark(name, bytes);
+  const Source source = source_of(name, bytes);
   if (source.bytes.empty()) source.fail("is empty");
   try {
     return read_source(source);

@@ -51,7 +51,8 @@ struct EncodedMesh {
 /// vertex in a region, unknown format) with line or byte, or LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
-/// The same for bytes in memory. `name` stands in messages; its extension counts as a file's does.
+/// Reads a mesh from bytes in memory, as read() does. `name` stands in messages; its extension
+/// counts as a file's does.
 [[nodiscard]] ReadResult read_bytes(const std::string& name, std::string_view bytes);
 
 /// Writes a mesh; the extension chooses the format. The file appears whole or not at all: it is

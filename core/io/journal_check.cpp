@@ -81,7 +81,7 @@ class Shadow {
     for (const std::uint32_t v : vertices) ++uses_[v];
   }
 
-  [[nodiscard]] bool shape_fits(const Record& r) const {
+  [[nodiscard]] static bool shape_fits(const Record& r) {
     if (static_cast<std::size_t>(r.shape) >= shape_count()) return false;
     const ShapeTemplate& shape = shape_template(r.shape);
     return shape.dimension == r.dim && r.count <= max_shape_vertices &&

@@ -33,7 +33,7 @@ class Held {
       names_[static_cast<std::size_t>(a.dimension)].insert(a.name);
   }
   [[nodiscard]] bool has(const Attribute& a) const {
-    return names_[static_cast<std::size_t>(a.dimension)].count(a.name) != 0;
+    return names_[static_cast<std::size_t>(a.dimension)].contains(a.name);
   }
 
  private:
@@ -46,12 +46,12 @@ bool is_mark(const Attribute& a) {
 }
 
 /// An entity by where its vertices are, in any order.
-using Place = std::vector<std::array<double, 3>>;
+using Corners = std::vector<std::array<double, 3>>;
 
 template <class Visit>
 void each_place(const MeshData& mesh, int dim, Visit&& visit) {
   const auto place_of = [&](auto vertices) {
-    Place place;
+    Corners place;
     for (const std::uint32_t v : vertices) {
       const glm::dvec3& p = mesh.positions[v];
       place.push_back({p.x, p.y, p.z});
@@ -69,16 +69,16 @@ void each_place(const MeshData& mesh, int dim, Visit&& visit) {
 
 /// Takes the marks from what is not where it was. Returns whether there was any such.
 bool unmark_moved(const MeshData& original, const MeshData& result, Attribute& marks) {
-  std::set<Place> required;
+  std::set<Corners> required;
   for (const Attribute& a : original.attributes) {
     if (a.dimension != marks.dimension || a.name != marks.name || a.components != 1) continue;
-    each_place(original, a.dimension, [&](std::size_t i, Place place) {
+    each_place(original, a.dimension, [&](std::size_t i, Corners place) {
       if (a.values[i] != 0) required.insert(std::move(place));
     });
   }
   bool moved = false;
-  each_place(result, marks.dimension, [&](std::size_t i, const Place& place) {
-    if (marks.values[i] == 0 || required.count(place) != 0) return;
+  each_place(result, marks.dimension, [&](std::size_t i, const Corners& place) {
+    if (marks.values[i] == 0 || required.contains(place)) return;
     marks.values[i] = 0;
     moved = true;
   });

@@ -1,7 +1,6 @@
 #include "core/io/losses.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -23,15 +22,13 @@ Holds what_holds(Format format) {
   switch (format) {
     case Format::Obj:
       return {true, false, false};
-    case Format::Ply:
-      return {true, true, false};
     case Format::Off:
     case Format::Stl:
       return {false, false, false};
+    case Format::Ply:
     case Format::Medit:
+    case Format::Su2:  // as markers, as far as it has them
       return {true, true, false};
-    case Format::Su2:
-      return {true, true, false};  // as markers, as far as it has them
     case Format::Msh:
     case Format::Vtk:
     case Format::Vtu:
@@ -82,12 +79,6 @@ double largest_move(const MeshData& mesh) {
   return largest;
 }
 
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
 }  // namespace
 
 void note_losses(Format format, bool binary, const MeshData& mesh,
@@ -119,7 +110,7 @@ void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
   const double move = largest_move(mesh);
   const std::size_t lost = collapsing_faces(mesh);
   if (lost == 0 && move <= 1e-6 * box.diagonal()) return;
-  std::string note = "coordinates rounded to 32-bit floats by up to " + short_number(move);
+  std::string note = "coordinates rounded to 32-bit floats by up to " + number_text(move, 3);
   if (lost > 0) note += "; " + counted(lost, "face") + " collapse" + (lost == 1 ? "s" : "");
   notes.push_back(note + "; text keeps them");
 }
@@ -129,7 +120,7 @@ std::string rounding_defect(const MeshData& mesh) {
   if (100 * lost <= mesh.faces.size()) return {};
   return counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
          " would collapse, since coordinates are rounded to 32-bit floats by up to " +
-         short_number(largest_move(mesh)) + ": write text, or move the mesh to the origin";
+         number_text(largest_move(mesh), 3) + ": write text, or move the mesh to the origin";
 }
 
 }  // namespace aomd::io::detail

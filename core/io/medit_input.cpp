@@ -21,7 +21,47 @@ bool is_keyword(std::string_view word) {
   return std::isalpha(static_cast<unsigned char>(word[0])) && !is_number(word);
 }
 
+/// The number of nodes of an element whose sides have so many steps.
+std::size_t nodes_of(Shape shape, std::size_t order) {
+  const std::size_t n = order + 1;
+  switch (shape) {
+    case Shape::Point:
+      return 1;
+    case Shape::Line:
+      return n;
+    case Shape::Triangle:
+      return n * (n + 1) / 2;
+    case Shape::Quad:
+      return n * n;
+    case Shape::Tetrahedron:
+      return n * (n + 1) * (n + 2) / 6;
+    case Shape::Pyramid:
+      return n * (n + 1) * (2 * n + 1) / 6;
+    case Shape::Prism:
+      return n * n * (n + 1) / 2;
+    case Shape::Hexahedron:
+      break;
+  }
+  return n * n * n;
+}
+
 }  // namespace
+
+std::optional<MeditElements> medit_elements(std::string keyword) {
+  std::size_t order = 1;
+  const std::size_t n = keyword.size();
+  if (n > 2 && keyword[n - 1] >= '2' && keyword[n - 1] <= '4' &&
+      (keyword[n - 2] == 'p' || keyword[n - 2] == 'q')) {
+    order = static_cast<std::size_t>(keyword[n - 1] - '0');
+    keyword.resize(n - 2);
+  }
+  if (keyword == "pentahedra") keyword = "prisms";
+  for (const MeditList& list : medit_lists) {
+    if (keyword == lower(list.keyword))
+      return MeditElements{list.shape, order, nodes_of(list.shape, order)};
+  }
+  return {};
+}
 
 MeditText::MeditText(const Source& source)
     : source_(source), cursor_(source, source.bytes, 0, '#') {

@@ -2,12 +2,23 @@
 // The keywords and numbers of Medit files: text (.mesh) and binary (.meshb) behind one interface.
 
 #include <bit>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/io/text_cursor.h"
+#include "core/mesh/shape.h"
 
 namespace aomd::io::detail {
+
+/// Elements of one shape and order.
+struct MeditElements {
+  Shape shape = Shape::Point;
+  std::size_t order = 1, nodes = 0;
+};
+
+/// What a keyword in small letters lists: "triangles", "trianglesp2", "quadrilateralsq2".
+[[nodiscard]] std::optional<MeditElements> medit_elements(std::string keyword);
 
 /// Text: words, wherever the lines end.
 class MeditText {
@@ -29,6 +40,9 @@ class MeditText {
     return items <= cursor_.left() / (2 * (integers + reals)) + 1;
   }
   [[nodiscard]] std::size_t offset() const { return cursor_.offset(); }
+  /// Where what was last read ends, to move back to.
+  [[nodiscard]] std::size_t place() const { return cursor_.offset(); }
+  void move_to(std::size_t place) { cursor_.move_to(place); }
   [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const {
     source_.fail_at_line(offset, what);
@@ -59,6 +73,8 @@ class MeditBinary {
                         (integers * integer_size() + reals * (version_ == 1 ? 4 : 8));
   }
   [[nodiscard]] std::size_t offset() const { return number_at_; }
+  [[nodiscard]] std::size_t place() const { return at_; }
+  void move_to(std::size_t place) { at_ = place; }
   [[noreturn]] void fail(const std::string& what) const { source_.fail_at_byte(number_at_, what); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const {
     source_.fail_at_byte(offset, what);

@@ -34,52 +34,6 @@ struct Vectors {
   std::vector<std::pair<std::uint32_t, Mark>> uses;
 };
 
-struct MeditElements {
-  Shape shape = Shape::Point;
-  std::size_t order = 1, nodes = 0;
-};
-
-/// The number of nodes of an element whose sides have so many steps.
-std::size_t nodes_of(Shape shape, std::size_t order) {
-  const std::size_t n = order + 1;
-  switch (shape) {
-    case Shape::Point:
-      return 1;
-    case Shape::Line:
-      return n;
-    case Shape::Triangle:
-      return n * (n + 1) / 2;
-    case Shape::Quad:
-      return n * n;
-    case Shape::Tetrahedron:
-      return n * (n + 1) * (n + 2) / 6;
-    case Shape::Pyramid:
-      return n * (n + 1) * (2 * n + 1) / 6;
-    case Shape::Prism:
-      return n * n * (n + 1) / 2;
-    case Shape::Hexahedron:
-      break;
-  }
-  return n * n * n;
-}
-
-/// What a keyword in small letters lists: "triangles", "trianglesp2", "quadrilateralsq2".
-std::optional<MeditElements> medit_elements(std::string keyword) {
-  std::size_t order = 1;
-  const std::size_t n = keyword.size();
-  if (n > 2 && keyword[n - 1] >= '2' && keyword[n - 1] <= '4' &&
-      (keyword[n - 2] == 'p' || keyword[n - 2] == 'q')) {
-    order = static_cast<std::size_t>(keyword[n - 1] - '0');
-    keyword.resize(n - 2);
-  }
-  if (keyword == "pentahedra") keyword = "prisms";
-  for (const MeditList& list : medit_lists) {
-    if (keyword == lower(list.keyword))
-      return MeditElements{list.shape, order, nodes_of(list.shape, order)};
-  }
-  return {};
-}
-
 template <class Input>
 class MeditReader {
  public:
@@ -87,6 +41,7 @@ class MeditReader {
 
   ReadResult read() {
     for (std::string keyword; input_.next(keyword);) section(keyword);
+    read_early();
     if (!has_vertices_) input_.fail("the file has no Vertices");
     classify();
     add_attributes();
@@ -109,8 +64,38 @@ class MeditReader {
     return static_cast<std::size_t>(n);
   }
 
+  /// Sections may come in any order: those that need what follows later are read at the end.
+  struct Early {
+    std::string name;
+    std::size_t start;
+  };
+  static bool is_vertices(const Early& early) { return lower(early.name) == "vertices"; }
+
+  /// Only vectors and vertices depend on the dimension, all else on the vertices.
+  [[nodiscard]] bool is_early(const std::string& keyword) const {
+    if (keyword == "dimension") return false;
+    const bool vectors = keyword == "vertices" || keyword == "normals" || keyword == "tangents";
+    return vectors ? dimension_ == 0 : !has_vertices_;
+  }
+
+  void read_early() {
+    if (dimension_ == 0) input_.fail("the file has no Dimension");
+    std::stable_sort(early_.begin(), early_.end(), [](const Early& a, const Early& b) {
+      return is_vertices(a) && !is_vertices(b);
+    });
+    for (const Early& each : early_) {
+      if (!has_vertices_ && !is_vertices(each)) return;
+      input_.move_to(each.start);
+      section(each.name);
+    }
+  }
+
   void section(const std::string& name) {
     const std::string keyword = lower(name);
+    if (is_early(keyword)) {
+      early_.push_back({name, input_.place()});
+      return input_.pass_over();
+    }
     if (keyword == "dimension") return dimension();
     if (keyword == "vertices") return vertices(name);
     if (const auto kind = medit_elements(keyword)) return elements(name, *kind);
@@ -145,7 +130,6 @@ class MeditReader {
   }
 
   void vertices(const std::string& name) {
-    if (dimension_ == 0) input_.fail("Vertices before Dimension");
     if (has_vertices_) input_.fail("Vertices are listed twice");
     has_vertices_ = true;
     const std::size_t n = count(name, 1, static_cast<std::size_t>(dimension_));
@@ -166,7 +150,6 @@ class MeditReader {
 
   /// Of elements of higher order the corners, which come first.
   void elements(const std::string& name, const MeditElements& kind) {
-    if (!has_vertices_) input_.fail(name + " before Vertices");
     const ShapeTemplate& shape = shape_template(kind.shape);
     const auto corners = static_cast<std::size_t>(shape.vertex_count);
     const bool curved = kind.nodes > corners;
@@ -243,7 +226,6 @@ class MeditReader {
   }
 
   void vectors(const std::string& name, Vectors& into) {
-    if (dimension_ == 0) input_.fail(name + " before Dimension");
     const std::size_t n = count(name, 0, static_cast<std::size_t>(dimension_));
     for (std::size_t i = 0; i < n; ++i) into.values.push_back(vector());
   }
@@ -364,6 +346,7 @@ class MeditReader {
   MeshData mesh_;
   int dimension_ = 0;
   bool has_vertices_ = false;
+  std::vector<Early> early_;
   bool tagged_ = false;  ///< an element has a reference other than 0
   std::vector<std::int32_t> references_;
   std::array<Part, builtin_shapes> parts_, curved_parts_;   ///< by shape; of higher order
@@ -385,7 +368,7 @@ bool is_binary_medit(std::string_view bytes) {
 
 ReadResult read_medit(const Source& source) {
   if (is_binary_medit(source.bytes)) return MeditReader<MeditBinary>(source).read();
-  return MeditReader<MeditText>(source).read();
+  return MeditReader<MeditText>(without_padding(source)).read();
 }
 
 }  // namespace aomd::io::detail

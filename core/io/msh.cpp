@@ -16,7 +16,7 @@ struct Row {
 };
 
 // Complete and incomplete ("serendipity") elements; the first-order ones come first, one a shape.
-constexpr std::array<Row, 46> types{{
+constexpr std::array<Row, 46> element_types{{
     {1, {Shape::Line, 2}},          {2, {Shape::Triangle, 3}},       {3, {Shape::Quad, 4}},
     {4, {Shape::Tetrahedron, 4}},   {5, {Shape::Hexahedron, 8}},     {6, {Shape::Prism, 6}},
     {7, {Shape::Pyramid, 5}},       {15, {Shape::Point, 1}},         {8, {Shape::Line, 3}},
@@ -46,13 +46,13 @@ void enlarge(ModelEntity& entity, bool first, const glm::dvec3& p) {
 }  // namespace
 
 std::optional<MshType> msh_type(std::int64_t number) {
-  for (const Row& row : types)
+  for (const Row& row : element_types)
     if (row.number == number) return row.type;
   return {};
 }
 
 int msh_number(Shape shape) {
-  for (const Row& row : types)
+  for (const Row& row : element_types)
     if (row.type.shape == shape) return row.number;
   throw WriteError("MSH", {},
                    "the format has no element for " + std::string(shape_template(shape).name));

@@ -29,15 +29,18 @@ inline constexpr std::size_t max_msh_nodes = 125;
 /// added.
 [[nodiscard]] int msh_number(Shape shape);
 
-/// What $MeshFormat says.
+/// Versions 2.0 to 2.2 are one.
+enum class MshVersion : std::uint8_t { V1, V2, V40, V41 };
+
+/// What $MeshFormat says. Version 1 has no header: it starts with $NOD.
 struct MshHeader {
-  bool msh2 = false, binary = false;
+  MshVersion version = MshVersion::V41;
+  bool binary = false;
   std::endian order = std::endian::native;  ///< of the numbers, where binary
-  std::size_t end = 0;                      ///< offset behind $EndMeshFormat
+  std::size_t end = 0;                      ///< offset of the first section after it
 };
 
-/// Throws ReadError for versions other than 2.0 to 2.2 and 4.1, and for sizes that no 64-bit Gmsh
-/// writes.
+/// Throws ReadError for other versions, and for sizes that no 64-bit Gmsh writes.
 [[nodiscard]] MshHeader read_msh_header(const Source& source);
 
 /// Sets the box of each entity to that of the vertices that lie on it, and of the vertices of the

@@ -17,7 +17,9 @@ class MshText {
   /// What a number takes at least.
   static constexpr std::size_t int_size = 2, long_size = 2, real_size = 2;
 
-  MshText(const Source& source, const TextCursor& at) : source_(source), cursor_(at) {}
+  MshText(const Source& source, const TextCursor& at) : source_(source), cursor_(at) {
+    cursor_.pass_comment_lines();
+  }
 
   [[nodiscard]] TextCursor text() const { return cursor_; }
   void move_to(const TextCursor& at) { cursor_ = at; }
@@ -65,8 +67,7 @@ class MshText {
     return cursor_.integer(what);
   }
   void find_word() {
-    if (cursor_.line_done() && cursor_.skip_to_content())
-      cursor_.fail("the file ends within a section");
+    if (cursor_.skip_to_content()) cursor_.fail("the file ends within a section");
   }
 
   const Source& source_;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/msh.h"
 #include "core/mesh/model_table.h"
 
 namespace aomd::io::detail {
@@ -15,7 +16,7 @@ namespace aomd::io::detail {
 template <class Body>
 class MshEntities {
  public:
-  explicit MshEntities(ModelTable& model) : model_(model) {}
+  MshEntities(ModelTable& model, MshVersion version) : model_(model), version_(version) {}
 
   void read(Body& body) {
     std::uint64_t counts[4];
@@ -65,13 +66,15 @@ class MshEntities {
     return result;
   }
 
-  /// What follows the tag, and the parts that it belongs to.
-  static ModelEntity entity(int dim, ModelRef ref, Body& body) {
+  /// What follows the tag, and the parts that it belongs to. In version 4.0 vertices have a box
+  /// too.
+  ModelEntity entity(int dim, ModelRef ref, Body& body) const {
     ModelEntity entity;
     entity.ref = ref;
-    for (std::size_t k = 0; k < (dim == 0 ? 3u : 6u); ++k)
+    const bool point = dim == 0 && version_ == MshVersion::V41;
+    for (std::size_t k = 0; k < (point ? 3u : 6u); ++k)
       entity.box[k] = body.real("the box of an entity");
-    if (dim == 0) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
+    if (point) std::copy_n(entity.box.begin(), 3, entity.box.begin() + 3);
     entity.groups = tags("the number of physical tags", body);
     if (dim > 0) entity.boundary = tags("the number of bounding entities", body);
     return entity;
@@ -90,7 +93,7 @@ class MshEntities {
       body.fail("a parent of dimension " + std::to_string(parent_dim));
     const ModelRef parent = tag(parent_dim, body);
     tags("the number of parts", body);
-    ModelEntity entity = MshEntities::entity(dim, parent, body);
+    ModelEntity entity = this->entity(dim, parent, body);
     if (own.valid()) parent_of_[own] = parent;
     if (parent.dimension() != dim) return;
     entity.boundary.clear();  // those of the part
@@ -98,6 +101,7 @@ class MshEntities {
   }
 
   ModelTable& model_;
+  MshVersion version_;
   std::vector<ModelRef> known_;
   std::map<ModelRef, ModelRef> parent_of_;
   std::map<ModelRef, ModelEntity> parents_;  ///< as one of their parts describes them

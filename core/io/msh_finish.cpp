@@ -25,7 +25,7 @@ std::vector<std::size_t> starts_of(const EntityList& list) {
   return starts;
 }
 
-/// The same entities in another order, or some of them.
+/// Some of a list's entities, or all, in the order given.
 EntityList picked(const EntityList& list, const std::vector<std::uint32_t>& order) {
   const std::vector<std::size_t> starts = starts_of(list);
   EntityList result;
@@ -111,7 +111,7 @@ void MshMesh::finish(NodeClasses known, bool make_table) {
     element_tags_[dim].build(std::move(elements_[dim].tags));
 }
 
-void MshMesh::sort(Elements& elements) const {
+void MshMesh::sort(Elements& elements) {
   const std::vector<std::uint32_t> order = ascending_order(elements.tags);
   if (order.empty()) return;
   elements.list = picked(elements.list, order);

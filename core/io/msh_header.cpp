@@ -7,11 +7,16 @@
 namespace aomd::io::detail {
 namespace {
 
-void check_version(const TextCursor& cursor, double version) {
-  if (version == 4.1 || (version >= 2 && version < 3)) return;
-  std::string what = "MSH version is not one that is known here (2.2 or 4.1)";
-  if (version == 4 || version < 2) what += ": save it as 4.1";
-  cursor.fail(what);
+MshVersion version_at(TextCursor& cursor) {
+  TextCursor word = cursor;
+  const std::string text(word.word());
+  const double version = cursor.real("the version");
+  if (version >= 2 && version < 3) return MshVersion::V2;
+  if (version == 4) return MshVersion::V40;
+  if (version == 4.1) return MshVersion::V41;
+  cursor.fail(
+      "MSH version " + text +
+      " is not one that is known here: write 4.1, with gmsh FILE -save -format msh41 -o OUT");
 }
 
 /// Past the comments that may stand before anything else.
@@ -23,7 +28,7 @@ void skip_comments(TextCursor& cursor, const Source& source) {
     if (ahead.word() != "$Comments") return;
     const std::size_t at = source.bytes.find(end, ahead.offset());
     if (at == std::string_view::npos) cursor.fail("the section has no " + shown(end));
-    cursor = TextCursor(source, source.bytes, at + end.size());
+    cursor.move_to(at + end.size());
   }
 }
 
@@ -31,15 +36,16 @@ void skip_comments(TextCursor& cursor, const Source& source) {
 
 MshHeader read_msh_header(const Source& source) {
   TextCursor cursor(source, source.bytes);
+  cursor.pass_comment_lines();
   skip_comments(cursor, source);
+  const std::size_t start = cursor.offset();
   const std::string_view word = cursor.word();
-  if (word == "$NOD") cursor.fail("MSH version 1 is not read here: save it as 4.1");
+  if (word == "$NOD") return {MshVersion::V1, false, std::endian::native, start};
   if (word != "$MeshFormat") cursor.fail("not an MSH file: it starts with " + shown(word));
   cursor.skip_line();
+  cursor.skip_to_content();
   MshHeader header;
-  const double version = cursor.real("the version");
-  check_version(cursor, version);
-  header.msh2 = version < 3;
+  header.version = version_at(cursor);
   const std::int64_t kind = cursor.integer("the file type");
   if (kind != 0 && kind != 1) cursor.fail("the file type is neither 0 (text) nor 1 (binary)");
   header.binary = kind == 1;
@@ -55,7 +61,7 @@ MshHeader read_msh_header(const Source& source) {
     if (one != 1 && one != 1 << 24)
       source.fail_at_byte(cursor.offset(),
                           "the number that tells the byte order is neither 1 nor 1 swapped");
-    cursor = TextCursor(source, source.bytes, cursor.offset() + 4);
+    cursor.move_to(cursor.offset() + 4);
   }
   if (cursor.skip_to_content() || cursor.word() != "$EndMeshFormat")
     cursor.fail("expected $EndMeshFormat");

@@ -101,7 +101,7 @@ class MshMesh {
   };
 
   std::string mend_last(Elements& elements, std::span<const std::uint64_t> nodes);
-  void sort(Elements& elements) const;
+  static void sort(Elements& elements);
   std::size_t drop_repeated(int dim);
   void drop_unused_nodes();
   void classify_vertices(NodeClasses known);

@@ -1,13 +1,18 @@
-// Gmsh MSH 2.2 and 4.1: nodes, elements and names; the rest: msh_{entities,views,periodic}.h.
+// Gmsh MSH 1, 2, 4.0 and 4.1: sections and names; what they hold: msh_{nodes,elements,entities,
+// views,periodic}.h.
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <type_traits>
 
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/msh_body.h"
+#include "core/io/msh_elements.h"
 #include "core/io/msh_entities.h"
 #include "core/io/msh_mesh.h"
+#include "core/io/msh_nodes.h"
 #include "core/io/msh_periodic.h"
 #include "core/io/msh_views.h"
 
@@ -19,15 +24,18 @@ class MshReader {
  public:
   MshReader(const Source& source, const MshHeader& header)
       : source_(source),
-        msh2_(header.msh2),
+        version_(header.version),
         body_(source, TextCursor(source, source.bytes, header.end)),
-        entities_(mesh_.model()) {}
+        entities_(mesh_.model(), header.version),
+        nodes_(source, header.version, entities_, mesh_),
+        elements_(source, header.version, entities_, mesh_) {}
 
   ReadResult read() {
     while (!at_end()) section();
-    if (!has_nodes_) fail_at_end("the file has no $Nodes");
-    if (!has_elements_) fail_at_end("the file has no $Elements");
-    mesh_.finish(node_classes(), msh2_);
+    read_early_elements();
+    if (!has_nodes_) fail_at_end("the file has no $" + std::string(nodes_name()));
+    if (!has_elements_) fail_at_end("the file has no $" + std::string(elements_name()));
+    mesh_.finish(node_classes(), before4());
     note_parts();
     read_periodic();
     MshViews<Body> views(source_, mesh_);
@@ -40,17 +48,27 @@ class MshReader {
   }
 
  private:
+  [[nodiscard]] bool before4() const { return version_ < MshVersion::V40; }
+
+  /// Elements that stand before the nodes.
+  void read_early_elements() {
+    if (!early_elements_ || !has_nodes_) return;
+    body_.move_to(*early_elements_);
+    elements_.read(body_);
+    end_section(elements_name());
+  }
+
   [[nodiscard]] MshMesh::NodeClasses node_classes() const {
     using Known = MshMesh::NodeClasses;
-    if (msh2_) return parametric_ ? Known::Entities : Known::None;
+    if (before4()) return parametric_ ? Known::Entities : Known::None;
     return has_entities_ ? Known::Entities : Known::Blocks;
   }
 
   void note_parts() {
     if (!entities_.partitioned()) return;
     std::string note = "parts joined to the model entities that they are parts of";
-    if (between_parts_ > 0)
-      note += ", " + counted(between_parts_, "element") + " on borders between them dropped";
+    if (const std::uint64_t between = elements_.between_parts(); between > 0)
+      note += ", " + counted(between, "element") + " on borders between them dropped";
     mesh_.notes().push_back(std::move(note));
   }
 
@@ -58,7 +76,7 @@ class MshReader {
     MshPeriodic periodic(mesh_);
     for (const TextCursor& start : periodic_) {
       body_.move_to(start);
-      if (msh2_) {
+      if (version_ != MshVersion::V41) {
         TextCursor cursor = start;
         periodic.read_text(cursor);
         body_.move_to(cursor);
@@ -80,6 +98,8 @@ class MshReader {
   }
 
   void note_skipped(std::vector<std::string>& notes) const {
+    if (between_sections_ > 0)
+      notes.push_back(counted(between_sections_, "line") + " outside of sections passed over");
     constexpr std::size_t most = 8;
     std::size_t listed = 0;
     for (const auto& [name, times] : skipped_) {
@@ -96,9 +116,14 @@ class MshReader {
     body_.fail_at(source_.bytes.size(), what);
   }
 
+  /// Lines between sections are no part of the mesh, as to Gmsh.
   bool at_end() {
     TextCursor cursor = body_.text();
-    const bool end = cursor.skip_to_content();
+    bool end = cursor.skip_to_content();
+    for (; text && !end && cursor.rest()[0] != '$'; end = cursor.skip_to_content()) {
+      ++between_sections_;
+      cursor.skip_line();
+    }
     body_.move_to(cursor);
     return end;
   }
@@ -119,26 +144,36 @@ class MshReader {
   bool read_section(std::string_view name, std::size_t start) {
     if (name == "PhysicalNames") {
       physical_names();
-    } else if (name == "Entities" && !msh2_) {
+    } else if (name == "Entities" && !before4()) {
       once(has_entities_, name, start);
       entities_.read(body_);
-    } else if (name == "PartitionedEntities" && !msh2_) {
+    } else if (name == "PartitionedEntities" && !before4()) {
       once(has_parts_, name, start);
       entities_.read_partitioned(body_);
-    } else if (name == "Nodes" || (name == "ParametricNodes" && msh2_)) {
-      once(has_nodes_, "Nodes", start);
-      parametric_ = name != "Nodes";
-      msh2_ ? nodes2() : nodes4();
+    } else if (name == nodes_name() || (name == "ParametricNodes" && before4())) {
+      once(has_nodes_, nodes_name(), start);
+      parametric_ = name == "ParametricNodes";
+      nodes_.read(body_, parametric_);
       const std::string wrong = mesh_.finish_nodes();
       if (!wrong.empty()) body_.fail_at(start, wrong);
-    } else if (name == "Elements") {
+    } else if (name == elements_name()) {
       once(has_elements_, name, start);
-      if (!has_nodes_) body_.fail_at(start, "$Elements before $Nodes");
-      msh2_ ? elements2() : elements4();
+      if (!has_nodes_) return false;
+      elements_.read(body_);
     } else {
       return false;
     }
     return true;
+  }
+
+  [[nodiscard]] std::string_view nodes_name() const {
+    return version_ == MshVersion::V1 ? "NOD" : "Nodes";
+  }
+  [[nodiscard]] std::string_view elements_name() const {
+    return version_ == MshVersion::V1 ? "ELM" : "Elements";
+  }
+  [[nodiscard]] std::string end_of(std::string_view name) const {
+    return (version_ == MshVersion::V1 ? "$END" : "$End") + std::string(name);
   }
 
   void once(bool& has, std::string_view name, std::size_t start) const {
@@ -148,7 +183,7 @@ class MshReader {
 
   void end_section(std::string_view name) {
     TextCursor cursor = body_.text();
-    const std::string end = "$End" + std::string(name);
+    const std::string end = end_of(name);
     if (cursor.skip_to_content()) fail_at_end("the file ends before " + shown(end));
     const std::size_t start = cursor.offset();
     const std::string_view word = cursor.word();
@@ -159,18 +194,22 @@ class MshReader {
 
   void skip_section(std::string_view name, std::size_t start) {
     const TextCursor content = body_.text();
-    const std::string end = "$End" + std::string(name);
+    const std::string end = end_of(name);
     const std::size_t at = source_.bytes.find(end, content.offset());
     if (at == std::string_view::npos) body_.fail_at(start, "the section has no " + shown(end));
-    if (name == "NodeData" || name == "ElementData") {
+    if (name == elements_name()) {
+      early_elements_ = content;
+    } else if (name == "NodeData" || name == "ElementData") {
       views_.emplace_back(name, content);
-    } else if (name == "Periodic") {
+    } else if (name == "Periodic" && (text || version_ != MshVersion::V40)) {
       periodic_.push_back(content);
     } else if (name != "Comments") {
       const std::string quoted = shown(name);
       ++skipped_[quoted.substr(1, quoted.size() - 2)];
     }
-    body_.move_to(TextCursor(source_, source_.bytes, at));
+    TextCursor behind = content;
+    behind.move_to(at);
+    body_.move_to(behind);
     end_section(name);
   }
 
@@ -195,193 +234,20 @@ class MshReader {
     body_.move_to(cursor);
   }
 
-  int dimension() {
-    const std::int32_t dim = body_.integer("the dimension of an entity");
-    if (dim < 0 || dim > 3) body_.fail("an entity of dimension " + std::to_string(dim));
-    return dim;
-  }
-
-  /// Refuses at once what the file is too short for, so that what the count makes us reserve is
-  /// bounded.
-  void check_room(std::uint64_t n, std::size_t bytes_each, const char* what) const {
-    if (n > body_.left() / bytes_each) {
-      body_.fail("the file ends early: it promises " + std::to_string(n) + ' ' + what + ", " +
-                 std::to_string(body_.left()) + " bytes are left");
-    }
-    if (n >= no_index)
-      throw LimitError(source_.name, {}, std::string("more than 2^32 - 2 ") + what);
-  }
-
-  void position() {
-    const double x = body_.real("x"), y = body_.real("y"), z = body_.real("z");
-    mesh_.add_position({x, y, z});
-  }
-
-  std::uint64_t node_tag(std::int64_t tag) const {
-    if (tag < 1) body_.fail("node tag " + std::to_string(tag) + ", expected 1 or more");
-    return static_cast<std::uint64_t>(tag);
-  }
-
-  void nodes4() {
-    const std::uint64_t blocks = body_.count("the number of blocks");
-    const std::uint64_t n = body_.count("the number of nodes");
-    body_.count("the smallest node tag");
-    body_.count("the largest node tag");
-    check_room(n, Body::long_size + 3 * Body::real_size, "nodes");
-    mesh_.reserve_nodes(static_cast<std::size_t>(n));
-    for (std::uint64_t b = 0; b < blocks; ++b) node_block(n - mesh_.node_count());
-    if (mesh_.node_count() != n) {
-      body_.fail("the section promises " + counted(n, "node") + ", its blocks hold " +
-                 std::to_string(mesh_.node_count()));
-    }
-  }
-
-  void node_block(std::uint64_t most) {
-    const int dim = dimension();
-    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
-    const std::int32_t parametric = body_.integer("the parametric flag");
-    if (parametric != 0 && parametric != 1) body_.fail("the parametric flag is neither 0 nor 1");
-    const std::uint64_t n = body_.count("the number of nodes");
-    if (n > most) body_.fail("the blocks hold more nodes than the section promises");
-    for (std::uint64_t i = 0; i < n; ++i)
-      mesh_.add_node_tag(node_tag(static_cast<std::int64_t>(body_.count("a node tag"))), model);
-    for (std::uint64_t i = 0; i < n; ++i) {
-      position();
-      for (int k = 0; k < dim * parametric; ++k) body_.value("a parameter");
-    }
-  }
-
-  void nodes2() {
-    const std::uint64_t n = count_line("the number of nodes");
-    check_room(n, Body::int_size + 3 * Body::real_size, "nodes");
-    mesh_.reserve_nodes(static_cast<std::size_t>(n));
-    for (std::uint64_t i = 0; i < n; ++i) {
-      const std::uint64_t tag = node_tag(body_.integer("a node tag"));
-      position();
-      mesh_.add_node_tag(tag, parametric_ ? class_and_parameters() : ModelRef());
-    }
-  }
-
-  /// Behind the position of a parametric node.
-  ModelRef class_and_parameters() {
-    const int dim = dimension();
-    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
-    for (int k = 0; k < dim && dim < 3; ++k) body_.value("a parameter");
-    return model;
-  }
-
-  /// A count that is text in binary files too.
-  std::uint64_t count_line(const char* what) {
-    TextCursor cursor = body_.text();
-    cursor.skip_to_content();
-    const std::int64_t n = cursor.integer(what);
-    if (n < 0) cursor.fail(std::string(what) + " is negative");
-    cursor.end_line();
-    body_.move_to(cursor);
-    return static_cast<std::uint64_t>(n);
-  }
-
-  MshType element_type(std::int32_t number) const {
-    const auto type = msh_type(number);
-    if (!type)
-      body_.fail("element type " + std::to_string(number) + " is not one that is known here");
-    return *type;
-  }
-
-  void elements4() {
-    const std::uint64_t blocks = body_.count("the number of blocks");
-    const std::uint64_t n = body_.count("the number of elements");
-    body_.count("the smallest element tag");
-    body_.count("the largest element tag");
-    check_room(n, 2 * Body::long_size, "elements");
-    std::uint64_t found = 0;
-    for (std::uint64_t b = 0; b < blocks; ++b) found += element_block(n - found);
-    if (found != n) {
-      body_.fail("the section promises " + counted(n, "element") + ", its blocks hold " +
-                 std::to_string(found));
-    }
-  }
-
-  std::uint64_t element_block(std::uint64_t most) {
-    const int dim = dimension();
-    const ModelRef model = entities_.model_ref(dim, body_.integer("an entity tag"), body_);
-    const bool between_parts = model.valid() && model.dimension() != dim;
-    const MshType type = element_type(body_.integer("an element type"));
-    if (!model.may_classify(shape_template(type.shape).dimension)) {
-      body_.fail("a " + std::string(shape_template(type.shape).name) +
-                 " cannot lie on a model entity of dimension " + std::to_string(dim));
-    }
-    const std::uint64_t n = body_.count("the number of elements");
-    if (n > most) body_.fail("the blocks hold more elements than the section promises");
-    for (std::uint64_t i = 0; i < n; ++i) {
-      const std::uint64_t tag = body_.count("an element tag");
-      const auto nodes = std::span(nodes_).first(static_cast<std::size_t>(type.nodes));
-      for (std::uint64_t& node : nodes) node = body_.count("a node tag");
-      between_parts ? mesh_.drop(tag) : add(tag, type, model, 0);
-    }
-    between_parts_ += between_parts ? n : 0;
-    return n;
-  }
-
-  void add(std::uint64_t tag, MshType type, ModelRef model, std::int32_t physical) {
-    const auto nodes = std::span(nodes_).first(static_cast<std::size_t>(type.nodes));
-    const std::string wrong = mesh_.add(tag, type, nodes, model, physical);
-    if (!wrong.empty()) body_.fail(wrong);
-  }
-
-  void elements2() {
-    const std::uint64_t n = count_line("the number of elements");
-    check_room(n, Body::int_size * 2, "elements");
-    if constexpr (std::is_same_v<Body, MshText>) {
-      for (std::uint64_t i = 0; i < n; ++i) {
-        const std::uint64_t tag = body_.count("an element tag");
-        const MshType type = element_type(body_.integer("an element type"));
-        element2(tag, type, body_.integer("the number of tags"));
-      }
-    } else {
-      for (std::uint64_t found = 0; found < n;) found += element_run(n - found);
-    }
-  }
-
-  /// Binary MSH 2 lists elements in runs of one type and number of tags.
-  std::uint64_t element_run(std::uint64_t most) {
-    const MshType type = element_type(body_.integer("an element type"));
-    const std::int32_t n = body_.integer("the number of elements");
-    if (n < 1 || static_cast<std::uint64_t>(n) > most)
-      body_.fail("a run of " + std::to_string(n) + " elements where " + std::to_string(most) +
-                 " are left");
-    const std::int32_t tags = body_.integer("the number of tags");
-    for (std::int32_t i = 0; i < n; ++i)
-      element2(static_cast<std::uint32_t>(body_.integer("an element tag")), type, tags);
-    return static_cast<std::uint64_t>(n);
-  }
-
-  /// The tags are: physical group, model entity, and others that mean nothing to us.
-  void element2(std::uint64_t tag, MshType type, std::int32_t tags) {
-    if (tags < 0) body_.fail("a negative number of tags");
-    std::int32_t physical = 0, elementary = 0;
-    for (std::int32_t k = 0; k < tags; ++k) {
-      const std::int32_t value = body_.integer("a tag");
-      if (k == 0) physical = value;
-      if (k == 1) elementary = value;
-    }
-    const ModelRef model = entities_.model_ref(shape_template(type.shape).dimension,
-                                               elementary != 0 ? elementary : physical, body_);
-    for (int k = 0; k < type.nodes; ++k)
-      nodes_[static_cast<std::size_t>(k)] = static_cast<std::uint64_t>(body_.integer("a node tag"));
-    add(tag, type, model, physical);
-  }
+  static constexpr bool text = std::is_same_v<Body, MshText>;
 
   const Source& source_;
-  bool msh2_;
+  MshVersion version_;
   Body body_;
   MshMesh mesh_;
   MshEntities<Body> entities_;
-  std::array<std::uint64_t, max_msh_nodes> nodes_{};
+  MshNodes<Body> nodes_;
+  MshElements<Body> elements_;
   bool has_nodes_ = false, has_elements_ = false, has_entities_ = false, has_parts_ = false;
-  bool parametric_ = false;           ///< nodes tell where they lie
-  std::uint64_t between_parts_ = 0;   ///< elements
-  std::vector<TextCursor> periodic_;  ///< where the content of such sections starts
+  bool parametric_ = false;                   ///< nodes tell where they lie
+  std::size_t between_sections_ = 0;          ///< lines
+  std::optional<TextCursor> early_elements_;  ///< where their content starts
+  std::vector<TextCursor> periodic_;          ///< where the content of such sections starts
   std::vector<std::pair<std::string, TextCursor>> views_;  ///< and where their content starts
   std::map<std::string, std::size_t> skipped_;             ///< sections, and how many of each
 };
@@ -390,7 +256,7 @@ class MshReader {
 
 ReadResult read_msh(const Source& source) {
   const MshHeader header = read_msh_header(source);
-  if (!header.binary) return MshReader<MshText>(source, header).read();
+  if (!header.binary) return MshReader<MshText>(without_padding(source), header).read();
   if (header.order == std::endian::little)
     return MshReader<MshBinary<std::endian::little>>(source, header).read();
   return MshReader<MshBinary<std::endian::big>>(source, header).read();

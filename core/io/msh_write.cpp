@@ -3,10 +3,10 @@
 // Node tags are 1, 2, ... in the order of the vertices, element tags in the order of the lists
 // (points, edges, faces, regions), also where 4.1 groups them by model entity: reading restores the
 // order. Entity tag 0 stands for "not classified" in both versions, so a class with tag 0 is lost.
-// So is the class of an edge inside a model face and the like: Gmsh knows only elements of their
-// entity's own dimension. 2.2 has no table of entities (only the first physical group of each) and
-// classifies vertices only on model vertices: the others read back on the lowest classified entity
-// that touches them.
+// The class of an edge inside a model face and the like is lost too: Gmsh knows only elements of
+// their entity's own dimension. 2.2 has no table of entities (only the first physical group of
+// each) and classifies vertices only on model vertices: the others read back on the lowest
+// classified entity that touches them.
 
 #include <algorithm>
 #include <cmath>

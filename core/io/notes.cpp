@@ -49,7 +49,7 @@ void rename_repeated(std::vector<Attribute>& attributes, std::vector<std::string
     std::size_t& use = of_dimension.find(a.name)->second;
     if (++use == 1) continue;
     std::string name = a.name + " (" + std::to_string(use) + ')';
-    while (of_dimension.count(name) != 0) name = a.name + " (" + std::to_string(++use) + ')';
+    while (of_dimension.contains(name)) name = a.name + " (" + std::to_string(++use) + ')';
     renamed.add(shown(name));
     a.name = std::move(name);
   }

@@ -14,7 +14,7 @@ namespace {
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// What the lines of a keyword hold that we pass over.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> meanings{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> keyword_meanings{
     {{"vt", "texture coordinates"},
      {"vn", "normals"},
      {"mtllib", "materials"},
@@ -27,10 +27,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> meanings{
 class ObjScanner {
  public:
   explicit ObjScanner(const Source& source) : source_(source) {
-    const std::size_t zero = source.bytes.find('\0');
-    if (zero != std::string_view::npos)
+    text_.cleaned = without_padding(source).bytes;
+    const std::size_t zero = text_.cleaned.find('\0');
+    if (zero != std::string::npos)
       source.fail_at_byte(zero, "a zero byte: this is not a text file");
-    text_.cleaned = source.bytes;
   }
 
   ObjText run() {
@@ -43,7 +43,7 @@ class ObjScanner {
  private:
   void element(TextCursor& cursor) {
     const std::size_t start = cursor.offset();
-    const std::string_view keyword = cursor.word();
+    const std::string_view keyword = small(start, cursor.word());
     if (keyword == "v" || keyword == "f" || keyword == "l") tidy(cursor.offset());
     if (keyword == "v") {
       vertex(cursor);
@@ -55,6 +55,13 @@ class ObjScanner {
     } else {
       other(cursor, keyword, start);
     }
+  }
+
+  /// The keyword at `start`, which some programs write in capitals, in small letters.
+  std::string_view small(std::size_t start, std::string_view keyword) {
+    if (keyword[0] < 'A' || keyword[0] > 'Z') return keyword;
+    text_.cleaned.replace(start, keyword.size(), lower(keyword));
+    return keyword;
   }
 
   /// Names count; of all else we say that it is there.
@@ -71,10 +78,10 @@ class ObjScanner {
   }
 
   void leave_out(std::string_view keyword) {
-    const auto at = std::find_if(meanings.begin(), meanings.end(),
+    const auto at = std::find_if(keyword_meanings.begin(), keyword_meanings.end(),
                                  [&](const auto& meaning) { return meaning.first == keyword; });
-    if (at == meanings.end()) return text_.left_out.add(shown(keyword) + " lines");
-    bool& said = said_[static_cast<std::size_t>(at - meanings.begin())];
+    if (at == keyword_meanings.end()) return text_.left_out.add(shown(keyword) + " lines");
+    bool& said = said_[static_cast<std::size_t>(at - keyword_meanings.begin())];
     if (!said) text_.left_out.add(std::string(at->second));
     said = true;
   }
@@ -164,7 +171,7 @@ class ObjScanner {
 
   const Source& source_;
   ObjText text_;
-  std::array<bool, meanings.size()> said_{};
+  std::array<bool, keyword_meanings.size()> said_{};
 };
 
 }  // namespace

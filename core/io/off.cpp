@@ -34,18 +34,22 @@ struct OffHeader {
   }
 };
 
-/// Nothing where the word is none of ours. Not all programs keep to one order of the prefixes.
+/// Nothing where the word is none of ours. Not all programs keep to one order of the prefixes, and
+/// some write small letters; "nOFF" among capitals is of another dimension.
 std::optional<OffHeader> header_of(std::string_view word) {
+  if (word.starts_with('n') && word.ends_with("OFF")) return {};
+  const std::string small = lower(word);
+  word = small;
   OffHeader header;
   const auto take = [&](std::string_view prefix, bool& there) {
     if (there || !word.starts_with(prefix)) return false;
     word.remove_prefix(prefix.size());
     return there = true;
   };
-  while (take("ST", header.texture) || take("C", header.colour) || take("N", header.normal) ||
+  while (take("st", header.texture) || take("c", header.colour) || take("n", header.normal) ||
          take("4", header.weight)) {
   }
-  if (word != "OFF") return {};
+  if (word != "off") return {};
   return header;
 }
 
@@ -147,7 +151,7 @@ class OffText {
 
   void pass_over_number() {
     const std::string_view word = cursor_.word();
-    if (!is_number(word)) cursor_.fail("expected a number, found " + shown(word));
+    if (!is_number(word)) cursor_.fail("expected a number, found " + shown_no_number(word));
   }
 
   const Source& source_;
@@ -186,7 +190,7 @@ class OffBinary {
     if (coloured_) left_out_.add("face colours");
     note_left_out(result.notes, left_out_);
     note_rest(result.notes, source_.bytes.substr(at_), "face");
-    if (little_) result.notes.push_back("read as little-endian");
+    if (little_) result.notes.emplace_back("read as little-endian");
     return result;
   }
 
@@ -209,7 +213,7 @@ class OffBinary {
       return at <= size;
     };
     bool inside = at <= size && faces <= size;
-    for (std::uint64_t i = 0; inside && i < faces; ++i) inside = step() && step();
+    for (std::uint64_t i = 0; inside && i < 2 * faces; ++i) inside = step();
     at_ = static_cast<std::size_t>(start);
     return inside;
   }
@@ -296,22 +300,23 @@ std::string write_off_binary(const MeshData& mesh) {
 bool is_off(std::string_view first_word) { return header_of(first_word).has_value(); }
 
 ReadResult read_off(const Source& source) {
-  TextCursor cursor(source, source.bytes, 0, '#');
+  const Source text = without_padding(source);
+  TextCursor cursor(text, text.bytes, 0, '#');
   cursor.skip_to_content();
   TextCursor ahead = cursor;
   const std::string_view word = ahead.word();
   const auto header = header_of(word);
-  if (!header && word.ends_with("OFF"))
+  if (!header && lower(word).ends_with("off"))
     cursor.fail("only three-dimensional OFF is read, not " + shown(word) + ": export OFF or PLY");
   // Some programs leave the word out.
   if (!header && !is_number(word)) cursor.fail("not an OFF file: it starts with " + shown(word));
-  if (!header) return OffText(source, cursor, {}).read();
+  if (!header) return OffText(text, cursor, {}).read();
   TextCursor after = ahead;
-  if (after.word() == "BINARY") {
+  if (lower(after.word()) == "binary") {
     after.end_line();
     return OffBinary(source, after.offset(), *header).read();
   }
-  return OffText(source, ahead, *header).read();
+  return OffText(text, ahead, *header).read();
 }
 
 std::string write_off(const MeshData& mesh, bool binary) {

@@ -43,6 +43,10 @@ OutputTarget without_links(fs::path path) {
   }
 }
 
+std::string place_on_disk(const struct stat& info) {
+  return std::to_string(info.st_dev) + ':' + std::to_string(info.st_ino);
+}
+
 bool takes_bytes(int descriptor) {
   const int flags = ::fcntl(descriptor, F_GETFL);
   if (flags >= 0 && (flags & O_ACCMODE) != O_RDONLY) return true;
@@ -84,6 +88,23 @@ OutputTarget find_output_target(const fs::path& path) {
   require_folder(path, target.path);
   if (exists) target.mode = old.st_mode & 07777u;
   return target;
+}
+
+std::optional<std::string> output_identity(const fs::path& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0)
+    return S_ISCHR(info.st_mode) ? std::nullopt : std::optional(place_on_disk(info));
+  if (errno == ELOOP) return {};
+  const fs::path target = without_links(path).path;
+  std::error_code failed;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(target, failed).parent_path(), failed);
+  return (folder / target.filename()).string();
+}
+
+std::optional<std::string> input_identity(const fs::path& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return {};
+  return place_on_disk(info);
 }
 
 bool write_all(int descriptor, std::string_view bytes) {

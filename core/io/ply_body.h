@@ -15,12 +15,18 @@ namespace aomd::io::detail {
 class PlyText {
  public:
   PlyText(const Source& source, const PlyHeader& header)
-      : cursor_(source, source.bytes, header.body) {}
+      : cursor_(source, source.bytes, header.body) {
+    cursor_.pass_comment_lines();
+  }
 
   [[noreturn]] void fail(const std::string& what) const { cursor_.fail(what); }
   [[nodiscard]] std::size_t left() const { return cursor_.left(); }
   [[nodiscard]] bool at_end() { return cursor_.skip_to_content(); }
-  [[nodiscard]] std::string_view rest() const { return cursor_.rest(); }
+  [[nodiscard]] std::string_view rest() const {
+    TextCursor ahead = cursor_;
+    ahead.skip_to_content();
+    return ahead.rest();
+  }
   void end_element() { cursor_.end_line(); }
 
   double real(PlyType, const char* what) { return cursor_.real(what); }

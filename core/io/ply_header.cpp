@@ -31,13 +31,13 @@ PlyType type_named(TextCursor& cursor) {
   }};
   const std::string_view word = cursor.word();
   for (const auto& [name, type] : types) {
-    if (name == word) return type;
+    if (name == lower(word)) return type;
   }
   cursor.fail("unknown property type " + shown(word));
 }
 
 PlyEncoding encoding_named(TextCursor& cursor) {
-  const std::string_view word = cursor.word();
+  const std::string word = lower(cursor.word());
   if (word == "ascii") return PlyEncoding::Ascii;
   if (word == "binary_little_endian") return PlyEncoding::LittleEndian;
   if (word == "binary_big_endian") return PlyEncoding::BigEndian;
@@ -47,7 +47,7 @@ PlyEncoding encoding_named(TextCursor& cursor) {
 PlyElement element_declared(TextCursor& cursor) {
   PlyElement element;
   element.line_offset = cursor.offset();
-  element.name = cursor.word();
+  element.name = lower(cursor.word());
   const std::int64_t count = cursor.integer("the number of elements");
   if (element.name.empty() || count < 0) cursor.fail("an element needs a name and a number from 0");
   element.count = static_cast<std::uint64_t>(count);
@@ -57,7 +57,7 @@ PlyElement element_declared(TextCursor& cursor) {
 PlyProperty property_declared(TextCursor& cursor) {
   PlyProperty property;
   TextCursor ahead = cursor;
-  property.list = ahead.word() == "list";
+  property.list = lower(ahead.word()) == "list";
   if (property.list) {
     cursor = ahead;
     property.count_type = type_named(cursor);
@@ -100,12 +100,14 @@ const PlyElement* PlyHeader::find(std::string_view name) const {
 
 PlyHeader read_ply_header(const Source& source) {
   TextCursor cursor(source, source.bytes);
-  if (cursor.word() != "ply") cursor.fail("not a PLY file: it does not start with \"ply\"");
+  cursor.pass_comment_lines();
+  cursor.skip_to_content();
+  if (lower(cursor.word()) != "ply") cursor.fail("not a PLY file: it does not start with \"ply\"");
   cursor.end_line();
   PlyHeader header;
   for (bool format_known = false;;) {
     if (cursor.skip_to_content()) cursor.fail("the file ends within the PLY header");
-    const std::string_view keyword = cursor.word();
+    const std::string keyword = lower(cursor.word());
     if (keyword == "comment" || keyword == "obj_info") {
       cursor.skip_line();
       continue;

@@ -29,7 +29,7 @@ enum class Role : std::uint8_t {
 };
 
 Role role_of(const PlyElement& element, const PlyProperty& p) {
-  const std::string &e = element.name, &n = p.name;
+  const std::string &e = element.name, n = lower(p.name);
   if (p.list) return n == "vertex_indices" || n == "vertex_index" ? Role::Indices : Role::Skip;
   if (n == "model_dimension") return Role::ModelDimension;
   if (n == "model_tag") return Role::ModelTag;
@@ -291,8 +291,9 @@ class PlyReader {
 
 }  // namespace
 
-ReadResult read_ply(const Source& source) {
-  const PlyHeader header = read_ply_header(source);
+ReadResult read_ply(const Source& file) {
+  const PlyHeader header = read_ply_header(file);
+  const Source source = header.encoding == PlyEncoding::Ascii ? without_padding(file) : file;
   switch (header.encoding) {
     case PlyEncoding::LittleEndian:
       return PlyReader<PlyBinary<std::endian::little>>(source, header).read();

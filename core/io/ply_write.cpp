@@ -6,8 +6,6 @@
 namespace aomd::io::detail {
 namespace {
 
-constexpr std::endian little = std::endian::little;
-
 /// Writes values one after the other, as text or binary.
 class PlyWriter {
  public:
@@ -86,7 +84,7 @@ class PlyWriter {
   template <class Value>
   void value(Value v) {
     if (binary_) {
-      out_.raw<little>(v);
+      out_.raw<std::endian::little>(v);
       return;
     }
     if (!first_) out_ << ' ';

@@ -47,6 +47,14 @@ void Source::fail_at_byte(std::size_t offset, const std::string& what) const {
 
 void Source::fail(const std::string& what) const { throw ReadError(name, {}, what); }
 
+Source without_padding(const Source& text) {
+  constexpr std::string_view padding("\0\x1a\f \t\r\n", 7);
+  const std::size_t last = text.bytes.find_last_not_of(padding);
+  const std::size_t mark =
+      text.bytes.find_first_of(padding.substr(0, 3), last == std::string_view::npos ? 0 : last);
+  return {text.name, text.bytes.substr(0, mark), text.skipped};
+}
+
 FileBytes::FileBytes(const std::filesystem::path& path) {
   const std::string name = path.string();
   // Without O_NONBLOCK, opening a pipe that nobody writes to would hang before fstat can refuse it.

@@ -25,6 +25,10 @@ struct Source {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
+/// Text without what stands behind its end: zero bytes, as programs write that fill up to a block,
+/// and Ctrl-Z, the end of a file in DOS.
+[[nodiscard]] Source without_padding(const Source& text);
+
 /// A whole file in memory. It is read, not mapped: a file that shrinks meanwhile must not kill the
 /// program.
 class FileBytes {

@@ -76,7 +76,9 @@ class FacetSink {
 
 class StlText {
  public:
-  explicit StlText(const Source& source) : cursor_(source, source.bytes) {}
+  explicit StlText(const Source& source) : cursor_(source, source.bytes) {
+    cursor_.pass_comment_lines();
+  }
 
   ReadResult read() {
     while (!cursor_.skip_to_content() && !at_rest()) {
@@ -252,7 +254,7 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 ReadResult read_stl(const Source& source, bool binary) {
-  return binary ? read_binary(source) : StlText(source).read();
+  return binary ? read_binary(source) : StlText(without_padding(source)).read();
 }
 
 std::string write_stl(const MeshData& mesh, bool binary) {

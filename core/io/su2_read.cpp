@@ -20,7 +20,9 @@ namespace {
 class Su2Reader {
  public:
   explicit Su2Reader(const Source& source)
-      : source_(source), cursor_(source, source.bytes, 0, '%') {}
+      : source_(source), cursor_(source, source.bytes, 0, '%') {
+    cursor_.pass_comment_lines();
+  }
 
   ReadResult read() {
     scan();
@@ -64,7 +66,7 @@ class Su2Reader {
     dimension_ = n;
   }
 
-  /// The key of a line "KEY= value", and past the sign; empty where the line is none.
+  /// The key of a line "KEY= value", in capitals, and past the sign; empty where the line is none.
   std::string key_of(TextCursor& cursor) const {
     TextCursor line = cursor;
     std::string_view text = line.rest_of_line();
@@ -72,9 +74,11 @@ class Su2Reader {
     const std::size_t sign = text.find('=');
     if (sign == std::string_view::npos) return {};
     const auto start = static_cast<std::size_t>(text.data() - source_.bytes.data());
-    cursor = TextCursor(source_, source_.bytes, start + sign + 1, '%');
+    cursor.move_to(start + sign + 1);
     text = text.substr(0, sign);
-    return std::string(text.substr(0, text.find_last_not_of(" \t") + 1));
+    std::string key(text.substr(0, text.find_last_not_of(" \t") + 1));
+    for (char& c : key) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return key;
   }
 
   static std::uint64_t number(TextCursor& cursor, const char* what) {
@@ -94,8 +98,11 @@ class Su2Reader {
       has_elements_ = true;
       const ModelRef zone = points_of_.size() > 1 ? start_zone() : ModelRef();
       elements(number(cursor_, "the number of elements"), zone, false);
-    } else if (key == "NMARK" || key == "NZONE") {
-      cursor_.skip_line();  // markers and zones are counted as they come
+    } else if (key == "NMARK") {
+      promised_markers_ += number(cursor_, "the number of markers");
+      cursor_.skip_line();
+    } else if (key == "NZONE") {
+      cursor_.skip_line();  // zones are counted as they come
     } else if (key == "IZONE") {
       if (in_zone_) next_zone();
       in_zone_ = true;
@@ -110,6 +117,9 @@ class Su2Reader {
   void end_zone() {
     if (!has_points_) cursor_.fail("the file has no NPOIN");
     if (!has_elements_) cursor_.fail("the file has no NELEM");
+    if (static_cast<std::uint64_t>(markers_) < promised_markers_)
+      cursor_.fail("the file ends after " + std::to_string(markers_) + " of " +
+                   counted(promised_markers_, "marker"));
   }
 
   void next_zone() {
@@ -263,6 +273,7 @@ class Su2Reader {
   std::uint64_t first_point_ = 0;            ///< of the present zone, in the mesh
   bool in_zone_ = false, has_points_ = false, has_elements_ = false;
   std::int32_t markers_ = 0;
+  std::uint64_t promised_markers_ = 0;
   std::size_t marker_points_ = 0;
   Repeats repeats_;
   ItemList passed_over_;
@@ -270,6 +281,6 @@ class Su2Reader {
 
 }  // namespace
 
-ReadResult read_su2(const Source& source) { return Su2Reader(source).read(); }
+ReadResult read_su2(const Source& source) { return Su2Reader(without_padding(source)).read(); }
 
 }  // namespace aomd::io::detail

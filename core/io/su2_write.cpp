@@ -61,7 +61,7 @@ class Su2Writer {
     std::map<ModelRef, Marker*> of_entity;
     const EntityList& list = mesh_.list(dimension_ - 1);
     for (const ModelRef m : list.classes) {
-      if (m.dimension() != dimension_ - 1 || of_entity.count(m) != 0) continue;
+      if (m.dimension() != dimension_ - 1 || of_entity.contains(m)) continue;
       const auto [at, fresh] = markers.try_emplace(marker_name(m));
       at->second.first_tag = fresh ? m.tag() : std::min(at->second.first_tag, m.tag());
       of_entity[m] = &at->second;
@@ -76,6 +76,7 @@ class Su2Writer {
       ++found->second->count;
     });
     std::vector<std::pair<std::string, Marker*>> ordered;
+    ordered.reserve(markers.size());
     for (auto& [name, marker] : markers) ordered.emplace_back(name, &marker);
     std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) {
       return a.second->first_tag < b.second->first_tag;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,11 +26,15 @@ class TextCursor {
         end_(start_ + text.size()),
         comment_(comment_sign) {}
 
+  void move_to(std::size_t offset) { p_ = start_ + offset; }
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(p_ - start_); }
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - p_); }
   [[nodiscard]] std::string_view rest() const { return {p_, left()}; }
   [[noreturn]] void fail(const std::string& what) const { source_->fail_at_line(offset(), what); }
 
+  /// From now on skip_to_content() also moves over lines that begin with "#", where the format has
+  /// no comments of its own.
+  void pass_comment_lines() { passes_comment_lines_ = true; }
   /// Moves over blanks, line ends and comments; true when nothing else is left.
   bool skip_to_content();
   /// Moves over blanks; true when the line holds nothing more.
@@ -50,7 +55,7 @@ class TextCursor {
   void join_lines() { joins_lines_ = true; }
   /// The next word on this line as a finite number; `what` names it in errors.
   double real(const char* what);
-  /// The next word on this line as a whole number.
+  /// The next word on this line as a whole number, without a decimal point.
   std::int64_t integer(const char* what);
 
  private:
@@ -65,13 +70,14 @@ class TextCursor {
   double unusual_real(const char* what);
   std::int64_t unusual_integer(const char* what);
   bool find_in_next_line() { return joins_lines_ && line_done() && !skip_to_content(); }
+  [[nodiscard]] bool at_comment_line() const;
 
   const Source* source_;
   const char* start_;
   const char* p_;
   const char* end_;
   char comment_;  ///< '\n' where the format has no comments
-  bool joins_lines_ = false;
+  bool joins_lines_ = false, passes_comment_lines_ = false;
 };
 
 inline double TextCursor::real(const char* what) {
@@ -93,7 +99,12 @@ inline std::int64_t TextCursor::integer(const char* what) {
   return value;
 }
 
-/// True where all of `word` is a number, finite or not.
-[[nodiscard]] bool is_number(std::string_view word);
+/// What all of `word` is as a number, finite or not. Beside the usual there is the exponent of
+/// Fortran ("1.5d0"), and what Windows calls "1.#INF" and "-1.#IND".
+[[nodiscard]] std::optional<double> number_of(std::string_view word);
+[[nodiscard]] inline bool is_number(std::string_view word) { return number_of(word).has_value(); }
+
+/// What an error says of a word that is no number: shown, and what would help where it is known.
+[[nodiscard]] std::string shown_no_number(std::string_view word);
 
 }  // namespace aomd::io::detail

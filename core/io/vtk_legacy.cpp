@@ -4,11 +4,7 @@
 #include <cctype>
 
 namespace aomd::io::detail {
-namespace {
-
-constexpr std::endian big = std::endian::big;
-
-}  // namespace
+namespace {}  // namespace
 
 std::string decoded(std::string_view name) {
   std::string text;
@@ -35,6 +31,11 @@ void LegacyInput::fail_at_value(std::size_t start, std::size_t k, std::size_t si
   TextCursor place(source_, source_.bytes, start);
   skip_words(place, k);
   place.fail(what);
+}
+
+void LegacyInput::read_as_text() {
+  cursor_ = TextCursor(source_, without_padding(source_).bytes, cursor_.offset());
+  cursor_.pass_comment_lines();
 }
 
 std::string_view LegacyInput::word(const char* what) {
@@ -88,13 +89,13 @@ std::string_view LegacyInput::take(std::uint64_t n, std::size_t size) {
 
 void LegacyInput::values(NumberType type, std::uint64_t n, std::vector<double>& out) {
   check_room(n);
-  if (binary_) return decode(take(n, size_of(type)), type, big, out);
+  if (binary_) return decode(take(n, size_of(type)), type, std::endian::big, out);
   read_text(cursor_, static_cast<std::size_t>(n), is_integer(type), out);
 }
 
 void LegacyInput::values(NumberType type, std::uint64_t n, std::vector<std::int64_t>& out) {
   check_room(n);
-  if (binary_) return decode(take(n, size_of(type)), type, big, out);
+  if (binary_) return decode(take(n, size_of(type)), type, std::endian::big, out);
   read_text(cursor_, static_cast<std::size_t>(n), out);
 }
 

@@ -25,6 +25,8 @@ class LegacyInput {
   [[noreturn]] void fail_at_value(std::size_t start, std::size_t k, std::size_t size,
                                   const std::string& what) const;
 
+  /// What follows is text to the end of the file.
+  void read_as_text();
   /// The next word, on this line or a later one.
   std::string_view word(const char* what);
   /// The next word as a number of things.

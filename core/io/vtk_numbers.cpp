@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -12,32 +11,33 @@
 namespace aomd::io::detail {
 namespace {
 
-using Names = std::pair<std::string_view, NumberType>;
+using TypeName = std::pair<std::string_view, NumberType>;
 
 // "long" has 8 bytes wherever VTK runs but on Windows. vtkIdType is written as int.
-constexpr Names legacy_names[] = {{"char", NumberType::Int8},
-                                  {"signed_char", NumberType::Int8},
-                                  {"unsigned_char", NumberType::UInt8},
-                                  {"short", NumberType::Int16},
-                                  {"unsigned_short", NumberType::UInt16},
-                                  {"int", NumberType::Int32},
-                                  {"unsigned_int", NumberType::UInt32},
-                                  {"vtkidtype", NumberType::Int32},
-                                  {"long", NumberType::Int64},
-                                  {"unsigned_long", NumberType::UInt64},
-                                  {"vtktypeint64", NumberType::Int64},
-                                  {"vtktypeuint64", NumberType::UInt64},
-                                  {"float", NumberType::Float32},
-                                  {"double", NumberType::Float64}};
+constexpr TypeName legacy_names[] = {{"char", NumberType::Int8},
+                                     {"signed_char", NumberType::Int8},
+                                     {"unsigned_char", NumberType::UInt8},
+                                     {"short", NumberType::Int16},
+                                     {"unsigned_short", NumberType::UInt16},
+                                     {"int", NumberType::Int32},
+                                     {"unsigned_int", NumberType::UInt32},
+                                     {"vtkidtype", NumberType::Int32},
+                                     {"long", NumberType::Int64},
+                                     {"unsigned_long", NumberType::UInt64},
+                                     {"vtktypeint64", NumberType::Int64},
+                                     {"vtktypeuint64", NumberType::UInt64},
+                                     {"float", NumberType::Float32},
+                                     {"double", NumberType::Float64}};
 
-constexpr Names xml_names[] = {{"Int8", NumberType::Int8},       {"UInt8", NumberType::UInt8},
-                               {"Int16", NumberType::Int16},     {"UInt16", NumberType::UInt16},
-                               {"Int32", NumberType::Int32},     {"UInt32", NumberType::UInt32},
-                               {"Int64", NumberType::Int64},     {"UInt64", NumberType::UInt64},
-                               {"Float32", NumberType::Float32}, {"Float64", NumberType::Float64}};
+constexpr TypeName xml_names[] = {
+    {"Int8", NumberType::Int8},       {"UInt8", NumberType::UInt8},
+    {"Int16", NumberType::Int16},     {"UInt16", NumberType::UInt16},
+    {"Int32", NumberType::Int32},     {"UInt32", NumberType::UInt32},
+    {"Int64", NumberType::Int64},     {"UInt64", NumberType::UInt64},
+    {"Float32", NumberType::Float32}, {"Float64", NumberType::Float64}};
 
 template <std::size_t N>
-std::optional<NumberType> find(const Names (&names)[N], std::string_view name) {
+std::optional<NumberType> find(const TypeName (&names)[N], std::string_view name) {
   for (const auto& [known, type] : names) {
     if (known == name) return type;
   }
@@ -84,13 +84,13 @@ void decode_any(std::string_view bytes, NumberType type, std::endian order, std:
   }
 }
 
-double number_of(const TextCursor& cursor, std::string_view word) {
+double value_of(const TextCursor& cursor, std::string_view word) {
   double value = 0;
   const auto [next, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc{} && next == word.data() + word.size()) return value;
-  if (!is_number(word)) cursor.fail("expected a number, found " + shown(word));
-  return std::strtod(std::string(word).c_str(),
-                     nullptr);  // a leading plus sign, or beyond the range
+  const auto unusual = number_of(word);
+  if (!unusual) cursor.fail("expected a number, found " + shown_no_number(word));
+  return *unusual;
 }
 
 /// Calls use() at the start of each of the next n words.
@@ -133,7 +133,7 @@ void read_text(TextCursor& cursor, std::size_t n, bool integer, std::vector<doub
   each_word(cursor, n, [&] {
     const TextCursor start = cursor;
     const std::string_view word = cursor.word();
-    out.push_back(number_of(start, word));
+    out.push_back(value_of(start, word));
     if (integer && out.back() != std::floor(out.back()))
       start.fail("expected a whole number, found " + shown(word));
   });

@@ -39,7 +39,7 @@ enum class NumberType : std::uint8_t {
 
 /// Appends the numbers that `bytes` hold one after the other; an incomplete last one is left out.
 void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<double>& out);
-/// The same for whole numbers; a type of real numbers gives none.
+/// Appends the whole numbers that `bytes` hold; a type of real numbers gives none.
 void decode(std::string_view bytes, NumberType type, std::endian order,
             std::vector<std::int64_t>& out);
 
@@ -49,7 +49,7 @@ inline constexpr std::size_t all_words = std::numeric_limits<std::size_t>::max()
 /// reads to the end. Throws ReadError where a word is no number, or no whole one where `integer`
 /// says so, or words lack.
 void read_text(TextCursor& cursor, std::size_t n, bool integer, std::vector<double>& out);
-/// The same for indices.
+/// Appends the next n words as indices: whole numbers, with what the function above throws.
 void read_text(TextCursor& cursor, std::size_t n, std::vector<std::int64_t>& out);
 
 /// Moves over n words: to the place of what turned out wrong later.

@@ -56,34 +56,51 @@ class LegacyReader : LegacyArrays {
   }
 
   void header() {
-    const std::string_view first = cursor_.rest_of_line();
-    constexpr std::string_view magic = "# vtk DataFile Version ";
-    if (!first.starts_with(magic))
-      source_.fail_at_line(0, "does not start with \"# vtk DataFile Version\"");
-    major_ = first.size() > magic.size() ? first[magic.size()] - '0' : 0;
-    if (major_ < 1 || major_ > 5)
-      source_.fail_at_line(
-          0, "version " + shown(first.substr(magic.size())) + " is not read, only 1 to 5.1");
-    cursor_.skip_line();  // the title
-    const std::string encoding = lower(word("ASCII or BINARY"));
-    if (encoding != "ascii" && encoding != "binary")
-      cursor_.fail("expected ASCII or BINARY, found " + shown(encoding));
+    version();
+    const std::string encoding = encoding_after_title();
+    binary_ = encoding == "binary";
+    if (!binary_) read_as_text();
     if (lower(word("DATASET")) != "dataset") cursor_.fail("expected DATASET");
     kind_ = kind_of(lower(word("the kind of dataset")));
     has_cells_ = kind_ != Kind::Unstructured;  // polygonal data may lack any of the lists
-    binary_ = encoding == "binary";
+  }
+
+  void version() {
+    cursor_.skip_to_content();
+    if (!is_vtk(cursor_.rest())) cursor_.fail("does not start with \"# vtk DataFile Version\"");
+    for (int i = 0; i < 3; ++i) (void)cursor_.word();
+    if (lower(cursor_.word()) != "version") cursor_.fail("the first line names no version");
+    const std::string_view number = cursor_.word();
+    major_ = number.empty() ? 0 : number[0] - '0';
+    if (major_ < 1 || major_ > 5)
+      cursor_.fail("version " + shown(number) + " is not read, only 1 to 5.1");
+    cursor_.skip_line();
+  }
+
+  /// The title is the second line, empty or not, or the first after empty ones.
+  std::string encoding_after_title() {
+    const bool empty = cursor_.rest_of_line().empty();
+    cursor_.pass_comment_lines();
+    std::string encoding = lower(word("ASCII or BINARY"));
+    const auto known = [&] { return encoding == "ascii" || encoding == "binary"; };
+    if (empty && !known()) {
+      cursor_.skip_line();
+      encoding = lower(word("ASCII or BINARY"));
+    }
+    if (!known()) cursor_.fail("expected ASCII or BINARY, found " + shown(encoding));
+    return encoding;
   }
 
   enum class Kind { Unstructured, Polygonal, Uniform, Rectilinear, Curvilinear };
 
   Kind kind_of(const std::string& name) const {
-    constexpr std::pair<std::string_view, Kind> kinds[] = {
+    constexpr std::pair<std::string_view, Kind> section_kinds[] = {
         {"unstructured_grid", Kind::Unstructured},
         {"polydata", Kind::Polygonal},
         {"structured_points", Kind::Uniform},
         {"rectilinear_grid", Kind::Rectilinear},
         {"structured_grid", Kind::Curvilinear}};
-    for (const auto& [known, kind] : kinds) {
+    for (const auto& [known, kind] : section_kinds) {
       if (known == name) return kind;
     }
     cursor_.fail("a dataset of kind " + shown(name) +
@@ -326,6 +343,14 @@ class LegacyReader : LegacyArrays {
 };
 
 }  // namespace
+
+bool is_vtk(std::string_view bytes) {
+  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  const Source source{{}, bytes.substr(start, 200)};
+  TextCursor cursor(source, source.bytes);
+  return cursor.word() == "#" && lower(cursor.word()) == "vtk" &&
+         lower(cursor.word()) == "datafile";
+}
 
 ReadResult read_vtk(const Source& source) { return LegacyReader(source).read(); }
 

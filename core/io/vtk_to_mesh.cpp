@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -197,12 +198,35 @@ class GridToMesh {
         return *found;
       });
     } else if (const VtkArray* labels = preferred_labels()) {
-      classify_cells([&](std::size_t cell, int own) {
-        return ModelRef(own, static_cast<std::int32_t>(labels->values[cell]));
-      });
-      notes_.push_back("classified by the cell array " + shown(labels->name));
-      grid_.cell_data.erase(grid_.cell_data.begin() + (labels - grid_.cell_data.data()));
+      classify_by(*labels);
     }
+  }
+
+  /// By the values themselves where they can be tags; else these count the values in ascending
+  /// order, and the array stays as it is.
+  void classify_by(const VtkArray& labels) {
+    const std::string note = "classified by the cell array " + shown(labels.name);
+    if (are_tags(labels.values)) {
+      classify_cells([&](std::size_t cell, int own) {
+        return ModelRef(own, static_cast<std::int32_t>(labels.values[cell]));
+      });
+      notes_.push_back(note);
+      grid_.cell_data.erase(grid_.cell_data.begin() + (&labels - grid_.cell_data.data()));
+      return;
+    }
+    std::map<double, std::int32_t> tags;
+    for (const double value : labels.values) tags[value] = 0;
+    std::int32_t last = 0;
+    for (auto& [value, tag] : tags) tag = ++last;
+    classify_cells(
+        [&](std::size_t cell, int own) { return ModelRef(own, tags.at(labels.values[cell])); });
+    notes_.push_back(note + ", whose " + counted(tags.size(), "value") + " count as 1, 2, ...");
+  }
+
+  static bool are_tags(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double tag) {
+      return tag >= ModelRef::min_tag && tag <= ModelRef::max_tag;
+    });
   }
 
   void classify_points() {
@@ -233,15 +257,14 @@ class GridToMesh {
   }
 
   const VtkArray* preferred_labels() const {
+    const VtkArray* beyond_tags = nullptr;
     for (const std::string_view name : label_names) {
       const VtkArray* array = find_array(grid_.cell_data, name);
-      if (is_label(array) &&
-          std::all_of(array->values.begin(), array->values.end(), [](double tag) {
-            return tag >= ModelRef::min_tag && tag <= ModelRef::max_tag;
-          }))
-        return array;
+      if (!is_label(array)) continue;
+      if (are_tags(array->values)) return array;
+      if (!beyond_tags) beyond_tags = array;
     }
-    return nullptr;
+    return beyond_tags;
   }
 
   void add_attributes() {

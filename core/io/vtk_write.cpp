@@ -7,8 +7,6 @@
 namespace aomd::io::detail {
 namespace {
 
-constexpr std::endian big = std::endian::big;
-
 class LegacyWriter {
  public:
   explicit LegacyWriter(bool binary) : binary_(binary) {}
@@ -33,7 +31,7 @@ class LegacyWriter {
   template <class Value>
   void value(Value v, bool last) {
     if (binary_) {
-      out_.raw<big>(v);
+      out_.raw<std::endian::big>(v);
     } else {
       out_ << v << (last ? '\n' : ' ');
     }

@@ -7,8 +7,6 @@
 namespace aomd::io::detail {
 namespace {
 
-constexpr std::endian little = std::endian::little;
-
 class VtuWriter {
  public:
   explicit VtuWriter(bool binary) : binary_(binary) {}
@@ -91,12 +89,12 @@ class VtuWriter {
     }
   }
   void size(std::size_t bytes) {
-    if (binary_) appended_.raw<little>(static_cast<std::uint64_t>(bytes));
+    if (binary_) appended_.raw<std::endian::little>(static_cast<std::uint64_t>(bytes));
   }
   template <class Value>
   void value(Value v, bool last) {
     if (binary_) {
-      appended_.raw<little>(v);
+      appended_.raw<std::endian::little>(v);
     } else if constexpr (sizeof(Value) == 1) {
       out_ << int{v} << (last ? '\n' : ' ');
     } else {

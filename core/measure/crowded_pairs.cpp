@@ -11,6 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/io/weld.h"
+#include "core/measure/directions.h"
 
 namespace aomd::measure {
 namespace {
@@ -19,11 +20,8 @@ using glm::dvec3;
 
 // So many triangles at one corner are compared with each other; more are a crowd.
 constexpr std::uint32_t most_at_a_corner = 256;
-constexpr std::size_t nodes_a_piece = 512;
+constexpr std::size_t nodes_a_share = 512;
 constexpr std::size_t least_slots = 1024;
-
-// What rounding may do to a unit vector, with room to spare.
-constexpr double direction_doubt = 1e-12;
 
 // Mixed from above as well: coordinates that were floats end in zeros.
 std::uint64_t hash(const dvec3& p) {
@@ -33,38 +31,6 @@ std::uint64_t hash(const dvec3& p) {
     h ^= h >> 32;
   }
   return h;
-}
-
-Box all_directions() { return {dvec3(-1), dvec3(1)}; }
-
-Box grown(const Box& box, double by) { return {box.low - dvec3(by), box.high + dvec3(by)}; }
-
-// Not finite where the distance is beyond all doubles.
-dvec3 direction(const dvec3& from, const dvec3& to) {
-  const dvec3 d = to - from, size = glm::abs(d);
-  return glm::normalize(d / std::max({size.x, size.y, size.z}));
-}
-
-bool is_finite(const dvec3& p) { return std::isfinite(p.x + p.y + p.z); }
-
-// The arc of directions from one to another, each of length 1: no point of it is further from the
-// chord than its middle.
-Box arc_box(const dvec3& a, const dvec3& b) {
-  if (!is_finite(a) || !is_finite(b)) return all_directions();
-  Box box;
-  box.add(a);
-  box.add(b);
-  return grown(box, 1 - glm::length(a + b) / 2 + direction_doubt);
-}
-
-// The half plane on the side of b of a line along a, by its normal.
-Box half_plane_box(const dvec3& a, const dvec3& b) {
-  const dvec3 normal = glm::cross(a, b);
-  const double sine = glm::length(normal);
-  if (!(sine > direction_doubt)) return all_directions();
-  Box box;
-  box.add(normal / sine);
-  return grown(box, direction_doubt + 1e-15 / sine);
 }
 
 class CrowdedPairs {
@@ -90,8 +56,8 @@ class CrowdedPairs {
     std::array<std::uint32_t, 3> points{};  ///< its corners, those that all have in common first
   };
 
-  [[nodiscard]] auto visiting(const std::vector<Item>& x, const TriangleTree& of_x,
-                              const std::vector<Item>& y, const TriangleTree& of_y) const {
+  [[nodiscard]] auto visiting(const std::vector<Item>& x, const BoxTree& of_x,
+                              const std::vector<Item>& y, const BoxTree& of_y) const {
     return [&](std::uint32_t n, std::uint32_t m) {
       visit_(x[of_x.source(n)].triangle, y[of_y.source(m)].triangle);
     };
@@ -100,16 +66,54 @@ class CrowdedPairs {
   // All pairs of items whose first `shared` corners are the same.
   void meet(const std::vector<Item>& items, std::size_t shared) {
     std::vector<std::vector<Item>> parts = parted(items, shared);
-    std::vector<TriangleTree> trees;
-    for (const auto& part : parts) trees.push_back(tree_of(part, shared));
-    parallel_for(trees[0].nodes(), threads_, nodes_a_piece, [&](std::size_t b, std::size_t e) {
+    std::vector<BoxTree> trees;
+    trees.reserve(parts.size());
+    for (const auto& part : parts)
+      trees.push_back(tree_of(part, [&](const Item& item) { return box_of(item, shared); }));
+    parallel_for(trees[0].nodes(), threads_, nodes_a_share, [&](std::size_t b, std::size_t e) {
       trees[0].touching_pairs(b, e, visiting(parts[0], trees[0], parts[0], trees[0]));
     });
     for (std::size_t i = 0; i < trees.size(); ++i)
       for (std::size_t j = i + 1; j < trees.size(); ++j)
-        trees[i].touching_pairs(trees[j], visiting(parts[i], trees[i], parts[j], trees[j]));
+        if (shared > 0 || !meet_in_view(parts[i], trees[i].box(), parts[j], trees[j].box()))
+          trees[i].touching_pairs(trees[j], visiting(parts[i], trees[i], parts[j], trees[j]));
     trees.clear();
     for (std::size_t i = 1; i < parts.size(); ++i) meet(parts[i], shared + 1);
+  }
+
+  // The pairs of a crowd and others that come as near to it in great numbers, told apart as they
+  // are seen from the corner of the crowd: triangles around two corners pile up in any boxes. False
+  // where there are few.
+  [[nodiscard]] bool meet_in_view(const std::vector<Item>& others, const Box& around_others,
+                                  const std::vector<Item>& crowd, const Box& around_crowd) const {
+    const std::vector<Item> x = touching(others, around_crowd), y = touching(crowd, around_others);
+    if (std::min(x.size(), y.size()) <= most_at_a_corner) return false;
+    const std::uint32_t corner = crowd[0].points[0];
+    const auto view = [&](const Item& item) { return view_of(item, corner); };
+    const BoxTree of_x = tree_of(x, view), of_y = tree_of(y, view);
+    of_x.touching_pairs(of_y, [&](std::uint32_t n, std::uint32_t m) {
+      const Item &s = x[of_x.source(n)], &t = y[of_y.source(m)];
+      if (box_of(s, 0).touches(box_of(t, 0))) visit_(s.triangle, t.triangle);
+    });
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Item> touching(const std::vector<Item>& items, const Box& box) const {
+    std::vector<Item> near;
+    if (box.empty()) return near;
+    for (const Item& item : items)
+      if (box_of(item, 0).touches(box)) near.push_back(item);
+    return near;
+  }
+
+  [[nodiscard]] Box view_of(const Item& item, std::uint32_t corner) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (item.points[k] == corner) {
+        const dvec3& from = points_[corner];
+        return arc_box(direction(from, points_[item.points[(k + 1) % 3]]),
+                       direction(from, points_[item.points[(k + 2) % 3]]));
+      }
+    return view_box(points_[corner], triangles_[item.triangle]);
   }
 
   // The crowd at each crowded corner, behind the rest. An item goes to the fullest of its corners,
@@ -143,15 +147,20 @@ class CrowdedPairs {
       }
   }
 
-  // A tree only of boxes, each as a triangle that fills it.
-  [[nodiscard]] TriangleTree tree_of(const std::vector<Item>& items, std::size_t shared) const {
-    std::vector<Triangle> boxes;
-    boxes.reserve(items.size());
-    for (const Item& item : items) {
-      const Box box = box_of(item, shared);
-      boxes.push_back({box.low, box.high, box.low});
+  template <typename BoxOf>
+  [[nodiscard]] BoxTree tree_of(const std::vector<Item>& items, const BoxOf& box_of) const {
+    std::vector<BoxTree::Item> places;
+    places.reserve(items.size());
+    for (std::uint32_t i = 0; i < items.size(); ++i) {
+      const Box box = box_of(items[i]);
+      places.push_back({box.low + box.high, i});
     }
-    return TriangleTree(boxes, threads_);
+    BoxTree tree(places, threads_);
+    std::vector<Box> boxes;
+    boxes.reserve(items.size());
+    for (const BoxTree::Item& place : places) boxes.push_back(box_of(items[place.source]));
+    tree.fit(std::move(boxes));
+    return tree;
   }
 
   [[nodiscard]] Box box_of(const Item& item, std::size_t shared) const {

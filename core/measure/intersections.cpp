@@ -139,7 +139,7 @@ void each_pair(const Pieces& pieces, bool crowd, int threads, Meet&& meet) {
     return crowded_pairs(pieces.corners, threads, [&](std::uint32_t i, std::uint32_t j) {
       if (cut(i, j)) tell(i, j);
     });
-  const TriangleTree tree(pieces.corners, threads);
+  const BoxTree tree = boxes_of(pieces.corners, threads);
   parallel_for(tree.nodes(), threads, nodes_a_piece, [&](std::size_t begin, std::size_t end) {
     tree.touching_pairs(begin, end, [&](std::uint32_t n, std::uint32_t m) {
       const std::uint32_t i = tree.source(n), j = tree.source(m);

@@ -1,6 +1,7 @@
 #include "core/measure/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -142,13 +143,27 @@ Counts count_entities(const Mesh& mesh) {
   return counts;
 }
 
+namespace {
+
+/// Products of coordinates beyond 1e+150 are no numbers: there the triangle is measured in small.
+double angle_at_any_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double angle = smallest_angle_deg(a, b, c);
+  if (std::isfinite(angle)) return angle;
+  double most = 0;
+  for (const glm::dvec3& p : {a, b, c})
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return smallest_angle_deg(a / most, b / most, c / most);
+}
+
+}  // namespace
+
 Quality measure_quality(const Mesh& mesh) {
   const Triangles triangles = triangles_of(mesh);
   if (triangles.corners.empty()) return {};
   double sum = 0, worst = 180;
   std::size_t below = 0;
   for (const auto& [a, b, c] : triangles.corners) {
-    const double angle = smallest_angle_deg(a, b, c);
+    const double angle = angle_at_any_size(a, b, c);
     sum += angle;
     worst = std::min(worst, angle);
     below += angle < 10;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
+#include "core/base/parallel.h"
 #include "core/mesh/bulk.h"
 
 namespace aomd::measure {
@@ -30,6 +32,45 @@ bool has_edge(const SubEntity& face, const SubEntity& edge) {
 
 double angle_between_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
+}
+
+// What is measured of one region.
+struct Figures {
+  double dihedral_deg = 0, volume = 0, shape = 0;
+  bool tetrahedron = false;
+};
+
+Figures figures_of(const Mesh& mesh, Region r) {
+  Figures figures{smallest_dihedral_deg(mesh, r), signed_volume(mesh, r)};
+  figures.tetrahedron = mesh.shape(r) == Shape::Tetrahedron;
+  if (figures.tetrahedron) figures.shape = tetrahedron_shape(mesh, r);
+  return figures;
+}
+
+void count(Region r, const Figures& figures, VolumeQuality& quality) {
+  quality.dihedrals.push_back({r, figures.dihedral_deg});
+  if (!quality.worst.valid() || figures.dihedral_deg < quality.min_dihedral_deg)
+    quality.min_dihedral_deg = figures.dihedral_deg, quality.worst = r;
+  if (!(figures.volume > 0)) quality.inverted.push_back(r);
+  if (!figures.tetrahedron) return;
+  if (quality.tetrahedra == 0 || figures.shape < quality.shape_min)
+    quality.shape_min = figures.shape;
+  quality.shape_mean += figures.shape;  // the sum, until take_means()
+  ++quality.tetrahedra;
+}
+
+void take_means(VolumeQuality& quality) {
+  if (quality.dihedrals.empty()) return;
+  std::vector<double> angles;
+  for (const Sample& sample : quality.dihedrals) angles.push_back(sample.value);
+  const auto n = static_cast<double>(angles.size());
+  const auto below = std::count_if(angles.begin(), angles.end(), [](double a) { return a < 10; });
+  quality.mean_dihedral_deg = std::accumulate(angles.begin(), angles.end(), 0.0) / n;
+  quality.regions_below_10deg_pct = 100 * static_cast<double>(below) / n;
+  const auto p5 = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 20);
+  std::nth_element(angles.begin(), p5, angles.end());
+  quality.p5_dihedral_deg = *p5;
+  if (quality.tetrahedra > 0) quality.shape_mean /= static_cast<double>(quality.tetrahedra);
 }
 
 }  // namespace
@@ -91,14 +132,28 @@ double smallest_dihedral_deg(const Mesh& mesh, Region r) {
   return smallest;
 }
 
-VolumeQuality measure_volume(const Mesh& mesh) {
+double tetrahedron_shape(const Mesh& mesh, Region r) {
+  VertexBuffer buffer;
+  const auto v = mesh.vertices_of(r, buffer);
+  double squares = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const glm::dvec3 edge = mesh.position(Vertex(v[i])) - mesh.position(Vertex(v[j]));
+      squares += glm::dot(edge, edge);
+    }
+  const double mean = std::sqrt(squares / 6);
+  return mean > 0 ? 6 * std::numbers::sqrt2 * signed_volume(mesh, r) / (mean * mean * mean) : 0;
+}
+
+VolumeQuality measure_volume(const Mesh& mesh, int threads) {
+  std::vector<Figures> all(mesh.capacity(3));
+  parallel_for(all.size(), threads, 1024, [&](std::size_t begin, std::size_t end) {
+    for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id)
+      if (mesh.ids(3).alive(id)) all[id] = figures_of(mesh, Region(id));
+  });
   VolumeQuality quality;
-  for (const Region r : mesh.regions()) {
-    const double angle = smallest_dihedral_deg(mesh, r);
-    if (!quality.worst.valid() || angle < quality.min_dihedral_deg)
-      quality.min_dihedral_deg = angle, quality.worst = r;
-    if (!(signed_volume(mesh, r) > 0)) quality.inverted.push_back(r);
-  }
+  for (const Region r : mesh.regions()) count(r, all[r.index], quality);
+  take_means(quality);
   return quality;
 }
 

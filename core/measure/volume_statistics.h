@@ -1,8 +1,10 @@
 #pragma once
 // Counts and quality of the regions of a volume mesh.
 
+#include <cstddef>
 #include <vector>
 
+#include "core/measure/histogram.h"
 #include "core/measure/statistics.h"
 
 namespace aomd::measure {
@@ -18,13 +20,26 @@ void count_volume_faces(const Mesh& mesh, Counts& counts);
 /// Smallest angle between two faces of a region that share an edge, in degrees. O(1).
 [[nodiscard]] double smallest_dihedral_deg(const Mesh& mesh, Region r);
 
+/// 6 sqrt(2) V / l^3 of a tetrahedron, where l is the root mean square of its six edges: 1 for the
+/// regular one, 0 for a flat one, negative where its faces look inward (V. N. Parthasarathy,
+/// C. M. Graichen, A. F. Hathaway, A comparison of tetrahedron quality measures, Finite Elements in
+/// Analysis and Design 15, 1994). O(1).
+[[nodiscard]] double tetrahedron_shape(const Mesh& mesh, Region r);
+
+/// Smallest dihedral angles of the regions, each in degrees, whichever way its faces look.
 struct VolumeQuality {
-  double min_dihedral_deg = 0;   ///< over all regions
-  Region worst;                  ///< that has it; invalid without regions
-  std::vector<Region> inverted;  ///< whose volume is zero or negative
+  std::vector<Sample> dihedrals;         ///< of each region, by ascending ids
+  double min_dihedral_deg = 0;           ///< over all regions
+  double p5_dihedral_deg = 0;            ///< a twentieth of the regions have a smaller one
+  double mean_dihedral_deg = 0;          ///< mean over the regions of the smallest of each
+  double regions_below_10deg_pct = 0;    ///< regions with an angle below 10 degrees, percent
+  Region worst;                          ///< has the smallest of all; invalid without regions
+  std::vector<Region> inverted;          ///< whose volume is zero or negative
+  std::size_t tetrahedra = 0;            ///< what the next two are of
+  double shape_min = 0, shape_mean = 0;  ///< tetrahedron_shape()
 };
 
-/// O(regions).
-[[nodiscard]] VolumeQuality measure_volume(const Mesh& mesh);
+/// The same for any number of threads. O(regions).
+[[nodiscard]] VolumeQuality measure_volume(const Mesh& mesh, int threads = 1);
 
 }  // namespace aomd::measure

@@ -37,7 +37,8 @@ class AttachedBase {
   /// An entity was created, and the journal counts it as the level's creation number `creation`:
   /// the value that it covers is kept, those kept from there on are forgotten.
   virtual void cover(std::uint32_t id, std::size_t creation) = 0;
-  /// That creation is undone, or done again: the value and the kept one change places.
+  /// The creation numbered `creation` is undone (uncover) or done again (cover_again): the value
+  /// and the kept one change places.
   virtual void uncover(std::uint32_t id, std::size_t creation) = 0;
   virtual void cover_again(std::uint32_t id, std::size_t creation) = 0;
   /// Nothing is kept of the first so many creations: a journal was attached that has applied them.
@@ -128,7 +129,7 @@ class AttachedData {
   void compact(int dim, std::span<const std::uint32_t> new_index, std::uint32_t entities);
 
  private:
-  /// By the name that the column itself holds, which stays where it is.
+  /// Columns by name; the key is the text that the column itself holds, which stays where it is.
   using Names = std::unordered_map<std::string_view, AttachedBase*>;
 
   std::array<List, 4> lists_;

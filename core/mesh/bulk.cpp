@@ -136,8 +136,8 @@ void fill_upward(const Mesh& mesh, int i, int j, const std::uint32_t* rows, std:
 
 }  // namespace
 
-VertexRows::VertexRows(const Mesh& mesh, int dim) : mesh_(mesh), dim_(dim) {
-  uniform_ = mesh.uniform_shape(dim);
+VertexRows::VertexRows(const Mesh& mesh, int dim)
+    : mesh_(mesh), dim_(dim), uniform_(mesh.uniform_shape(dim)) {
   const DownRows* rows = &mesh.representation().down(dim, 0);
   if (!rows->stored()) {
     made_.allocate(

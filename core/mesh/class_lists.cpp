@@ -24,7 +24,7 @@ std::size_t ClassLists::bytes() const {
   for (const Level& l : levels_) {
     sum += l.place.capacity() * 4;
     for (const auto& [bits, list] : l.lists)
-      sum += list.capacity() * 4 + sizeof(list) + sizeof(bits);
+      sum += list.capacity() * 4 + sizeof(std::vector<std::uint32_t>) + sizeof(bits);
   }
   return sum;
 }

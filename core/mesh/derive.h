@@ -63,7 +63,8 @@ struct AdjacencyPath {
 /// no path, and where a lower entity is asked for of a level that is not complete.
 void adjacent(const Mesh& mesh, EntityRef e, int j, std::vector<std::uint32_t>& result);
 
-/// The same as handles.
+/// The entities of level J adjacent to e as handles, in the order and at the cost of the function
+/// above, with what it throws.
 template <int J, int I>
 [[nodiscard]] std::vector<Handle<J>> adjacent(const Mesh& mesh, Handle<I> e) {
   std::vector<std::uint32_t> indices;

@@ -42,6 +42,7 @@ struct EntityRef {
   constexpr EntityRef(int dim, std::uint32_t i)
       : dimension(static_cast<std::uint8_t>(dim)), index(i) {}
   template <int Dim>
+  // NOLINTNEXTLINE(google-explicit-constructor): a vertex is an entity
   constexpr EntityRef(Handle<Dim> h) : EntityRef(Dim, h.index) {}
   [[nodiscard]] constexpr bool valid() const { return index != no_index; }
   friend constexpr bool operator==(EntityRef, EntityRef) = default;

@@ -138,7 +138,7 @@ void Journal::touched(std::size_t first, std::size_t last, Visit&& visit) const 
   for (std::uint64_t at = steps_[first].begin; at < end;) {
     const RecordHead head = RecordHead::unpack(words_[at]);
     if (head.kind == RecordKind::Rebind) {
-      for (std::uint32_t i = 0; i < head.count; ++i)
+      for (std::size_t i = 0; i < head.count; ++i)
         visit(EntityRef(static_cast<int>(words_[at + 1 + 4 * i] >> 8), words_[at + 2 + 4 * i]));
     } else {
       visit(EntityRef(head.dim, words_[at + 1]));

@@ -107,9 +107,9 @@ class Mesh {
   /// Counted. `by` names who asks, for those who look (Representation::Demand), and must outlive
   /// the mesh. Throws as set() does.
   [[nodiscard]] Request request(int i, int j, const char* by = "an algorithm");
-  /// The same with the entities that both levels hold now: nothing is completed, so that T(0,2) of
-  /// a volume has its model faces only. One of I and J is 0. Where a level is completed later, the
-  /// relation grows with it.
+  /// A request for a relation of the entities that both levels hold now: nothing is completed, so
+  /// that T(0,2) of a volume has its model faces only. Where a level is completed later, the
+  /// relation grows with it. Throws std::invalid_argument unless one of I and J is 0.
   [[nodiscard]] Request request_listed(int i, int j, const char* by = "an algorithm");
 
   // Adjacency; relations that are not stored: core/mesh/derive.h
@@ -210,7 +210,7 @@ class Mesh {
   /// Deletes an entity; its lower ones stay. Throws std::logic_error naming the users where there
   /// are any. Cost as users().
   void destroy(EntityRef e);
-  /// The same for an operator that knows that nothing uses the entity: only stored relations are
+  /// Deletes an entity for an operator that knows that nothing uses it: only stored relations are
   /// asked, and an answer against it is a programming error. O(row).
   void destroy_unused(EntityRef e);
   /// Deletes an entity and everything that uses it, highest first.
@@ -237,8 +237,9 @@ class Mesh {
   /// back when T asks for them. Ids of edges become consecutive. O(edges). Throws std::logic_error
   /// while a journal is attached or an algorithm has requested one of these.
   void keep_model_edges_only() { keep_model_entities_only(1); }
-  /// The same for level 2: what is left are the faces on model faces, edges or vertices and those
-  /// that nothing implies. T(0,2), T(1,2), T(2,1), T(2,3) and T(3,2) go. O(faces).
+  /// The opposite of completing level 2: what is left are the faces on model faces, edges or
+  /// vertices and those that nothing implies. T(0,2), T(1,2), T(2,1), T(2,3) and T(3,2) go.
+  /// O(faces). Throws as keep_model_edges_only() does.
   void keep_model_faces_only() { keep_model_entities_only(2); }
   /// Makes ids consecutive in each level, in ascending order, and frees what deleted entities still
   /// occupy. Returns the new id of each old one by level (no_index where deleted). O(size). Throws
@@ -328,7 +329,7 @@ class Mesh {
   [[nodiscard]] std::uint32_t find_by_hash(int dim, std::span<const std::uint32_t> vertices) const;
   [[nodiscard]] std::uint64_t hash_key(EntityRef e) const;
   [[nodiscard]] bool same_vertices(EntityRef e, std::span<const std::uint32_t> vertices) const;
-  [[nodiscard]] bool corners_from_sides(Shape shape, int k, const std::uint32_t* sides,
+  [[nodiscard]] bool corners_from_sides(Shape whole, int k, const std::uint32_t* sides,
                                         VertexBuffer& buffer) const;
   [[nodiscard]] std::uint32_t side_of(EntityRef e, int k, int i,
                                       std::span<const std::uint32_t> vertices) const;

@@ -11,7 +11,7 @@
 namespace aomd {
 namespace {
 
-void require(bool condition, const std::string& what) {
+void require_data(bool condition, const std::string& what) {
   if (!condition) throw std::invalid_argument("mesh data: " + what);
 }
 
@@ -37,33 +37,33 @@ const char* defect(const MeshData& data, int dim, std::size_t i, std::size_t at)
 void check_list(const MeshData& data, int dim) {
   const EntityList& list = data.list(dim);
   const std::string names = entity_plural(dim);
-  require(list.classes.empty() || list.classes.size() == list.size(),
-          "there are not as many classes as " + names);
+  require_data(list.classes.empty() || list.classes.size() == list.size(),
+               "there are not as many classes as " + names);
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (const char* what = defect(data, dim, i, at))
-      require(false, name_of(EntityRef(dim, static_cast<std::uint32_t>(i))) + " " + what);
+      require_data(false, name_of(EntityRef(dim, static_cast<std::uint32_t>(i))) + " " + what);
     at += static_cast<std::size_t>(shape_template(list.shapes[i]).vertex_count);
   }
-  require(at == list.vertices.size(), "there are more vertices than the " + names + " use");
+  require_data(at == list.vertices.size(), "there are more vertices than the " + names + " use");
 }
 
 void check_data(const MeshData& data) {
-  require(data.positions.size() < no_index, "there are too many vertices");
-  require(data.vertex_classes.empty() || data.vertex_classes.size() == data.positions.size(),
-          "there are not as many classes as vertices");
+  require_data(data.positions.size() < no_index, "there are too many vertices");
+  require_data(data.vertex_classes.empty() || data.vertex_classes.size() == data.positions.size(),
+               "there are not as many classes as vertices");
   for (int dim = 1; dim <= 3; ++dim) check_list(data, dim);
   for (const Attribute& a : data.attributes) {
     const std::size_t n = a.dimension == 0 ? data.positions.size() : data.list(a.dimension).size();
-    require(a.values.size() == n * static_cast<std::size_t>(a.components),
-            "attribute \"" + a.name + "\" does not have one value for each entity");
+    require_data(a.values.size() == n * static_cast<std::size_t>(a.components),
+                 "attribute \"" + a.name + "\" does not have one value for each entity");
   }
 }
 
 // A file may list an edge twice: the last one with a class counts.
 EntityList without_duplicates(const EntityList& edges, std::size_t vertices) {
   const auto key = [&](std::size_t e) {
-    return EdgeKey(edges.vertices[2 * e], edges.vertices[2 * e + 1]);
+    return EdgeKey(edges.vertices[2 * std::size_t{e}], edges.vertices[2 * std::size_t{e} + 1]);
   };
   const SideIndex<EdgeKey> index(static_cast<std::uint32_t>(vertices), edges.size(),
                                  [&](auto&& visit) {
@@ -77,7 +77,9 @@ EntityList without_duplicates(const EntityList& edges, std::size_t vertices) {
     const std::uint32_t first = index.find(key(e), [](std::uint32_t) { return true; }).id();
     place[e] = static_cast<std::uint32_t>(unique.size());
     if (first == e) {
-      unique.add(edges.shapes[e], {edges.vertices[2 * e], edges.vertices[2 * e + 1]}, model);
+      unique.add(edges.shapes[e],
+                 {edges.vertices[2 * std::size_t{e}], edges.vertices[2 * std::size_t{e} + 1]},
+                 model);
     } else if (model.valid()) {
       unique.classes.resize(unique.size());
       unique.classes[place[first]] = model;

@@ -14,7 +14,7 @@ namespace aomd {
 [[nodiscard]] const char* entity_plural(int dimension);
 /// "T(0,2)"
 [[nodiscard]] std::string relation_name(int i, int j);
-/// The same text with a capital at its start, where that is a letter from a to z.
+/// A text with a capital at its start, where that is a letter from a to z.
 [[nodiscard]] std::string capitalized(std::string text);
 
 }  // namespace aomd

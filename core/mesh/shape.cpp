@@ -4,7 +4,6 @@
 #include <bitset>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace aomd {
 namespace {
@@ -141,23 +140,23 @@ constinit std::array<ShapeTemplate, max_shapes> detail::shape_templates = {{
 
 std::size_t shape_count() { return builtin_shapes + added; }
 
-Shape add_template(ShapeTemplate shape) {
+Shape add_template(const ShapeTemplate& shape) {
   check(shape);
   if (shape_count() == max_shapes) throw std::length_error("no room for another template");
   const std::size_t place = builtin_shapes + added;
-  detail::shape_templates[place] = std::move(shape);
+  detail::shape_templates[place] = shape;
   ++added;
   return static_cast<Shape>(place);
 }
 
-void override_template(Shape shape, ShapeTemplate replacement) {
+void override_template(Shape shape, const ShapeTemplate& replacement) {
   const ShapeTemplate& present = shape_template(shape);
   check(replacement);
   require(static_cast<std::size_t>(shape) < shape_count() &&
               replacement.dimension == present.dimension &&
               replacement.vertex_count == present.vertex_count,
           replacement, "dimension and vertex count must stay");
-  detail::shape_templates[static_cast<std::size_t>(shape)] = std::move(replacement);
+  detail::shape_templates[static_cast<std::size_t>(shape)] = replacement;
 }
 
 Shape face_shape(std::size_t n) {

@@ -69,10 +69,10 @@ extern std::array<ShapeTemplate, max_shapes> shape_templates;
 /// when the template contradicts itself (limits above, positions out of range, a face that does not
 /// follow the edges, edges or faces listed twice) and std::length_error when all max_shapes are
 /// taken.
-Shape add_template(ShapeTemplate shape);
+Shape add_template(const ShapeTemplate& shape);
 /// Replaces the template of a shape that no mesh uses, a built-in one included: to number its lower
 /// entities differently. Vertex count and dimension must stay. Throws as add_template does.
-void override_template(Shape shape, ShapeTemplate replacement);
+void override_template(Shape shape, const ShapeTemplate& replacement);
 
 /// The face shape with `n` vertices: triangle, quad, or the first added one. Throws
 /// std::invalid_argument where there is none.

@@ -33,7 +33,7 @@ struct SideVertices {
   [[nodiscard]] std::span<const std::uint32_t> span() const { return {ids.data(), count}; }
 };
 
-/// By what edges are told apart: their ends. `forward`: from the smaller vertex to the larger.
+/// What tells edges apart: their ends. `forward`: from the smaller vertex to the larger.
 struct EdgeKey {
   using Tag = std::uint32_t;
   std::uint32_t low;
@@ -44,9 +44,9 @@ struct EdgeKey {
       : low(std::min(from, to)), tag(std::max(from, to)), forward(from < to) {}
 };
 
-/// By what faces are told apart: a triangle by its vertices, exactly; another polygon by a hash of
-/// them, so that a hit needs a second look. `forward`: round from the smallest vertex, the smaller
-/// of its neighbours first.
+/// What tells faces apart: a triangle's vertices, exactly; for another polygon a hash of its
+/// vertices, so that a hit needs a second look. `forward`: round from the smallest vertex, the
+/// smaller of its neighbours first.
 struct FaceKey {
   using Tag = std::uint64_t;
   std::uint32_t low;

@@ -83,7 +83,7 @@ AnalyticModel drilled_box_model(const glm::dvec3& size, double hole_radius) {
   AnalyticEntity region{1, RegionShape(), {}};
   for (std::int32_t tag = 1; tag <= 7; ++tag) region.boundary.push_back(face(tag));
   entities.push_back(std::move(region));
-  return AnalyticModel(std::move(entities));
+  return AnalyticModel(entities);
 }
 
 }  // namespace aomd

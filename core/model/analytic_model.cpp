@@ -38,7 +38,8 @@ glm::dvec3 Frame::on_circle(double radius, double angle) const {
   return origin + radius * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
-AnalyticModel::AnalyticModel(std::vector<AnalyticEntity> entities) : Model(entries_of(entities)) {
+AnalyticModel::AnalyticModel(const std::vector<AnalyticEntity>& entities)
+    : Model(entries_of(entities)) {
   shapes_.resize(size());
   for (const AnalyticEntity& e : entities) shapes_[index_of(ref_of(e))] = e.shape;
 }

@@ -84,7 +84,7 @@ struct AnalyticEntity {
 class AnalyticModel final : public Model {
  public:
   /// Throws std::invalid_argument as Model does, and for radii and angles out of range.
-  explicit AnalyticModel(std::vector<AnalyticEntity> entities);
+  explicit AnalyticModel(const std::vector<AnalyticEntity>& entities);
 
  private:
   [[nodiscard]] ClosestPoint closest_on(std::size_t index, const glm::dvec3& point) const override;

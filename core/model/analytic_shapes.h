@@ -15,7 +15,7 @@ namespace aomd::analytic {
 [[nodiscard]] glm::dvec3 normal(const AnalyticShape& shape, const glm::dvec3& point);
 /// None for points and regions.
 [[nodiscard]] std::optional<ParameterRange> range(const AnalyticShape& shape);
-[[nodiscard]] glm::dvec3 evaluate(const AnalyticShape& shape, const glm::dvec2& parameters);
+[[nodiscard]] glm::dvec3 evaluate(const AnalyticShape& shape, const glm::dvec2& t);
 /// The smallest box; empty where the shape is infinite.
 [[nodiscard]] Box box(const AnalyticShape& shape);
 

@@ -8,7 +8,7 @@
 namespace aomd {
 namespace {
 
-constexpr double corner = FacetJudge::corner_deg * M_PI / 180;
+constexpr double corner_turn = FacetJudge::corner_deg * M_PI / 180;
 constexpr double similar = 0.4;        // the part of an edge's turn that goes on beyond it
 constexpr double end_of_round = 0.75;  // of the turn beyond, where a round runs into a plane
 constexpr double uneven = 1.25;        // of the turn beyond, within a round
@@ -95,7 +95,7 @@ bool FacetJudge::go(Walk& w) const {
   w.side = side_of(mesh_.row<1>(w.face), e);
   const glm::dvec3 in = glm::normalize(into(w.face, w.side, unit));
   const double turn = std::atan2(-glm::dot(in, w.up), glm::dot(in, out));
-  if (!(std::abs(turn) < corner)) return false;
+  if (!(std::abs(turn) < corner_turn)) return false;
   const double across = glm::dot(w.direction, out);
   const double hand = glm::dot(w.up, glm::cross(unit, out)) < 0 ? -1 : 1;
   w.direction = glm::dot(w.direction, unit) * unit + across * in;
@@ -163,7 +163,7 @@ bool FacetJudge::is_step(Edge e) const {
   if (!walks) return false;
   const Walk &here = (*walks)[0], &there = (*walks)[1];
   const double angle = std::acos(std::clamp(-glm::dot(here.direction, there.direction), -1.0, 1.0));
-  if (angle >= corner) return false;
+  if (angle >= corner_turn) return false;
   const Beyond a = look(here, angle), b = look(there, angle);
   if (!a.is_like(b, angle) && !a.ends_before(b, angle) && !b.ends_before(a, angle)) return false;
   return !comes_to_fine_plane(here, angle, a.width) && !comes_to_fine_plane(there, angle, b.width);

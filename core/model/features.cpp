@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -24,7 +25,7 @@ enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3, Step = 4 }
 class FeatureFinder {
  public:
   FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark)
-      : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)) {}
+      : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)), meeting_(mesh.capacity(0)) {}
 
   void mark_borders(const FeatureOptions& options) {
     for (const Edge e : mesh_.edges()) {
@@ -33,7 +34,7 @@ class FeatureFinder {
                          (mesh_.classification(e).dimension() == 1 || !same_model_face(faces));
       const bool border =
           faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
-      mark_[e] = border ? Border : None;
+      if (border) set_mark(e, Border);
     }
   }
 
@@ -46,7 +47,7 @@ class FeatureFinder {
     }
     for (const Edge e : mesh_.edges())
       if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit))
-        mark_[e] = Sharp, sharp_.push_back(e);
+        set_mark(e, Sharp), sharp_.push_back(e);
   }
 
   // The steps of rounds make real curves look hairy: without them all others are judged again. A
@@ -58,8 +59,8 @@ class FeatureFinder {
     for (const Edge e : sharp_)
       if (judge.is_step(e)) steps.push_back(e);
     if (steps.empty()) return;
-    for (const Edge e : sharp_) mark_[e] = Sharp, seen_[e] = 0;
-    for (const Edge e : steps) mark_[e] = Step;
+    for (const Edge e : sharp_) set_mark(e, Sharp), seen_[e] = 0;
+    for (const Edge e : steps) set_mark(e, Step);
     for (const Edge e : steps)
       for (const Vertex v : mesh_.edge_vertices(e)) carry_on(v);
     drop_roughness();
@@ -68,6 +69,7 @@ class FeatureFinder {
   // Hairs first, all of them, so that shaving one may bare the next; then each set by its share of
   // hair.
   void drop_roughness() {
+    grown_.assign(mesh_.capacity(0), 0);
     for (const Vertex v : mesh_.vertices()) shave(v);
     for (const Edge e : mesh_.edges())
       if (in_set(e) && !seen_[e]) judge_set(e);
@@ -83,10 +85,8 @@ class FeatureFinder {
   }
 
   bool meets_step(Edge e) const {
-    for (const Vertex v : mesh_.edge_vertices(e))
-      for (const Edge other : mesh_.row<1>(v))
-        if (mark_[other] == Step) return true;
-    return false;
+    const auto [a, b] = mesh_.edge_vertices(e);
+    return meeting_[a].steps > 0 || meeting_[b].steps > 0;
   }
 
   // Without the steps that joined them, curves beside a round may be short or have open ends.
@@ -114,14 +114,23 @@ class FeatureFinder {
     return !flat && !limit.allows(n, m);
   }
 
-  // How many features other than hairs meet here; `next` is one of them that differs from `from`.
-  int meeting(Vertex v, Edge from, Edge& next) const {
-    int count = 0;
-    for (const Edge e : mesh_.row<1>(v)) {
-      if (mark_[e] != Border && mark_[e] != Sharp) continue;
-      ++count;
-      if (e != from) next = e;
+  static bool is_feature(std::uint8_t mark) { return mark == Border || mark == Sharp; }
+
+  void set_mark(Edge e, Mark mark) {
+    const std::uint8_t before = std::exchange(mark_[e], mark);
+    for (const Vertex v : mesh_.edge_vertices(e)) {
+      meeting_[v].features += is_feature(mark) - is_feature(before);
+      meeting_[v].steps += (mark == Step) - (before == Step);
     }
+  }
+
+  // How many features other than hairs meet here; where they are one or two, `next` is one of them
+  // that differs from `from`.
+  int meeting(Vertex v, Edge from, Edge& next) const {
+    const int count = meeting_[v].features;
+    if (count != 1 && count != 2) return count;
+    for (const Edge e : mesh_.row<1>(v))
+      if (is_feature(mark_[e]) && e != from) next = e;
     return count;
   }
 
@@ -145,7 +154,7 @@ class FeatureFinder {
   void shave(Vertex tip) {
     const Vertex at = follow(tip);
     if (chain_.size() >= shortest_open_chain || stands_by_itself(chain_)) return;
-    for (const Edge e : chain_) mark_[e] = Hair;
+    for (const Edge e : chain_) set_mark(e, Hair);
     if (!chain_.empty() && at != tip) shave(at);
   }
 
@@ -162,7 +171,7 @@ class FeatureFinder {
       chain_.push_back(last);
       at = mesh_.other_end(last, at);
     } while (meeting(at, {}, other) == 0);
-    for (const Edge e : chain_) mark_[e] = Sharp;
+    for (const Edge e : chain_) set_mark(e, Sharp);
   }
 
   // The step that turns least from an edge, by less than 45 degrees; none: invalid.
@@ -188,6 +197,7 @@ class FeatureFinder {
       for (const Vertex v : mesh_.edge_vertices(set_[i])) {
         low = glm::min(low, mesh_.position(v));
         high = glm::max(high, mesh_.position(v));
+        if (std::exchange(grown_[v], char{1}) != 0) continue;
         for (const Edge e : mesh_.row<1>(v))
           if (in_set(e) && !seen_[e]) seen_[e] = 1, set_.push_back(e);
       }
@@ -197,7 +207,7 @@ class FeatureFinder {
     const bool rough =
         tiny || static_cast<double>(hairs) > most_hair * static_cast<double>(set_.size());
     if (!rough || stands_by_itself(set_)) return;
-    for (const Edge e : set_) mark_[e] = Hair;
+    for (const Edge e : set_) set_mark(e, Hair);
   }
 
   void drop_all_on_scans() {
@@ -205,7 +215,7 @@ class FeatureFinder {
     for (const Edge e : mesh_.edges()) sharp += mark_[e] == Sharp, hair += mark_[e] == Hair;
     if (static_cast<double>(hair) <= most_rough * static_cast<double>(sharp + hair)) return;
     for (const Edge e : mesh_.edges())
-      if (mark_[e] == Sharp) mark_[e] = Hair;
+      if (mark_[e] == Sharp) set_mark(e, Hair);
   }
 
   double diagonal() {
@@ -221,10 +231,16 @@ class FeatureFinder {
     return diagonal_;
   }
 
+  struct Meeting {
+    int features = 0, steps = 0;
+  };
+
   const Mesh& mesh_;
   Column<Edge, std::uint8_t>& mark_;
   const TurnLimit corner_{FacetJudge::corner_deg};
   Column<Edge, std::uint8_t> seen_;
+  Column<Vertex, Meeting> meeting_;  ///< how many of a kind meet at each vertex
+  Column<Vertex, char> grown_;       ///< set: all of a set around it are in
   Column<Face, glm::dvec3> normals_;
   std::vector<Edge> sharp_, chain_, set_;
   double diagonal_ = -1;

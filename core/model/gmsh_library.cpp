@@ -86,7 +86,7 @@ class Session {
   }
 
   // A script may have changed options: ours are set again after each.
-  void prepare() const {
+  static void prepare() {
     set_option("General.Terminal", 0);
     set_option("General.AbortOnError", 2);
     set_option("General.NumThreads", 1);

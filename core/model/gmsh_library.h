@@ -25,6 +25,7 @@ struct Functions {
                       use(ModelGetParametrizationBounds) use(ModelMeshGenerate)              \
                           use(ModelMeshGetNodes) use(ModelMeshGetElements)                   \
                               use(ModelMeshGetEmbedded)
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared stands in none
 #define AOMD_GMSH_MEMBER(name) decltype(&::gmsh##name) name = nullptr;
   AOMD_GMSH_FUNCTIONS(AOMD_GMSH_MEMBER)
 #undef AOMD_GMSH_MEMBER

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
 
+#include "core/base/text.h"
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal_scope.h"
@@ -16,12 +16,6 @@ namespace aomd {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::string text_of(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", length);
-  return text;
-}
 
 template <typename Visit>
 void for_each_entity(const Mesh& mesh, Visit&& visit) {
@@ -224,9 +218,9 @@ class Fitter {
 
   void check_distance() const {
     if (largest_ > tolerance_)
-      throw ModelError("the mesh does not lie on the model: up to " + text_of(largest_) +
+      throw ModelError("the mesh does not lie on the model: up to " + number_text(largest_, 3) +
                        " between them around face " + std::to_string(furthest_.index) +
-                       " (tolerance " + text_of(tolerance_) + ")");
+                       " (tolerance " + number_text(tolerance_, 3) + ")");
   }
 
   void apply() {
@@ -279,7 +273,7 @@ void check_against(const Mesh& mesh, const Model& model) {
     const ModelRef m = mesh.classification(v);
     if (!m.valid()) continue;
     if (const double d = glm::length(model.snap(m, mesh.position(v)) - mesh.position(v)); d > limit)
-      throw ModelError(name_of(v) + " is " + text_of(d) + " away from " + name_of(m) +
+      throw ModelError(name_of(v) + " is " + number_text(d, 3) + " away from " + name_of(m) +
                        ", on which it is classified: another model, or other units");
   }
 }

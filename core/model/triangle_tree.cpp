@@ -1,6 +1,6 @@
 #include "core/model/triangle_tree.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -9,6 +9,13 @@
 namespace aomd {
 
 namespace {
+
+constexpr std::size_t grain = 4096;  // triangles that one thread takes
+
+double half_surface(const Box& box) {
+  const glm::dvec3 d = box.high - box.low;
+  return box.empty() ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
+}
 
 void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices,
             const auto& position) {
@@ -45,128 +52,80 @@ Triangles triangles_of(const MeshData& data) {
   return all;
 }
 
-/// A triangle while the tree is built: what sorting needs lies together.
-struct TriangleTree::Item {
-  glm::dvec3 centre;
-  std::uint32_t source;
-};
-
-TriangleTree::TriangleTree(std::span<const Triangle> triangles, int threads) {
-  constexpr std::size_t grain = 4096;
-  const auto n = static_cast<std::uint32_t>(triangles.size());
-  if (n == 0) return;
-  std::vector<Item> items(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
+BoxTree boxes_of(std::span<const Triangle> triangles, int threads) {
+  std::vector<BoxTree::Item> items(triangles.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
     const Triangle& t = triangles[i];
     items[i] = {t[0] + t[1] + t[2], i};
   }
-  nodes_.reserve(n);
-  build(items, 0, threads, nodes_);
-  triangles_.resize(n);
-  boxes_.resize(n);
-  source_.resize(n);
-  parallel_for(n, threads, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      source_[i] = items[i].source;
-      triangles_[i] = triangles[source_[i]];
-      for (const glm::dvec3& p : triangles_[i]) boxes_[i].add(p);
-    }
+  BoxTree tree(items, threads);
+  std::vector<Box> boxes(items.size());
+  parallel_for(boxes.size(), threads, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      for (const glm::dvec3& p : triangles[items[n].source]) boxes[n].add(p);
   });
-  add_boxes();
+  tree.fit(std::move(boxes));
+  return tree;
 }
 
-void TriangleTree::add_boxes() {
-  for (std::size_t id = nodes_.size(); id-- > 0;) {  // children stand after their parents
-    Node& node = nodes_[id];
-    if (node.leaf()) {
-      for (std::uint32_t k = node.begin; k < node.end; ++k) node.box.add(boxes_[k]);
-    } else {
-      node.box = nodes_[id + 1].box;
-      node.box.add(nodes_[node.right].box);
+TriangleTree::TriangleTree(std::span<const Triangle> triangles, int threads)
+    : boxes_(boxes_of(triangles, threads)), triangles_(triangles.size()) {
+  parallel_for(size(), threads, grain, [&](std::size_t begin, std::size_t end) {
+    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
+      triangles_[n] = triangles[source(n)];
+  });
+  if (boxes_overlap()) add_tilted_boxes();
+}
+
+// A line through the box of all meets as many leaves as their surfaces are larger than its own: a
+// few of a surface, thousands of a fan of thin triangles.
+bool TriangleTree::boxes_overlap() const {
+  constexpr double most_met = 64;
+  double leaves = 0;
+  for (std::uint32_t id = 0; id < boxes_.nodes(); ++id)
+    if (boxes_.node(id).leaf()) leaves += half_surface(boxes_.node(id).box);
+  return leaves > most_met * half_surface(box());
+}
+
+// Along the sides of the triangle in the middle: where those of a node lie side by side, it lies as
+// all of them do.
+void TriangleTree::add_tilted_boxes() {
+  tilted_.resize(boxes_.nodes());
+  const Box all = box();
+  for (auto id = static_cast<std::uint32_t>(boxes_.nodes()); id-- > 0;) {
+    const BoxTree::Node& node = boxes_.node(id);
+    TiltedBox& tilted = tilted_[id];
+    tilted = TiltedBox(triangles_[(node.begin + node.end) / 2], all);
+    if (!node.leaf()) {
+      tilted.add(tilted_[id + 1]);
+      tilted.add(tilted_[node.right]);
+      continue;
     }
+    for (std::uint32_t k = node.begin; k < node.end; ++k)
+      for (const glm::dvec3& p : triangles_[k]) tilted.add(p);
   }
 }
 
 double TriangleTree::diagonal2() const {
-  if (nodes_.empty()) return 0;
-  const glm::dvec3 size = nodes_[0].box.high - nodes_[0].box.low;
+  if (triangles_.empty()) return 0;
+  const glm::dvec3 size = box().high - box().low;
   return glm::dot(size, size);
 }
 
-// Sorts the items into two halves and returns the size of the first.
-std::size_t TriangleTree::split(std::span<Item> items) {
-  Box centres;
-  for (const Item& item : items) centres.add(item.centre);
-  const glm::dvec3 size = centres.high - centres.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const double middle = 0.5 * (centres.low[axis] + centres.high[axis]);
-  const auto second = std::partition(items.begin(), items.end(), [axis, middle](const Item& item) {
-    return item.centre[axis] < middle;
-  });
-  auto half = static_cast<std::size_t>(second - items.begin());
-  if (std::min(half, items.size() - half) * lopsided < items.size()) {
-    half = items.size() / 2;
-    std::nth_element(
-        items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
-        [axis](const Item& a, const Item& b) { return a.centre[axis] < b.centre[axis]; });
-  }
-  return half;
-}
-
-// Where threads share the halves, the right one gets nodes of its own, to be put behind those of
-// the left.
-void TriangleTree::build(std::span<Item> items, std::uint32_t begin, int threads,
-                         std::vector<Node>& nodes) {
-  constexpr std::size_t worth_a_thread = 4096;
-  const std::size_t id = nodes.size();
-  nodes.push_back({{}, begin, begin + static_cast<std::uint32_t>(items.size()), 0});
-  if (items.size() <= leaf_size) return;
-  const std::size_t half = split(items);
-  const std::uint32_t middle = begin + static_cast<std::uint32_t>(half);
-  if (threads <= 1 || items.size() < worth_a_thread) {
-    build(items.first(half), begin, 1, nodes);
-    nodes[id].right = static_cast<std::uint32_t>(nodes.size());
-    return build(items.subspan(half), middle, 1, nodes);
-  }
-  std::vector<Node> rest;
-  parallel_for(2, 2, 1, [&](std::size_t first, std::size_t) {
-    if (first == 0) build(items.first(half), begin, threads - threads / 2, nodes);
-    if (first == 1) build(items.subspan(half), middle, threads / 2, rest);
-  });
-  const auto right = static_cast<std::uint32_t>(nodes.size());
-  nodes[id].right = right;
-  for (Node& node : rest) node.right += node.leaf() ? 0 : right;
-  nodes.insert(nodes.end(), rest.begin(), rest.end());
-}
-
+// Where boxes overlap, those of thousands hold a point near what they share: one of them that it
+// lies on up to rounding is enough.
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
   Nearest best;
-  if (nodes_.empty()) return best;
+  if (triangles_.empty()) return best;
+  const double as_good_as_none = tilted_.empty() ? 0 : 1e-30 * diagonal2();
   const auto consider = [&](std::uint32_t n) {
     const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
     if (const double d2 = glm::dot(d, d); d2 < best.distance2) best = {n, q, d2};
+    return best.distance2 > as_good_as_none ? best.distance2 : 0;
   };
-  if (hint != no_index) consider(hint);
-  struct Waiting {
-    std::uint32_t node;
-    double distance2;
-  } stack[stack_size];
-  std::size_t top = 0;
-  stack[top++] = {0, nodes_[0].box.distance2(p)};
-  while (top > 0) {
-    const Waiting next = stack[--top];
-    if (!(next.distance2 < best.distance2)) continue;
-    const Node& node = nodes_[next.node];
-    if (node.leaf()) {
-      for (std::uint32_t n = node.begin; n < node.end; ++n) consider(n);
-      continue;
-    }
-    Waiting near{next.node + 1, nodes_[next.node + 1].box.distance2(p)};
-    Waiting far{node.right, nodes_[node.right].box.distance2(p)};
-    if (far.distance2 < near.distance2) std::swap(near, far);
-    stack[top++] = far;
-    stack[top++] = near;
-  }
+  const double least = hint != no_index ? consider(hint) : best.distance2;
+  boxes_.cheapest(
+      least, [&](std::uint32_t node) { return bound2(node, p); }, consider);
   return best;
 }
 

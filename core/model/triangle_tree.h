@@ -1,6 +1,7 @@
 #pragma once
-// A tree of boxes over triangles: which boxes touch, and which triangle is nearest to a point.
+// Triangles in a tree of boxes: which is nearest to a point, which a ray meets first.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -10,8 +11,9 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/base/box.h"
+#include "core/base/box_tree.h"
 #include "core/mesh/mesh.h"
+#include "core/model/tilted_box.h"
 
 namespace aomd {
 
@@ -29,9 +31,12 @@ struct Triangles {
 /// The same for plain arrays; the n-th of `faces` is Face(n).
 [[nodiscard]] Triangles triangles_of(const MeshData& data);
 
-/// Triangles sorted into a binary tree, split in the middle of the longest side, or at the median
-/// where the middle would leave nearly all on one side; at most 4 a leaf. Built in O(n log n); the
-/// triangles are copied, about 170 bytes each with the tree.
+/// The boxes of triangles, sorted by their centres. The same tree for any number of threads.
+[[nodiscard]] BoxTree boxes_of(std::span<const Triangle> triangles, int threads = 1);
+
+/// Triangles in a tree of boxes. Built in O(n log n); the triangles are copied, about 160 bytes
+/// each with the tree. Where boxes along the axes tell little apart, as of thin triangles around
+/// one vertex or edge, each node has a tilted box too.
 class TriangleTree {
  public:
   /// The same tree for any number of threads.
@@ -40,9 +45,9 @@ class TriangleTree {
   [[nodiscard]] std::size_t size() const { return triangles_.size(); }
   /// The n-th triangle in the tree's order, and its index in what the tree was built from.
   [[nodiscard]] const Triangle& triangle(std::uint32_t n) const { return triangles_[n]; }
-  [[nodiscard]] std::uint32_t source(std::uint32_t n) const { return source_[n]; }
+  [[nodiscard]] std::uint32_t source(std::uint32_t n) const { return boxes_.source(n); }
   /// The box around all.
-  [[nodiscard]] Box box() const { return nodes_.empty() ? Box() : nodes_[0].box; }
+  [[nodiscard]] Box box() const { return boxes_.box(); }
   /// Its squared diagonal; 0 when empty.
   [[nodiscard]] double diagonal2() const;
 
@@ -70,46 +75,18 @@ class TriangleTree {
   template <typename Visit>
   void within(const glm::dvec3& p, double distance2, Visit&& visit) const;
 
-  /// Calls visit(n, m) once for every pair of triangles whose boxes touch.
-  template <typename Visit>
-  void touching_pairs(Visit&& visit) const {
-    touching_pairs(0, nodes(), visit);
-  }
-  /// A part of them: those told apart by the nodes [begin, end) of all.
-  template <typename Visit>
-  void touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) const;
-  /// Calls visit(n, m) once for every triangle n of this tree and m of another whose boxes touch.
-  template <typename Visit>
-  void touching_pairs(const TriangleTree& other, Visit&& visit) const {
-    if (!nodes_.empty() && !other.nodes_.empty()) pairs_between(0, other, 0, visit);
-  }
-  [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
-
  private:
-  struct Node {
-    Box box;
-    std::uint32_t begin = 0, end = 0;  ///< triangles below it
-    std::uint32_t right = 0;           ///< 0: a leaf; else the left child follows at once
-    [[nodiscard]] bool leaf() const { return right == 0; }
-  };
-  static constexpr std::uint32_t leaf_size = 4;
-  // A node keeps at most 7/8 of its parent's triangles: the depth is below log(2^32) / log(8/7),
-  // 167.
-  static constexpr std::size_t lopsided = 8, stack_size = 176;
+  [[nodiscard]] bool boxes_overlap() const;
+  void add_tilted_boxes();
+  /// Squared distance that all triangles below a node have from `p` at least.
+  [[nodiscard]] double bound2(std::uint32_t node, const glm::dvec3& p) const {
+    const double d2 = boxes_.node(node).box.distance2(p);
+    return tilted_.empty() ? d2 : std::max(d2, tilted_[node].distance2(p));
+  }
 
-  struct Item;
-  static std::size_t split(std::span<Item> items);
-  static void build(std::span<Item> items, std::uint32_t begin, int threads,
-                    std::vector<Node>& nodes);
-  void add_boxes();
-  template <typename Visit>
-  void pairs_between(std::uint32_t a, const TriangleTree& other, std::uint32_t b,
-                     Visit& visit) const;
-
-  std::vector<Node> nodes_;
+  BoxTree boxes_;
+  std::vector<TiltedBox> tilted_;  ///< of each node, or empty
   std::vector<Triangle> triangles_;
-  std::vector<Box> boxes_;
-  std::vector<std::uint32_t> source_;
 };
 
 /// Where a ray meets a triangle, from either side, in lengths of the direction; infinite where it
@@ -127,59 +104,11 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
 
 template <typename Visit>
 void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) const {
-  if (nodes_.empty()) return;
-  std::uint32_t stack[stack_size];
-  std::size_t top = 0;
-  stack[top++] = 0;
-  while (top > 0) {
-    const std::uint32_t id = stack[--top];
-    const Node& node = nodes_[id];
-    if (node.box.distance2(p) > distance2) continue;
-    if (!node.leaf()) {
-      stack[top++] = node.right;
-      stack[top++] = id + 1;
-      continue;
-    }
-    for (std::uint32_t n = node.begin; n < node.end; ++n) {
-      const glm::dvec3 d = nearest_point(triangles_[n], p) - p;
-      if (d.x * d.x + d.y * d.y + d.z * d.z <= distance2) visit(n);
-    }
-  }
-}
-
-template <typename Visit>
-void TriangleTree::pairs_between(std::uint32_t a, const TriangleTree& other, std::uint32_t b,
-                                 Visit& visit) const {
-  const Node &x = nodes_[a], &y = other.nodes_[b];
-  if (!x.box.touches(y.box)) return;
-  if (x.leaf() && y.leaf()) {
-    for (std::uint32_t n = x.begin; n < x.end; ++n) {
-      if (!boxes_[n].touches(y.box)) continue;
-      for (std::uint32_t m = y.begin; m < y.end; ++m)
-        if (boxes_[n].touches(other.boxes_[m])) visit(n, m);
-    }
-  } else if (y.leaf() || (!x.leaf() && x.end - x.begin >= y.end - y.begin)) {
-    pairs_between(a + 1, other, b, visit);
-    pairs_between(x.right, other, b, visit);
-  } else {
-    pairs_between(a, other, b + 1, visit);
-    pairs_between(a, other, y.right, visit);
-  }
-}
-
-// Two children of one node against each other, for every node: that meets every pair once.
-template <typename Visit>
-void TriangleTree::touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) const {
-  for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
-    const Node& node = nodes_[id];
-    if (!node.leaf()) {
-      pairs_between(id + 1, *this, node.right, visit);
-      continue;
-    }
-    for (std::uint32_t n = node.begin; n < node.end; ++n)
-      for (std::uint32_t m = n + 1; m < node.end; ++m)
-        if (boxes_[n].touches(boxes_[m])) visit(n, m);
-  }
+  boxes_.reached([&](std::uint32_t node) { return bound2(node, p) <= distance2; },
+                 [&](std::uint32_t n) {
+                   const glm::dvec3 d = nearest_point(triangles_[n], p) - p;
+                   if (d.x * d.x + d.y * d.y + d.z * d.z <= distance2) visit(n);
+                 });
 }
 
 }  // namespace aomd

@@ -1,6 +1,5 @@
 // What a ray meets first.
 
-#include <algorithm>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -42,28 +41,16 @@ TriangleTree::RayHit TriangleTree::first_along(
     const glm::dvec3& origin, const glm::dvec3& direction,
     const std::function<bool(std::uint32_t)>& takes) const {
   RayHit best;
-  if (nodes_.empty()) return best;
   const glm::dvec3 inverse = 1.0 / direction;
-  const auto enters = [&](std::uint32_t node) { return entry(nodes_[node].box, origin, inverse); };
-  std::array<std::pair<std::uint32_t, double>, stack_size> stack;
-  std::size_t top = 0;
-  stack[top++] = {0, enters(0)};
-  while (top > 0) {
-    const auto [id, distance] = stack[--top];
-    if (!(distance < best.distance)) continue;
-    const Node& node = nodes_[id];
-    if (node.leaf()) {
-      for (std::uint32_t n = node.begin; n < node.end; ++n)
+  boxes_.cheapest(
+      best.distance,
+      [&](std::uint32_t node) { return entry(boxes_.node(node).box, origin, inverse); },
+      [&](std::uint32_t n) {
         if (const double d = distance_along(origin, direction, triangles_[n]);
             d < best.distance && takes(n))
           best = {n, d};
-      continue;
-    }
-    std::pair near{id + 1, enters(id + 1)}, far{node.right, enters(node.right)};
-    if (far.second < near.second) std::swap(near, far);
-    stack[top++] = far;
-    stack[top++] = near;
-  }
+        return best.distance;
+      });
   return best;
 }
 

@@ -52,15 +52,16 @@ class Collapser {
   /// Topology also where an end is crowded. The plan receives the verdict too.
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
                 CollapsePlan& plan);
-  /// The same for deleting the end `deleted`.
+  /// What collapsing `edge` would do by deleting its end `deleted`: the checks and the cost of the
+  /// function above.
   Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
                 CollapsePlan& plan);
 
-  /// Another look at an edge, by its ends and with a place for the kept one: `kept` moves to
-  /// `position` and the faces of both stretch. Classification: the edge lies on what the deleted
-  /// end lies on, and on what the kept one lies on if that moves. Then topology, flat faces, turned
-  /// normals, and with Safe the turn of a model edge. The edges of the mesh may be entities, or
-  /// only those on model edges (see for_edges_at).
+  /// What a collapse named by its ends would do, with a place for the kept one: `kept` moves to
+  /// `position` and the faces of both stretch. Checks in this order: classification (the edge lies
+  /// on what the deleted end lies on, and on what the kept one lies on if that moves), topology,
+  /// flat faces, turned normals, and with Safe the turn of a model edge. The edges of the mesh may
+  /// be entities, or only those on model edges (see for_edges_at).
   Verdict judge(const Mesh& mesh, const Contraction& contraction, const CollapseRules& rules,
                 CollapsePlan& plan);
 

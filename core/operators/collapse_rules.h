@@ -25,8 +25,8 @@ struct CollapseRules {
   const Column<Vertex, glm::vec3>* original_normals = nullptr;
   TurnLimit max_away{60.0};   ///< from that sum
   LeastAngle least_angle{0};  ///< no stretched face gets a smaller one, unless it had one
-  /// Nor a smaller one than this, unless some face around the same end had: slivers may go by way
-  /// of others.
+  /// No stretched face gets a smaller angle than this, unless some face around the same end had
+  /// one: slivers may go by way of others.
   LeastAngle least_around{0};
 };
 

@@ -27,10 +27,33 @@ struct Links {
   }
 };
 
-bool has(const Mesh& mesh, Region r, Vertex v) {
+template <std::size_t N>
+bool has_all(const Mesh& mesh, Region r, const std::array<Vertex, N>& wanted) {
   const Row<0> corners = mesh.row<0>(r);
-  for (const Vertex corner : corners)
-    if (corner == v) return true;
+  return std::all_of(wanted.begin(), wanted.end(), [&](Vertex v) {
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+  });
+}
+
+bool all_tetrahedra(const Mesh& mesh) {
+  const ShapeTemplate* all = mesh.uniform_shape(3);
+  return all && all->vertex_count == 4;
+}
+
+// The same without asking for the shape, in the inner loop.
+template <std::size_t N>
+bool tetrahedron_has_all(const Mesh& mesh, Region r, const std::array<Vertex, N>& wanted) {
+  const auto t = mesh.tetrahedron(r);
+  std::uint32_t found = 0;
+  for (const Vertex v : wanted) found += (t[0] == v) | (t[1] == v) | (t[2] == v) | (t[3] == v);
+  return found == N;
+}
+
+template <std::size_t N>
+bool share_a_region(const Mesh& mesh, const std::array<Vertex, N>& wanted) {
+  const bool tetrahedra = all_tetrahedra(mesh);
+  for (const Region r : fewer_regions(mesh, wanted[0], wanted[1]))
+    if (tetrahedra ? tetrahedron_has_all(mesh, r, wanted) : has_all(mesh, r, wanted)) return true;
   return false;
 }
 
@@ -44,11 +67,12 @@ Link link_of(const Mesh& mesh, Region r, Vertex a, Vertex b) {
 }
 
 bool gather(const Mesh& mesh, Vertex a, Vertex b, Links& links) {
-  const bool uniform = mesh.uniform_shape(3) != nullptr;
+  const bool tetrahedra = all_tetrahedra(mesh);
+  const std::array ends{a, b};
   links.count = 0;
   for (const Region r : fewer_regions(mesh, a, b)) {
-    if (!has(mesh, r, a) || !has(mesh, r, b)) continue;
-    if (!uniform && mesh.shape(r) != Shape::Tetrahedron) return false;
+    if (!(tetrahedra ? tetrahedron_has_all(mesh, r, ends) : has_all(mesh, r, ends))) continue;
+    if (!tetrahedra && mesh.shape(r) != Shape::Tetrahedron) return false;
     if (links.count == links.items.size()) return false;
     links.items[links.count++] = link_of(mesh, r, a, b);
   }
@@ -166,16 +190,12 @@ Verdict find_ring(const Mesh& mesh, Vertex a, Vertex b, EdgeRing& ring) {
 }
 
 bool joined_in_volume(const Mesh& mesh, Vertex a, Vertex b) {
-  for (const Region r : fewer_regions(mesh, a, b))
-    if (has(mesh, r, a) && has(mesh, r, b)) return true;
-  return joined(mesh, a, b);
+  return share_a_region(mesh, std::array{a, b}) || joined(mesh, a, b);
 }
 
 bool joined_in_volume(const Mesh& mesh, Vertex a, Vertex b, Vertex c) {
-  for (const Region r : fewer_regions(mesh, a, b))
-    if (has(mesh, r, a) && has(mesh, r, b) && has(mesh, r, c)) return true;
   const std::array corners{a, b, c};
-  return mesh.find_face(corners).valid();
+  return share_a_region(mesh, corners) || mesh.find_face(corners).valid();
 }
 
 }  // namespace aomd

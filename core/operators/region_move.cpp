@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
@@ -159,15 +160,18 @@ void RegionMover::find_cells(const Mesh& mesh, const Ball& ball) {
         {mesh.position(r.others[0]), mesh.position(r.others[1]), mesh.position(r.others[2])});
 }
 
-double RegionMover::worst_shape(const glm::dvec3& at) const {
-  double worst = 1;
-  for (const Cell& cell : cells_) worst = std::min(worst, cell.shape(at));
-  return worst;
+RegionMover::Shapes RegionMover::shapes(const glm::dvec3& at) const {
+  Shapes shapes;
+  for (const Cell& cell : cells_) {
+    const double shape = cell.shape(at);
+    shapes.worst = std::min(shapes.worst, shape);
+    shapes.sum += shape;
+  }
+  return shapes;
 }
 
 // The way in which the worst cells, and those that are nearly as bad, all get better.
-glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst) {
-  constexpr double nearly = 0.03;
+glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst, double nearly) {
   slopes_.clear();
   for (const Cell& cell : cells_)
     if (cell.shape(at) <= worst + nearly) slopes_.push_back(freedom_.part_of(cell.slope(at)));
@@ -183,30 +187,34 @@ double RegionMover::longest_step(const glm::dvec3& at) const {
 bool RegionMover::go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan, glm::dvec3 to) {
   const ModelRef on = mesh.classification(plan.vertex);
   if (rules.model && on.dimension() < 3) to = rules.model->snap(on, to);
-  const double shape = worst_shape(to);
-  if (!is_better_shape(plan.after, shape)) return false;
+  const Shapes there = shapes(to);
+  if (!is_better_shape(plan.after, there.worst)) return false;
+  if (plan.before >= rules.poor && there.sum < sum_before_) return false;
   if (const Verdict v = judge_faces(mesh, plan, to, rules.max_turn); !v.accepted()) {
     refusal_ = v;
     return false;
   }
   plan.target = to;
-  plan.after = shape;
+  plan.after = there.worst;
   return true;
 }
 
-// A line search each time: half the step until the worst has grown.
+// A line search each time: half the step until the worst has grown. Where that gains little, fewer
+// cells have a say in the way.
 void RegionMover::climb(const Mesh& mesh, const MoveRules& rules, RegionMove& plan) {
-  constexpr int rounds = 8;
-  constexpr double least_gain = 1e-3, shortest = 1e-3;
+  constexpr int rounds = 12;
+  constexpr double least_gain = 1e-3, least_nearly = 1e-3, shortest = 1e-3;
+  double nearly = 0.05;
   for (int round = 0; round < rounds && plan.after < rules.poor; ++round) {
     const double before = plan.after;
-    const glm::dvec3 from = plan.target, way = uphill(from, before);
+    const glm::dvec3 from = plan.target, way = uphill(from, before, nearly);
     const double length = glm::length(way), longest = longest_step(from);
-    if (!(length > 0)) return;
-    double step = longest;
+    double step = length > 0 ? longest : 0;
     while (step > shortest * longest && !go(mesh, rules, plan, from + step / length * way))
       step /= 2;
-    if (plan.after < before + least_gain) return;
+    if (plan.after >= before + least_gain) continue;
+    nearly /= 4;
+    if (nearly < least_nearly) return;
   }
 }
 
@@ -218,7 +226,9 @@ Verdict RegionMover::judge_plan(const Mesh& mesh, const MoveRules& rules, Region
   if (const Verdict verdict = find_freedom(mesh, rules, plan); !verdict.accepted()) return verdict;
   find_cells(mesh, plan.ball);
   const glm::dvec3 from = plan.target, way = freedom_.part_of(average_ - from);
-  plan.before = plan.after = worst_shape(from);
+  const Shapes here = shapes(from);
+  plan.before = plan.after = here.worst;
+  sum_before_ = here.sum;
   refusal_ = {};
   for (double part = 1; part > 0.2; part /= 2)
     if (go(mesh, rules, plan, from + part * way)) break;

@@ -32,10 +32,11 @@ struct RegionMove {
 };
 
 /// Judges moves of vertices to where the worst tetrahedron around them is better: to the average of
-/// their neighbours (smart Laplacian); where the worst stays poor, uphill from there (Freitag,
-/// Ollivier-Gooch 1997). Inside a region any way; on a model face so that the volumes on both its
-/// sides stay, which is one linear condition; on a model edge along it, where it and the model
-/// faces around are straight; on a model vertex not at all.
+/// their neighbours (smart Laplacian), where all of them together get no worse or the worst was
+/// poor; where the worst stays poor, uphill from there (Freitag, Ollivier-Gooch 1997). Inside a
+/// region any way; on a model face so that the volumes on both its sides stay, which is one linear
+/// condition; on a model edge along it, where it and the model faces around are straight; on a
+/// model vertex not at all.
 class RegionMover {
  public:
   explicit RegionMover(const Mesh& mesh) : mark_(mesh.capacity(0), 0) {}
@@ -43,7 +44,7 @@ class RegionMover {
   /// Refusals in this order: Kept (a region around the vertex is no tetrahedron), Classification (a
   /// model vertex, an end of model edges, nothing around it, or the faces around it do not form a
   /// disc), Flat, Angle (a model edge or the faces around it are not straight, or a normal would
-  /// turn by more than `max_turn`), Quality (the worst shape would not grow; number: the smallest
+  /// turn by more than `max_turn`), Quality (the shapes would not get better; number: the smallest
   /// dihedral angle of the worst tetrahedron now). T(0,3), T(3,0), T(0,2), T(2,0) and T(0,1) must
   /// be stored, levels 1 and 2 complete or with what lies on model edges and faces
   /// (Mesh::request_listed). Throws as Model::closest.
@@ -65,6 +66,9 @@ class RegionMover {
     [[nodiscard]] double shape(const glm::dvec3& at) const;
     [[nodiscard]] glm::dvec3 slope(const glm::dvec3& at) const;
   };
+  struct Shapes {
+    double worst = 1, sum = 0;
+  };
 
   Verdict judge_plan(const Mesh& mesh, const MoveRules& rules, RegionMove& plan);
   Verdict find_freedom(const Mesh& mesh, const MoveRules& rules, const RegionMove& plan);
@@ -72,8 +76,8 @@ class RegionMover {
   Verdict find_way_across(const Mesh& mesh, const RegionMove& plan);
   void average_inside(const Mesh& mesh, const Ball& ball);
   void find_cells(const Mesh& mesh, const Ball& ball);
-  [[nodiscard]] double worst_shape(const glm::dvec3& at) const;
-  [[nodiscard]] glm::dvec3 uphill(const glm::dvec3& at, double worst);
+  [[nodiscard]] Shapes shapes(const glm::dvec3& at) const;
+  [[nodiscard]] glm::dvec3 uphill(const glm::dvec3& at, double worst, double nearly);
   [[nodiscard]] double longest_step(const glm::dvec3& at) const;
   /// Goes there where the worst shape grows and the model faces allow it.
   bool go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan, glm::dvec3 to);
@@ -82,6 +86,7 @@ class RegionMover {
   Freedom freedom_;
   glm::dvec3 average_{0.0};
   std::vector<Cell> cells_;
+  double sum_before_ = 0;           ///< of the shapes around the vertex where it is
   std::vector<glm::dvec3> slopes_;  ///< of the worst cells
   Verdict refusal_;                 ///< of the last place that was better and not allowed
   Column<Vertex, std::uint32_t> mark_;

@@ -10,6 +10,7 @@ namespace aomd {
 
 /// What smoothing has to respect.
 struct SmoothRules {
+  // NOLINTNEXTLINE(google-explicit-constructor): a limit of turning alone is a rule, too
   SmoothRules(const TurnLimit& turn, const Model* snap_to = nullptr, double least_angle_deg = 0)
       : max_turn(turn), model(snap_to), least_angle(least_angle_deg) {}
 

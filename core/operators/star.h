@@ -16,7 +16,7 @@ struct StarFace {
   Face face;
   std::uint32_t slot = 0;  ///< where the vertex stands in the face
   Vertex next, previous;   ///< the other two, in the face's order
-  [[nodiscard]] bool uses(Vertex v) const { return (next == v) | (previous == v); }
+  [[nodiscard]] bool uses(Vertex v) const { return next == v || previous == v; }
   [[nodiscard]] Vertex third(Vertex v) const { return next == v ? previous : next; }
 };
 using Star = std::vector<StarFace>;
@@ -44,7 +44,7 @@ inline void gather(const Mesh& mesh, Vertex v, Star& star) {
 /// proportional to it.
 inline constexpr std::size_t largest_star = 512;
 
-/// By the faces around a vertex, or by its edges where T(0,2) is not stored.
+/// Whether a vertex has more than `largest_star` faces, or edges where T(0,2) is not stored.
 [[nodiscard]] inline bool crowded(const Mesh& mesh, Vertex v) {
   return (mesh.stored(0, 2) ? mesh.row<2>(v).size() : mesh.row<1>(v).size()) > largest_star;
 }

@@ -90,23 +90,22 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
   return {};
 }
 
-void apply_swap(Mesh& mesh, Edge edge, const EdgePair& e) {
-  const JournalScope step(mesh, StepKind::Swap, edge.valid() ? EntityRef(edge) : EntityRef(e.f));
-  const std::array<Rebinding, 4> items{{{edge, 0, e.a, e.c},
-                                        {edge, 1, e.b, e.d},
-                                        {e.f, slot_of(mesh.triangle(e.f), e.a), e.a, e.d},
-                                        {e.g, slot_of(mesh.triangle(e.g), e.b), e.b, e.c}}};
+void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair) {
+  const JournalScope step(mesh, StepKind::Swap, edge.valid() ? EntityRef(edge) : EntityRef(pair.f));
+  const std::array<Rebinding, 4> items{
+      {{edge, 0, pair.a, pair.c},
+       {edge, 1, pair.b, pair.d},
+       {pair.f, slot_of(mesh.triangle(pair.f), pair.a), pair.a, pair.d},
+       {pair.g, slot_of(mesh.triangle(pair.g), pair.b), pair.b, pair.c}}};
   mesh.rebind(std::span(items).subspan(edge.valid() ? 0 : 2));
 }
 
-void apply_swap(Mesh& mesh, const EdgePair& e) {
+void apply_swap(Mesh& mesh, const EdgePair& pair) {
   Edge edge;
-  if (mesh.stored(0, 1)) edge = mesh.find_edge(e.a, e.b);
-  EdgePair pair = e;
-  if (edge.valid() &&
-      mesh.edge_vertices(edge)[0] != e.a)  // the edge runs the other way: name its ends as it does
-    pair = {e.g, e.f, e.b, e.a, e.d, e.c};
-  apply_swap(mesh, edge, pair);
+  if (mesh.stored(0, 1)) edge = mesh.find_edge(pair.a, pair.b);
+  // The ends are named as the edge runs.
+  const bool along = !edge.valid() || mesh.edge_vertices(edge)[0] == pair.a;
+  apply_swap(mesh, edge, along ? pair : EdgePair{pair.g, pair.f, pair.b, pair.a, pair.d, pair.c});
 }
 
 }  // namespace aomd

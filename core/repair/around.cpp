@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/repair/connectivity.h"
 
@@ -30,6 +31,7 @@ std::vector<std::uint32_t>& Around::changed(std::uint32_t v) {
 }
 
 std::vector<std::uint32_t> Around::faces(std::uint32_t a, std::uint32_t b) const {
+  if (faces(b).size() < faces(a).size()) std::swap(a, b);
   std::vector<std::uint32_t> both;
   for (const std::uint32_t f : faces(a))
     if (const auto v = surface_.vertices(f); std::find(v.begin(), v.end(), b) != v.end())

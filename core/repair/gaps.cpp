@@ -47,8 +47,8 @@ std::vector<double> border_gaps(const Surface& surface, const std::vector<std::u
   return gaps;
 }
 
-// The same within a limit that is a quarter, a sixteenth and so on of the widest: where borders are
-// crowded only what is close enough to tell neighbours apart.
+// The gaps between borders within a limit that is a quarter, a sixteenth and so on of the widest:
+// where borders are crowded only what is close enough to tell neighbours apart.
 std::vector<double> border_gaps(const Surface& surface, double limit) {
   constexpr std::size_t most_a_cell = 32, least_share = 100;
   constexpr int most_rounds = 20;

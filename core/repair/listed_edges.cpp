@@ -34,7 +34,7 @@ class ListedEdges {
   };
 
   [[nodiscard]] std::uint64_t key(std::uint32_t e) const {
-    return edge_key(edges_.vertices[2 * e], edges_.vertices[2 * e + 1]);
+    return edge_key(edges_.vertices[2 * std::size_t{e}], edges_.vertices[2 * std::size_t{e} + 1]);
   }
   // The edge before its faces came apart. Copies do not occur: no list knew them then.
   [[nodiscard]] std::uint64_t base(std::uint32_t e) const { return bases_[e]; }
@@ -65,15 +65,16 @@ class ListedEdges {
     const std::uint64_t part =
         parts.free == parts.keys.size() ? parts.keys.front() : parts.keys[parts.free];
     listed_.insert(part);
-    edges_.vertices[2 * e] = static_cast<std::uint32_t>(part >> 32);
-    edges_.vertices[2 * e + 1] = static_cast<std::uint32_t>(part);
+    std::uint32_t* const ends = &edges_.vertices[2 * std::size_t{e}];
+    ends[0] = static_cast<std::uint32_t>(part >> 32);
+    ends[1] = static_cast<std::uint32_t>(part);
   }
 
   void append(std::uint32_t e, std::uint64_t part) {
     edges_.shapes.push_back(Shape::Line);
     edges_.vertices.insert(edges_.vertices.end(), {static_cast<std::uint32_t>(part >> 32),
                                                    static_cast<std::uint32_t>(part)});
-    if (!edges_.classes.empty()) edges_.classes.push_back(ModelRef(edges_.classes[e]));
+    if (!edges_.classes.empty()) edges_.classes.emplace_back(edges_.classes[e]);
     for (Attribute& a : surface_.data().attributes) {
       const auto n = static_cast<std::size_t>(a.components);
       for (std::size_t k = 0; a.dimension == 1 && k < n; ++k)

@@ -32,10 +32,15 @@ Tally remove_small_pieces(Surface& surface, double percent) {
   return removed;
 }
 
-Tally drop_unused_vertices(MeshData& data) {
+std::vector<std::uint8_t> used_vertices(const MeshData& data) {
   std::vector<std::uint8_t> used(data.positions.size(), 0);
   for (const EntityList* list : {&data.edges, &data.faces})
     for (const std::uint32_t v : list->vertices) used[v] = 1;
+  return used;
+}
+
+Tally drop_unused_vertices(MeshData& data) {
+  const std::vector<std::uint8_t> used = used_vertices(data);
   Tally dropped;
   std::vector<std::uint32_t> place(used.size());
   for (std::uint32_t v = 0, next = 0; v < used.size(); ++v) {

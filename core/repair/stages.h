@@ -97,6 +97,9 @@ struct ZeroArea {
 /// each.
 [[nodiscard]] Tally remove_small_pieces(Surface& surface, double percent);
 
+/// By vertex: not 0 where a face or a listed edge uses it.
+[[nodiscard]] std::vector<std::uint8_t> used_vertices(const MeshData& data);
+
 /// Drops vertices that no face and no listed edge uses and numbers the others anew. After finish().
 [[nodiscard]] Tally drop_unused_vertices(MeshData& data);
 

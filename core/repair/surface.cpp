@@ -98,9 +98,8 @@ void Surface::shrink(std::uint32_t f, std::span<const std::uint32_t> corners) {
 
 std::uint32_t Surface::copy_vertex(std::uint32_t v) {
   const std::uint32_t copy = vertex_count();
-  data_.positions.push_back(glm::dvec3(data_.positions[v]));
-  if (!data_.vertex_classes.empty())
-    data_.vertex_classes.push_back(ModelRef(data_.vertex_classes[v]));
+  data_.positions.emplace_back(data_.positions[v]);
+  if (!data_.vertex_classes.empty()) data_.vertex_classes.emplace_back(data_.vertex_classes[v]);
   for (Attribute& a : data_.attributes)
     if (a.dimension == 0) copy_values(a, v, copy);
   return copy;

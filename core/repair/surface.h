@@ -83,7 +83,7 @@ class Surface {
   [[nodiscard]] glm::dvec3 normal(std::uint32_t f) const;
 
   /// Fewer corners than before.
-  void shrink(std::uint32_t f, std::span<const std::uint32_t> vertices);
+  void shrink(std::uint32_t f, std::span<const std::uint32_t> corners);
   void move_vertex(std::uint32_t v, const glm::dvec3& to) { data_.positions[v] = to; }
   /// A new vertex like v.
   std::uint32_t copy_vertex(std::uint32_t v);

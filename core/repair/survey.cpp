@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -73,7 +74,7 @@ std::string digits(double value) {
 class Survey {
  public:
   explicit Survey(const MeshData& data)
-      : data_(bare_surface(data)), surface_(data_), edges_(count_edges(surface_)) {}
+      : given_(data), data_(bare_surface(data)), surface_(data_), edges_(count_edges(surface_)) {}
 
   std::vector<SurfaceFinding> run() {
     isolated();
@@ -103,6 +104,7 @@ class Survey {
          counted(edges_.border.count(), "edge") + " of one face");
   }
 
+  // Those whose mending would change the surface stay, and a repair says so.
   void flat_faces() {
     Tally flat;
     surface_.each_face([&](std::uint32_t f) {
@@ -115,8 +117,19 @@ class Survey {
              collinear(surface_.position(v[0]), surface_.position(v[2]), surface_.position(v[k])));
       if (in_line) flat.add(f);
     });
-    tell(flat, 2, "zero area", SurfaceProperty::Nondegenerate, Remedy::Repair,
-         counted(flat.count(), "face") + " without area");
+    const std::size_t stay = flat.count() == 0 ? 0 : left_by_repair("zero area");
+    tell(flat, 2, "zero area", SurfaceProperty::Nondegenerate,
+         stay == flat.count() ? Remedy::None : Remedy::Repair,
+         counted(flat.count(), "face") + " without area" +
+             (stay == 0 ? "" : ", " + std::to_string(stay) + " of them to stay"));
+  }
+
+  [[nodiscard]] std::size_t left_by_repair(std::string_view name) const {
+    MeshData mended = given_;
+    mended.attributes.clear();
+    for (const RepairItem& item : repair(mended).left)
+      if (item.name == name) return item.count;
+    return 0;
   }
 
   // Takes them out; whether there were any.
@@ -134,7 +147,11 @@ class Survey {
   void crowded_edges(std::size_t distinct, bool repeated) {
     const std::string rest =
         repeated ? ", " + std::to_string(distinct) + " without the repeated ones" : "";
-    tell(edges_.crowded, 1, "non-manifold edges", SurfaceProperty::Manifold, Remedy::Repair,
+    const std::size_t all = edges_.crowded.count();
+    const bool meant =
+        all > 0 && !given_.edges.classes.empty() && left_by_repair("non-manifold edges") == all;
+    tell(edges_.crowded, 1, "non-manifold edges", SurfaceProperty::Manifold,
+         meant ? Remedy::None : Remedy::Repair,
          counted(edges_.crowded.count(), "edge") + " of three or more faces" + rest);
   }
 
@@ -161,12 +178,19 @@ class Survey {
       close(border, tolerance, "gaps", "lie within " + digits(tolerance) + " of others");
   }
 
-  // Welds, and tells how many border edges get a second face; returns how many are left.
+  // Welds, and tells how many border edges get a second face and keep it where edges of three or
+  // more come apart, as in a repair; returns how many others there are.
   std::size_t close(std::size_t border, double tolerance, const char* name,
                     const std::string& where) {
     const std::vector<std::uint32_t> at_border = border_sides();
     const Weld weld(surface_, tolerance);
-    const std::vector<std::uint32_t> left = border_sides();
+    std::vector<std::uint32_t> left = border_sides();
+    if (left.size() < at_border.size()) {
+      (void)mend_repeated_vertices(surface_);
+      (void)mend_coincident(surface_, true, true);
+      (void)mend_fans(surface_, weld, true);
+      left = border_sides();
+    }
     Tally closed;
     std::vector<std::uint32_t> sides;
     std::set_difference(at_border.begin(), at_border.end(), left.begin(), left.end(),
@@ -175,7 +199,7 @@ class Survey {
     tell(closed, 1, name, SurfaceProperty::Welded, Remedy::Weld,
          std::to_string(closed.count()) + " of " + counted(border, "border edge") + " " + where,
          tolerance);
-    return left.size();
+    return border - closed.count();
   }
 
   // The corner at which each side of one face starts, ascending.
@@ -189,9 +213,7 @@ class Survey {
   }
 
   void isolated() {
-    std::vector<std::uint8_t> used(data_.positions.size(), 0);
-    for (const EntityList* list : {&data_.edges, &data_.faces})
-      for (const std::uint32_t v : list->vertices) used[v] = 1;
+    const std::vector<std::uint8_t> used = used_vertices(data_);
     Tally alone;
     for (std::uint32_t v = 0; v < used.size(); ++v)
       if (!used[v]) alone.add(v);
@@ -199,6 +221,7 @@ class Survey {
          counted(alone.count(), "vertex") + " that nothing uses");
   }
 
+  const MeshData& given_;
   MeshData data_;
   Surface surface_;
   EdgeCounts edges_;

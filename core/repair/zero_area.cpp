@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/repair/around.h"
 #include "core/repair/stages.h"
@@ -15,6 +16,11 @@ namespace {
 // A face around which everything goes on changing is left in the end: keeps huge fans of flat faces
 // linear.
 constexpr int most_tries = 64;
+
+// Faces around a vertex of more than these come up again together, when nothing else is left to do,
+// and it becomes one with no other until it has fewer: looked at for each change there, they would
+// take the square of their number.
+constexpr std::size_t crowd = 512;
 
 class ZeroAreaMender {
  public:
@@ -29,12 +35,12 @@ class ZeroAreaMender {
   // Every face whose surroundings change comes up again, so that what is left is left for good.
   // Each step makes fewer flat faces, or a shorter longest side between two: it ends.
   ZeroArea run(const std::vector<std::uint32_t>& flat) {
-    while (!queue_.empty()) {
+    for (; !queue_.empty(); look_at_crowds()) {
       const std::uint32_t f = queue_.front();
       queue_.pop_front();
       waiting_.erase(f);
       if (is_flat_face(f) && ++tries_[f] <= most_tries)
-        static_cast<void>(collapse(f) || swap(f) || remove(f));
+        static_cast<void>(collapse(f) || swap_side(f) || remove(f));
     }
     for (const std::uint32_t f : flat)
       if (is_flat_face(f)) result_.left.add(f);
@@ -72,6 +78,18 @@ class ZeroAreaMender {
   }
 
   void touch(std::uint32_t v) {
+    if (crowded(v))
+      crowded_.insert(v);
+    else
+      touch_all(v);
+  }
+
+  void look_at_crowds() {
+    if (!queue_.empty()) return;
+    for (const std::uint32_t v : std::exchange(crowded_, {})) touch_all(v);
+  }
+
+  void touch_all(std::uint32_t v) {
     for (const std::uint32_t f : around_.faces(v))
       if (is_flat_face(f) && waiting_.insert(f).second) queue_.push_back(f);
   }
@@ -93,7 +111,7 @@ class ZeroAreaMender {
     const Corners corners{v[0], v[1], v[2]};
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint32_t stays = corners[k], goes = corners[(k + 1) % 3];
-      if (!coincide(stays, goes)) continue;
+      if (!coincide(stays, goes) || crowded(stays) || crowded(goes)) continue;
       if (surface_.vertex_class(goes) < surface_.vertex_class(stays)) std::swap(stays, goes);
       if (!model_allows(stays, goes) || !link_allows(stays, goes)) continue;
       merge(stays, goes);
@@ -109,6 +127,8 @@ class ZeroAreaMender {
     const ModelRef s = surface_.vertex_class(stays), g = surface_.vertex_class(goes);
     return s == g || g.dimension() >= 2 || (g.dimension() == 1 && listed(stays, goes));
   }
+
+  [[nodiscard]] bool crowded(std::uint32_t v) const { return around_.faces(v).size() > crowd; }
 
   // The link condition: nothing but the faces at the side becomes one with something else.
   [[nodiscard]] bool link_allows(std::uint32_t a, std::uint32_t b) const {
@@ -175,7 +195,7 @@ class ZeroAreaMender {
   //     / \           /|\      .
   //    /   \   ->    / | \     .
   //   a--b--c       a--b--c
-  bool swap(std::uint32_t f) {
+  bool swap_side(std::uint32_t f) {
     const auto [a, b, c] = round_middle(f);
     const auto at_side = around_.at_side(a, c);
     if (at_side.size() != 2 || listed(a, c) || coincide(a, b) || coincide(b, c)) return false;
@@ -221,7 +241,7 @@ class ZeroAreaMender {
     std::vector<std::uint32_t> begin(edges.size());
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       begin[e] = 2 * e;
-      keep[e] = edges.vertices[2 * e] != edges.vertices[2 * e + 1];
+      keep[e] = edges.vertices[begin[e]] != edges.vertices[begin[e] + 1];
     }
     keep_entities(surface_.data(), 1, keep, begin);
   }
@@ -230,6 +250,7 @@ class ZeroAreaMender {
   Around around_;
   std::deque<std::uint32_t> queue_;
   std::unordered_set<std::uint32_t> waiting_;
+  std::set<std::uint32_t> crowded_;  ///< vertices with something changed around them
   std::unordered_map<std::uint32_t, int> tries_;
   std::unordered_set<std::uint64_t> listed_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>>

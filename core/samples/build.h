@@ -16,7 +16,7 @@ std::uint32_t add_vertex(MeshData& mesh, const glm::dvec3& position);
 void add_quad(MeshData& mesh, const std::uint32_t (&quad)[4], std::int32_t tag,
               bool other_diagonal);
 
-/// The same, cut along the shorter diagonal.
+/// Adds the quad a, b, c, d as two triangles on a model face, cut along the shorter diagonal.
 void add_quad(MeshData& mesh, const std::uint32_t (&quad)[4], std::int32_t tag);
 
 /// Classifies edges and vertices from faces that lie on model faces. A mesh edge lies on a model

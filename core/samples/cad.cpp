@@ -35,8 +35,7 @@ class Bracket {
 
   MeshData make() {
     sides();
-    for (std::size_t i = 0; i < plate_.triangles.size(); ++i) {
-      const auto& [a, b, c] = plate_.triangles[i];
+    for (const auto& [a, b, c] : plate_.triangles) {
       const int part = part_of((plate_.points[a].x + plate_.points[b].x + plate_.points[c].x) / 3);
       mesh_.faces.add(Shape::Triangle, {column(a, 0), column(b, 0), column(c, 0)},
                       ModelRef(2, 1 + part));

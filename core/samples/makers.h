@@ -19,5 +19,8 @@ namespace aomd::sample {
 [[nodiscard]] MeshData make_mixed(int cells);
 [[nodiscard]] MeshData make_tet_drilled(int cells);
 [[nodiscard]] MeshData make_tet_ball(int layers);
+[[nodiscard]] MeshData make_ball_in_box(int layers);
+[[nodiscard]] MeshData make_tet_bracket(int cells);
+[[nodiscard]] MeshData make_layered_beam(int cells);
 
 }  // namespace aomd::sample

@@ -76,7 +76,7 @@ class PlateBuilder {
     const Hole& h = holes_[static_cast<std::size_t>(hole)];
     const glm::dvec2 center(h.x, h.y);
     const std::vector<Index> rim = block_rim(h);
-    const int layers = std::max(1, static_cast<int>(n_ * (1.2 - h.radius) + 0.5));
+    const int layers = std::max(1, static_cast<int>(std::lround(n_ * (1.2 - h.radius))));
     std::vector<Index> inner(rim.size()), outer;
     for (int layer = 0; layer <= layers; ++layer, inner.swap(outer)) {
       outer.resize(rim.size());

@@ -16,7 +16,7 @@ struct Maker {
   MeshData (*make)(int size);
 };
 
-constexpr std::array<Maker, 14> makers{{
+constexpr std::array<Maker, 17> makers{{
     {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000,
       "faces, about"},
      80,
@@ -79,6 +79,21 @@ constexpr std::array<Maker, 14> makers{{
      1,
      40,
      sample::make_tet_ball},
+    {{"ball-in-box", "two materials of tetrahedra: a ball inside a cube, with their interface", 3,
+      "layers of the ball", 3},
+     1,
+     16,
+     sample::make_ball_in_box},
+    {{"tet-bracket", "an L-shaped bracket of tetrahedra with a hole, fully classified", 4,
+      "cells across the thickness", 3},
+     1,
+     30,
+     sample::make_tet_bracket},
+    {{"layered-beam", "a beam of three materials, with a temperature and a stress", 4,
+      "cells across the lowest layer", 3},
+     1,
+     30,
+     sample::make_layered_beam},
 }};
 
 constexpr auto infos = [] {

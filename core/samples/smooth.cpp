@@ -32,7 +32,7 @@ class Geodesic {
   }
 
   MeshData make() {
-    edges_.assign(12 * 12, {});
+    edges_.assign(std::size(corners) * std::size(corners), {});
     for (const auto& face : faces) subdivide(face);
     return std::move(mesh_);
   }
@@ -46,13 +46,14 @@ class Geodesic {
       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
 
-  glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, int i, int n) const {
+  static glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, int i, int n) {
     return (a * static_cast<double>(n - i) + b * static_cast<double>(i)) / static_cast<double>(n);
   }
 
   /// The n + 1 points from corner a to corner b; made once for both faces at the edge.
   std::vector<Index> along(Index a, Index b) {
-    std::vector<Index>& points = edges_[std::min(a, b) * 12 + std::max(a, b)];
+    std::vector<Index>& points =
+        edges_[static_cast<std::size_t>(std::min(a, b) * 12 + std::max(a, b))];
     if (points.empty()) {
       const Index low = std::min(a, b), high = std::max(a, b);
       points.push_back(low);
@@ -148,7 +149,7 @@ void add_grid(MeshData& mesh, int nu, int nv, At&& at) {
 MeshData make_sphere(int frequency) { return Geodesic(frequency).make(); }
 
 MeshData make_scan(int faces) {
-  const int n = std::max(1, static_cast<int>(std::sqrt(faces / 20.0) + 0.5));
+  const int n = std::max(1, static_cast<int>(std::lround(std::sqrt(faces / 20.0))));
   MeshData mesh = make_sphere(n);
   const double error = 0.05 / n;  // what a scanner adds: a twentieth of an edge or so
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -1,4 +1,4 @@
-// Volume samples: boxes of every shape, a drilled box and a ball, all classified.
+// Volume samples: boxes of every shape, a drilled box, a layered beam and a ball, all classified.
 
 #include <algorithm>
 #include <array>
@@ -63,17 +63,6 @@ class Grid {
   std::array<int, 3> cells_;
   int rows_;
 };
-
-/// Model faces 1 to 6 of the box between two corners, in the order -x, +x, -y, +y, -z, +z; `inside`
-/// otherwise.
-std::int32_t side_of_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high,
-                         std::int32_t inside) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (p[axis] == low[axis]) return 2 * axis + 1;
-    if (p[axis] == high[axis]) return 2 * axis + 2;
-  }
-  return inside;
-}
 
 constexpr ModelRef solid(3, 1);
 
@@ -173,20 +162,20 @@ MeshData make_tet_box(int cells) { return make_cube(cells, add_tetrahedra); }
 
 MeshData make_hex_box(int cells) { return make_cube(cells, add_hexahedron); }
 
-MeshData make_mixed(int n) {
+MeshData make_mixed(int cells) {
   constexpr ModelRef lower(3, 1), upper(3, 2);
   MeshData mesh;
-  const Grid grid(n, n, 2 * n);
+  const Grid grid(cells, cells, 2 * cells);
   const auto position = [&](double i, double j, double k) {
-    return glm::dvec3(i, j, k) / static_cast<double>(n);
+    return glm::dvec3(i, j, k) / static_cast<double>(cells);
   };
   grid.add_vertices(mesh, position);
   grid.for_each_cell([&](int i, int j, int k) {
     const Cell cell = grid.cell(i, j, k);
-    const bool prisms_below = i == n - 1;
-    if (k < n) {
+    const bool prisms_below = i == cells - 1;
+    if (k < cells) {
       (prisms_below ? add_prisms : add_hexahedron)(mesh, cell, lower);
-    } else if (k > n || prisms_below) {
+    } else if (k > cells || prisms_below) {
       add_tetrahedra(mesh, cell, upper);
     } else {
       add_transition(mesh, cell, add_vertex(mesh, position(i + 0.5, j + 0.5, k + 0.5)), upper);
@@ -202,14 +191,14 @@ MeshData make_mixed(int n) {
   return mesh;
 }
 
-MeshData make_tet_drilled(int n) {
+MeshData make_tet_drilled(int cells) {
   constexpr double radius = 0.5;
-  const int around = 4 * n, rings = std::max(1, n / 2), layers = std::max(1, n / 2);
+  const int around = 4 * cells, rings = std::max(1, cells / 2), layers = std::max(1, cells / 2);
   // Points on the square of side 2, counter-clockwise from its corner (1, -1).
   const auto on_square = [&](int j) {
-    const double t = -1 + 2.0 * (j % n) / n;
+    const double t = -1 + 2.0 * (j % cells) / cells;
     const glm::dvec2 sides[4] = {{1, t}, {-t, 1}, {-1, -t}, {t, -1}};
-    return sides[j / n];
+    return sides[j / cells];
   };
   MeshData mesh;
   const Grid grid(rings, around, layers, true);
@@ -221,6 +210,35 @@ MeshData make_tet_drilled(int n) {
   grid.for_each_cell([&](int i, int j, int k) { add_tetrahedra(mesh, grid.cell(i, j, k), solid); });
   classify_below_regions(mesh, [](const glm::dvec3& p) {
     return side_of_box(p, {-1, -1, 0}, {1, 1, 1}, 7);
+  });
+  return mesh;
+}
+
+// Three layers, of 1, 2 and 1 cells, one on the other; the temperature falls along the beam and
+// towards its upper side, and what bends it pulls above the middle and presses below.
+MeshData make_layered_beam(int n) {
+  constexpr int length = 10, width = 2, height = 4;
+  constexpr ModelRef layers[height] = {{3, 1}, {3, 2}, {3, 2}, {3, 3}};
+  MeshData mesh;
+  const Grid grid(length * n, width * n, height * n);
+  grid.add_vertices(
+      mesh, [&](int i, int j, int k) { return glm::dvec3(i, j, k) / static_cast<double>(n); });
+  grid.for_each_cell(
+      [&](int i, int j, int k) { add_tetrahedra(mesh, grid.cell(i, j, k), layers[k / n]); });
+  Attribute temperature{"temperature", 0, 1, false, {}}, stress{"stress", 3, 1, false, {}};
+  for (const glm::dvec3& p : mesh.positions) temperature.values.push_back(400 - 8 * p.x - 5 * p.z);
+  for (std::size_t r = 0; r < mesh.regions.size(); ++r) {
+    glm::dvec3 sum(0);
+    for (std::size_t k = 0; k < 4; ++k) sum += mesh.positions[mesh.regions.vertices[4 * r + k]];
+    stress.values.push_back((length - sum.x / 4) * (sum.z / 4 - 0.5 * height));
+  }
+  mesh.attributes = {temperature, stress};
+  // Model faces: 1 below, 2 and 3 between the layers, 4 above, then the four sides of each layer.
+  constexpr double planes[] = {0, 1, 3, height};
+  classify_below_regions(mesh, [&](const glm::dvec3& p) {
+    const auto next = std::lower_bound(std::begin(planes), std::end(planes), p.z);
+    const auto at = static_cast<std::int32_t>(next - std::begin(planes));
+    return *next == p.z ? at + 1 : 4 * at + side_of_box(p, {0, 0, -1}, {length, width, 9}, 0);
   });
   return mesh;
 }

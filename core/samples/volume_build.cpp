@@ -86,6 +86,15 @@ void add_transition(MeshData& mesh, const Cell& c, Index centre, ModelRef model)
     mesh.regions.add(Shape::Tetrahedron, {c[t[0]], c[t[1]], c[t[2]], centre}, model);
 }
 
+std::int32_t side_of_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high,
+                         std::int32_t inside) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (p[axis] == low[axis]) return 2 * axis + 1;
+    if (p[axis] == high[axis]) return 2 * axis + 2;
+  }
+  return inside;
+}
+
 void classify_below_regions(MeshData& mesh, const FaceTag& tag_of) {
   const std::vector<Side> sides = sorted_sides(mesh);
   std::vector<Side> outer;

@@ -24,6 +24,11 @@ void add_tetrahedra(MeshData& mesh, const Cell& cell, ModelRef model);
 /// the other five sides are cut as add_tetrahedra() cuts them.
 void add_transition(MeshData& mesh, const Cell& cell, std::uint32_t centre, ModelRef model);
 
+/// Model faces 1 to 6 of the box between two corners, in the order -x, +x, -y, +y, -z, +z; `inside`
+/// otherwise.
+[[nodiscard]] std::int32_t side_of_box(const glm::dvec3& p, const glm::dvec3& low,
+                                       const glm::dvec3& high, std::int32_t inside);
+
 /// Names the model face on which a side with this centre lies.
 using FaceTag = std::function<std::int32_t(const glm::dvec3& centre)>;
 

@@ -83,6 +83,31 @@ TEST_F(DecimateOptionsCommand, WrongFilesAreCode3WithTheirLine) {
   EXPECT_FALSE(exists("o.ply"));
 }
 
+TEST_F(DecimateOptionsCommand, WordsInAnyCaseAndPercentsWithTheirSign) {
+  sample("sphere", "s.ply", 6);
+  const std::string plain = "--strategy paper --topology safe --feature-angle off --max-distance 5";
+  const auto options = decimate("s.ply", plain)["options"];
+  const std::string faces = text("o.ply");
+  EXPECT_EQ(decimate("s.ply",
+                     "--strategy Paper --topology SAFE --feature-angle OFF "
+                     "--max-distance 5%")["options"],
+            options);
+  EXPECT_EQ(text("o.ply"), faces);
+  expect_failure("decimate s.ply n.ply --max-distance %", 2, "must be a number above 0, not %");
+  expect_failure("decimate s.ply n.ply --max-distance 5%%", 2, "must be a number above 0, not 5%");
+}
+
+/// As meshes are: with a byte order mark, any line ends and an end as in DOS.
+TEST_F(DecimateOptionsCommand, ListsAreReadAsOtherTextIs) {
+  sample("scan", "s.ply", 100);
+  put("plain", "3\n7\n");
+  put("other", "\xef\xbb\xbf# kept\r\n\r\n3\r\r7 # too\r\n\x1a");
+  decimate("s.ply", "--keep plain");
+  const std::string faces = text("o.ply");
+  decimate("s.ply", "--keep other");
+  EXPECT_EQ(text("o.ply"), faces);
+}
+
 TEST_F(DecimateOptionsCommand, ListedVerticesStayWhereTheyAre) {
   sample("scan", "s.ply", 3000);
   const MeshData in = mesh("s.ply");

@@ -39,6 +39,17 @@ TEST_F(DecimateVolume, TheSameResultFromTheJournal) {
   EXPECT_EQ(text("o.msh"), text("again.msh"));
 }
 
+TEST_F(DecimateVolume, ByQualityToo) {
+  const Outcome run =
+      aomd("decimate v.msh o.msh --target-tets 50% --report r.json --journal j.bin");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto report = json("r.json");
+  EXPECT_EQ(report["stopped"]["why"], "target") << report["stopped"];
+  EXPECT_LE(report["output"]["regions"], std::lround(0.505 * double(report["input"]["regions"])));
+  ASSERT_EQ(aomd("replay v.msh j.bin again.msh").code, 0);
+  EXPECT_EQ(text("o.msh"), text("again.msh"));
+}
+
 TEST_F(DecimateVolume, TargetsAreOfTheirKind) {
   expect_failure("decimate v.msh o.msh --strategy paper --target-faces 10%", 2,
                  "--target-faces is for surfaces");

@@ -125,6 +125,23 @@ TEST_F(CommandLineTest, ConvertKeepsTheMesh) {
   EXPECT_NE(text("t3.ply").find("format ascii"), std::string::npos);
 }
 
+TEST_F(CommandLineTest, ConvertSplitsToTets) {
+  sample("mixed", "mixed.msh", 2);
+  const Outcome run = aomd("convert --split-to-tets mixed.msh tets.vtu");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err,
+            "aomd: note: mixed.msh: cut 4 hexahedra into 24 tetrahedra, 8 prisms into 24 "
+            "tetrahedra, 2 pyramids into 4 tetrahedra, 20 quads into 40 triangles\n");
+  const MeshData tets = io::read(at("tets.vtu")).mesh;
+  EXPECT_EQ(tets.regions.size(), 24u + 24 + 4 + 56);
+  EXPECT_EQ(aomd("check tets.vtu").code, 0);
+  EXPECT_EQ(aomd("convert --split-to-tets tets.vtu t.vtu").err,
+            "aomd: note: tets.vtu: nothing but tetrahedra\n");
+  sample("box", "box.ply", 1);
+  EXPECT_EQ(aomd("convert --split-to-tets box.ply o.ply").err,
+            "aomd: note: box.ply: has no regions to cut\n");
+}
+
 TEST_F(CommandLineTest, CheckIsSilentlyHappyWithASample) {
   sample("bracket", "bracket.ply", 1);
   EXPECT_EQ(aomd("check bracket.ply").code, 0);

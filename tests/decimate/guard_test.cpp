@@ -202,11 +202,26 @@ TEST(FaceTree, AFaceIsFoundWhereItWasPut) {
   FaceTree tree(prepared(zoo::grid(4)));
   tree.put(Face(0), {glm::dvec3{9, 9, 9}, {10, 9, 9}, {9, 10, 9}});
   std::vector<Face> found;
-  const auto note = [&](const FaceTree::Item& item) { found.push_back(item.face); };
+  const auto note = [&](const FaceTree::Item& item, const Box&) { found.push_back(item.face); };
   Box there;
   there.add(glm::dvec3(9.5, 9.5, 9));
   tree.touching(there, note);
   EXPECT_EQ(found, std::vector{Face(0)});
+}
+
+// A face without area touches nothing, but it is there: it may get corners that have some.
+TEST(FaceTree, AFaceWithoutAreaKeepsItsPlace) {
+  FaceTree tree(prepared(zoo::grid(4)));
+  tree.put(Face(31), {glm::dvec3{1, 1, 0}, {2, 2, 0}, {3, 3, 0}});
+  for (std::uint32_t f = 0; f < 20; ++f) tree.remove(Face(f));
+  tree.tidy();
+  ASSERT_EQ(tree.item(Face(31)).face, Face(31));
+  tree.put(Face(31), {glm::dvec3{9, 9, 9}, {10, 9, 9}, {9, 10, 9}});
+  std::vector<Face> found;
+  Box there;
+  there.add(glm::dvec3(9.5, 9.5, 9));
+  tree.touching(there, [&](const FaceTree::Item& item, const Box&) { found.push_back(item.face); });
+  EXPECT_EQ(found, std::vector{Face(31)});
 }
 
 }  // namespace

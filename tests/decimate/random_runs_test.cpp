@@ -9,11 +9,13 @@
 #include <memory>
 #include <random>
 #include <sstream>
+#include <utility>
 
 #include "core/decimate/decimation.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"
+#include "tests/support/random_classes.h"
 #include "tests/support/zoo.h"
 
 namespace aomd {
@@ -36,8 +38,9 @@ class Draw {
     text_ << animal.name;
     MeshData data = animal.data;
     if (chance(2)) add_dirt(data);
-    if (chance(2)) add_classes(data);
-    return data;
+    if (chance(2)) return data;
+    text_ << ", classified";
+    return test::with_random_classes(std::move(data), static_cast<unsigned>(random_()));
   }
 
   DecimationOptions options(const Mesh& mesh) {
@@ -101,19 +104,6 @@ class Draw {
       }
     }
     text_ << ", dirty";
-  }
-
-  void add_classes(MeshData& data) {
-    const auto draw = [&](int dim) {
-      if (chance(3)) return ModelRef();
-      return ModelRef(dim + static_cast<int>(pick(static_cast<std::size_t>(4 - dim))),
-                      static_cast<std::int32_t>(pick(3)));
-    };
-    data.vertex_classes.clear();
-    data.faces.classes.clear();
-    for (std::size_t v = 0; v < data.positions.size(); ++v) data.vertex_classes.push_back(draw(0));
-    for (std::size_t f = 0; f < data.faces.size(); ++f) data.faces.classes.push_back(draw(2));
-    text_ << ", classified";
   }
 
   std::shared_ptr<Column<Vertex, std::uint8_t>> kept(const Mesh& mesh) {

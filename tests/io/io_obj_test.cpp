@@ -155,7 +155,7 @@ TEST(Obj, BadInputsSayTheLine) {
   bad("v 1 2 three\nf 1 2 3\n", {"a.obj:5: ", "\"three\""});
   bad("v 1 2 3 four\nf 1 2 3\n", {"a.obj:5: ", "\"four\""});
   bad("l 1 9\n", {"a.obj:5: ", "out of range"});
-  bad(std::string("f 1 2 3\0", 8), {"a.obj: byte 39: ", "zero byte"});
+  bad(std::string("f 1 2 3\0\n1", 10), {"a.obj: byte 39: ", "zero byte"});
   expect_error("a.obj", "hello world\n", {"a.obj: ", "not an OBJ"});
 }
 

@@ -94,6 +94,21 @@ TEST(Vtk, ReadsArraysOfEveryKind) {
   EXPECT_EQ(mesh.attributes[6].dimension, 2);
 }
 
+TEST(Vtk, LabelsBeyondTagsAreNumbered) {
+  const std::string start = header() + two_triangles + "CELL_DATA 2\n";
+  const io::ReadResult result = io::read_bytes(
+      "a.vtk", start + "SCALARS material long\nLOOKUP_TABLE default\n4000000000 -7\n");
+  EXPECT_EQ(result.mesh.faces.classes, (std::vector{ModelRef(2, 2), ModelRef(2, 1)}));
+  EXPECT_EQ(result.notes.front(),
+            "classified by the cell array \"material\", whose 2 values count as 1, 2, ...");
+  ASSERT_EQ(result.mesh.attributes.size(), 1u);
+  EXPECT_EQ(result.mesh.attributes[0].values, (std::vector<double>{4e9, -7}));
+  const MeshData other = vtk(start +
+                             "SCALARS material long\nLOOKUP_TABLE default\n4000000000 1\n"
+                             "SCALARS region int\nLOOKUP_TABLE default\n5 6\n");
+  EXPECT_EQ(other.faces.classes, (std::vector{ModelRef(2, 5), ModelRef(2, 6)}));
+}
+
 TEST(Vtk, HigherOrderCellsLoseTheirInnerNodes) {
   const auto result = io::read_bytes(
       "a.vtk",

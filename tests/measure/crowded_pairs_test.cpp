@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+
+#include <glm/geometric.hpp>
 
 #include "core/measure/crowded_pairs.h"
 #include "core/measure/distinct.h"
@@ -76,13 +80,22 @@ MeshData pages(std::uint32_t n) {
   return data;
 }
 
+// Two cones base to base.
+MeshData two_tips(std::uint32_t n) {
+  MeshData data = cone(n, 1);
+  data.positions.emplace_back(0, 0, 2);
+  for (std::uint32_t i = 0; i < n; ++i)
+    data.faces.add(Shape::Triangle, {n + 1, 1 + (i + 1) % n, 1 + i});
+  return data;
+}
+
 std::uint32_t add_point(MeshData& data, glm::dvec3 p) {
   data.positions.push_back(p);
   return static_cast<std::uint32_t>(data.positions.size() - 1);
 }
 
 TEST(CrowdTest, FansAndBooksAreClean) {
-  for (const MeshData& data : {cone(400, 0), cone(400, 1), pages(400)}) {
+  for (const MeshData& data : {cone(400, 0), cone(400, 1), pages(400), two_tips(400)}) {
     EXPECT_EQ(count_self_intersections(Mesh(data)).pairs, 0u);
     expect_as_by_trying(data);
   }
@@ -91,7 +104,7 @@ TEST(CrowdTest, FansAndBooksAreClean) {
 // The work is counted, not timed: a constant number of pairs for each face.
 TEST(CrowdTest, TheWorkGrowsWithTheFaces) {
   for (const std::uint32_t n : {1000u, 8000u})
-    for (const MeshData& data : {cone(n, 0), cone(n, 1), pages(n)}) {
+    for (const MeshData& data : {cone(n, 0), cone(n, 1), pages(n), two_tips(n)}) {
       std::size_t pairs = 0;
       measure::crowded_pairs(triangles_of(data).corners, 1,
                              [&](std::uint32_t, std::uint32_t) { ++pairs; });
@@ -189,6 +202,44 @@ TEST(CrowdTest, CopiesCountInNormals) {
   EXPECT_EQ(deviation.triangles, 305u);
   EXPECT_EQ(deviation.above_10deg, 5u);
   EXPECT_EQ(deviation.flips, 5u);
+}
+
+// A face that stands in the way of both, seen from either tip, and one on which a tip lies.
+TEST(CrowdTest, AFaceThroughTwoCrowds) {
+  for (const double x : {0.5, -1e-9}) {
+    MeshData data = two_tips(400);
+    const std::uint32_t a = add_point(data, {x, -0.3, -1}), b = add_point(data, {x, 0.3, 3}),
+                        c = add_point(data, {x, 0.3, -1});
+    data.faces.add(Shape::Triangle, {a, b, c});
+    expect_as_by_trying(data);
+  }
+  MeshData data = two_tips(400);
+  const std::uint32_t a = add_point(data, {1, 1, 0}), b = add_point(data, {-1, 0, 0}),
+                      c = add_point(data, {1, -1, 0});
+  data.faces.add(Shape::Triangle, {a, b, c});
+  expect_as_by_trying(data);
+}
+
+// Their boxes overlap, so that tilted ones are made; what is nearest stays what it was.
+TEST(CrowdTest, TheNearestFaceOfFansAndBooks) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-1.5, 1.5);
+  for (const MeshData& data : {cone(3000, 0), cone(3000, 0.3), pages(3000)}) {
+    const std::vector<Triangle> all = triangles_of(data).corners;
+    const TriangleTree tree(all);
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec3 p(place(random), place(random), i % 2 == 0 ? 0.3 : place(random));
+      double expected = std::numeric_limits<double>::infinity();
+      for (const Triangle& t : all) {
+        const glm::dvec3 d = nearest_point(t, p) - p;
+        expected = std::min(expected, glm::dot(d, d));
+      }
+      EXPECT_EQ(tree.nearest(p).distance2, expected);
+      std::size_t within = 0;
+      tree.within(p, expected, [&](std::uint32_t) { ++within; });
+      EXPECT_GE(within, 1u);
+    }
+  }
 }
 
 // Corners of their own at equal places, as a soup has them.

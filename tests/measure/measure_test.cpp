@@ -240,6 +240,15 @@ TEST(Statistics, QualityOfTwoTriangles) {
   EXPECT_EQ(measure::measure_quality(Mesh()).min_angle_mean_deg, 0);
 }
 
+TEST(Statistics, AnglesOfHugeTrianglesAreNumbers) {
+  for (const double size : {1.0, 1e160, 1e300}) {
+    const Mesh mesh(zoo::make({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}));
+    const measure::Quality quality = measure::measure_quality(mesh);
+    EXPECT_NEAR(quality.min_angle_mean_deg, 45, 1e-9) << size;
+    EXPECT_EQ(quality.min_angle_worst_deg, quality.min_angle_mean_deg) << size;
+  }
+}
+
 //  3--2
 //  |  |  a quad is two triangles of the same face
 //  0--1

@@ -29,11 +29,6 @@ TEST(MeasureThreadsTest, TheSameTree) {
   for (const int threads : {2, 3, 7}) {
     const TriangleTree several(all.corners, threads);
     ASSERT_EQ(several.size(), one.size());
-    EXPECT_EQ(several.nodes(), one.nodes());
-    std::vector<std::array<std::uint32_t, 2>> pairs, expected;  // in the order of the nodes
-    one.touching_pairs([&](std::uint32_t n, std::uint32_t m) { expected.push_back({n, m}); });
-    several.touching_pairs([&](std::uint32_t n, std::uint32_t m) { pairs.push_back({n, m}); });
-    EXPECT_TRUE(pairs == expected) << threads;
     for (std::uint32_t n = 0; n < one.size(); ++n) {
       ASSERT_EQ(several.source(n), one.source(n)) << threads;
       ASSERT_EQ(several.triangle(n), one.triangle(n)) << threads;

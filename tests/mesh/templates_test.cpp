@@ -280,9 +280,10 @@ TEST(TemplatesTest, ContradictionsAreRefusedWithTheReason) {
        [](ShapeTemplate& t) { t.edge_count = 5; }}};
   const std::size_t before = shape_count();
   for (const auto& [reason, spoil] : cases) {
-    EXPECT_EQ(message([&] { (void)add_template(spoilt(spoil)); }),
+    const ShapeTemplate odd = spoilt(spoil);
+    EXPECT_EQ(message([&] { (void)add_template(odd); }),
               std::string("template \"odd\": ") + reason);
-    EXPECT_THROW(override_template(Shape::Tetrahedron, spoilt(spoil)), std::invalid_argument);
+    EXPECT_THROW(override_template(Shape::Tetrahedron, odd), std::invalid_argument);
   }
   ShapeTemplate crossed = shape_template(Shape::Quad);
   std::swap(crossed.edges[1], crossed.edges[2]);

@@ -12,7 +12,7 @@ namespace aomd {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr ModelRef face1{2, 1}, edge1{1, 1}, vertex1{0, 1};
+constexpr ModelRef face1{2, 1}, edge1{1, 1};
 
 // An odd place, so that no axis is where mistakes cancel.
 Frame somewhere() { return Frame::around({3, -2, 5}, {1, 2, -2}, {0, 1, 4}); }

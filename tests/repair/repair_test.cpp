@@ -364,6 +364,28 @@ TEST(RepairTest, WhereTwoEdgesWouldLieOnTheSameVerticesThePassageCloses) {
   EXPECT_EQ(report.done[0].text, "5 edges of three or more faces split");
 }
 
+// More faces around one vertex than are looked at for each change there: it waits until its
+// neighbours have become one.
+TEST(RepairTest, ACrowdOfFacesInOnePlace) {
+  MeshData data;
+  data.positions.assign(2001, glm::dvec3(1));
+  for (std::uint32_t i = 0; i < 2000; ++i)
+    data.faces.add(Shape::Triangle, {0, 1 + i, 1 + (i + 1) % 2000});
+  const RepairReport report = mend(data);
+  EXPECT_EQ(data.faces.size(), 0u);
+  EXPECT_EQ(report.done[0].count, 1998u);
+}
+
+// When nothing else is left to do, the faces around a crowded vertex come up again.
+TEST(RepairTest, ACrowdOfFacesOnALine) {
+  MeshData data;
+  for (std::uint32_t i = 0; i <= 2000; ++i) data.positions.emplace_back(i, 0, 0);
+  for (std::uint32_t i = 0; i < 2000; ++i)
+    data.faces.add(Shape::Triangle, {0, 1 + i, 1 + (i + 1) % 2000});
+  repair(data);
+  EXPECT_EQ(data.faces.size(), 449u);
+}
+
 TEST(RepairTest, TheFewerFacesTurn) {
   MeshData data = zoo::grid(2);
   const Triangles given = triangles(data);

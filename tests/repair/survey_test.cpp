@@ -187,6 +187,31 @@ TEST(SurveyTest, FacesWithoutArea) {
   EXPECT_EQ(only(data, "zero area").dirt.count, 1u);
 }
 
+/// What a repair leaves since the surface would change has no command that mends it.
+TEST(SurveyTest, FacesWithoutAreaThatAreToStay) {
+  const MeshData data =
+      make({{1, 1, 0}, {0, 0, 0}, {2, 0, 1}, {2, 0, 1}}, {{0, 3, 2}, {0, 2, 1}, {0, 1, 3}});
+  const SurfaceFinding flat = only(data, "zero area");
+  EXPECT_EQ(flat.dirt.text, "1 face without area, 1 of them to stay");
+  EXPECT_EQ(flat.remedy, Remedy::None);
+  const MeshData sound = make({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  EXPECT_EQ(only(sound, "zero area").remedy, Remedy::Repair);
+}
+
+/// A flap along an edge of a closed surface: welding would bring it there, and splitting the edge
+/// of three faces would take it off again.
+TEST(SurveyTest, AFlapThatComesApartAgainIsNoBorderToWeld) {
+  MeshData data = zoo::tetrahedron();
+  const std::uint32_t n = static_cast<std::uint32_t>(data.positions.size());
+  for (const glm::dvec3& p : {data.positions[0], data.positions[1], glm::dvec3(2, 2, 2)})
+    data.positions.push_back(p);
+  data.faces.add(Shape::Triangle, {n, n + 1, n + 2});
+  EXPECT_EQ(names(survey(data)), Names{"border edges"});
+  MeshData soup = make({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, -1, 0}},
+                       {{0, 1, 2}, {3, 4, 5}});
+  EXPECT_EQ(only(soup, "unwelded borders").dirt.count, 2u);
+}
+
 TEST(SurveyTest, TwoModelFacesMayLieOnEachOther) {
   MeshData data = zoo::square();
   data.faces.add(Shape::Triangle, {2, 1, 0});

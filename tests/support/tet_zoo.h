@@ -78,7 +78,8 @@ inline std::vector<TetAnimal> tets() {
           {"on an edge", tet_grid({4, 4, 2}, [](const Cell& c) { return (c.x < 2) == (c.y < 2); })},
           {"on a vertex", tet_grid({4, 4, 4},
                                    [](const Cell& c) {
-                                     return (c.x < 2) == (c.y < 2) && (c.y < 2) == (c.z < 2);
+                                     const bool x = c.x < 2, y = c.y < 2, z = c.z < 2;
+                                     return x == y && y == z;
                                    })},
           {"shell", tet_grid({4, 4, 4}, [=](const Cell& c) { return inner(c) ? 0 : 1; })},
           {"ball in a box", tet_grid(

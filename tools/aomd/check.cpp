@@ -4,27 +4,29 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/measure/volume_statistics.h"
 #include "core/mesh/names.h"
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_report.h"
 
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string file;
   bool json = false, unused = false;
   std::vector<std::string> required;  ///< names of properties
 };
 
-std::string shown(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
+std::string entity_text(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
 std::vector<std::string> property_names() {
   std::vector<std::string> names;
+  names.reserve(surface_property_count);
   for (int i = 0; i < surface_property_count; ++i)
     names.emplace_back(property_name(static_cast<SurfaceProperty>(i)));
   return names;
@@ -35,9 +37,10 @@ struct Checked {
   std::vector<Finding> mesh;
   std::vector<SurfaceFinding> surface;
   std::vector<std::string> missing;  ///< of the required properties
+  Json volume;                       ///< null without regions
 };
 
-bool is_required(const Options& options, SurfaceProperty property) {
+bool is_required(const CheckArguments& options, SurfaceProperty property) {
   const auto names = [&](const char* name) {
     return std::find(options.required.begin(), options.required.end(), name) !=
            options.required.end();
@@ -46,7 +49,7 @@ bool is_required(const Options& options, SurfaceProperty property) {
 }
 
 // A border is no dirt: it is told where the surface is to be closed.
-void look_at_surface(const Options& options, const MeshData& data, const Mesh& mesh,
+void look_at_surface(const CheckArguments& options, const MeshData& data, const Mesh& mesh,
                      Checked& result) {
   if (!data.regions.empty()) return;
   for (const SurfaceFinding& finding : survey(data))
@@ -64,13 +67,22 @@ void look_at_surface(const Options& options, const MeshData& data, const Mesh& m
                        result.missing.end());
 }
 
-Checked checked(const Options& options) {
+void look_at_volume(const Mesh& mesh, Checked& result) {
+  if (mesh.count(3) == 0) return;
+  const int threads = thread_count(0);
+  const measure::VolumeQuality quality = measure::measure_volume(mesh, threads);
+  const measure::VolumeComplex complex = measure::analyse_volume(mesh, threads);
+  const std::vector<Finding> findings = volume_findings(complex, quality);
+  result.mesh.insert(result.mesh.end(), findings.begin(), findings.end());
+  result.volume = volume_json(complex, quality);
+}
+
+Checked checked(const CheckArguments& options) {
   io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
   Checked result;
   result.mesh = verify(mesh, {options.unused});
-  for (const Region r : measure::measure_volume(mesh).inverted)
-    result.mesh.push_back({"inverted region", r, "its volume is zero or negative"});
+  look_at_volume(mesh, result);
   look_at_surface(options, read.mesh, mesh, result);
   return result;
 }
@@ -88,24 +100,25 @@ std::string summary(const Checked& result) {
 
 void print(const std::string& file, const Checked& result) {
   for (const Finding& f : result.mesh)
-    std::cout << f.name << ": " << shown(f.entity) << ": " << f.text << '\n';
+    std::cout << f.name << ": " << entity_text(f.entity) << ": " << f.text << '\n';
   for (const SurfaceFinding& f : result.surface) std::cout << line_of(f, file) << '\n';
   std::cout << file << ": " << summary(result) << '\n';
 }
 
-Json json_of(const Options& options, const Checked& result) {
+Json json_of(const CheckArguments& options, const Checked& result) {
   Json list = Json::array();
   for (const Finding& f : result.mesh)
-    list.push_back({{"name", f.name}, {"entity", shown(f.entity)}, {"text", f.text}});
+    list.push_back({{"name", f.name}, {"entity", entity_text(f.entity)}, {"text", f.text}});
   return {{"schema", 1},
           {"file", options.file},
           {"findings", list},
           {"surface", surface_json(result.surface, options.file)},
+          {"volume", result.volume},
           {"required", options.required},
           {"missing", result.missing}};
 }
 
-int run(const Options& options) {
+int run(const CheckArguments& options) {
   const Checked result = checked(options);
   if (options.json)
     std::cout << text_of(json_of(options, result));
@@ -121,7 +134,7 @@ void add_check(CLI::App& app, Action& action) {
       "check",
       "Names what is wrong with a mesh, exit code 1 when anything is, and what is dirty in a "
       "surface");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--unused", options->unused,
@@ -136,7 +149,7 @@ void add_check(CLI::App& app, Action& action) {
           "Exit code 1 also where the surface is not: " + listed + ".\nclean is all but closed")
       ->type_name("WORD,...")
       ->delimiter(',')
-      ->check(CLI::IsMember(words).description(""));
+      ->transform(CLI::IsMember(words, CLI::ignore_case).description(""));
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -14,13 +14,13 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ClassifyArguments {
   std::string input, output, format;
   double angle_deg = 20;
   bool replace = false, quiet = false;
 };
 
-int run(const Options& options) {
+int run(const ClassifyArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"IN", options.input}}, outputs);
@@ -53,7 +53,7 @@ int run(const Options& options) {
 void add_classify(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("classify", "Classifies a mesh by the angles between its faces");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ClassifyArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());

@@ -61,7 +61,8 @@ void print_notes(const std::string& file, const std::vector<std::string>& notes)
 /// Reads a mesh; "-" stands for standard input, and a pipe is read to its end.
 [[nodiscard]] io::ReadResult read_input(const std::string& file);
 
-/// The same; what the reader had to do goes to standard error as notes unless `quiet`.
+/// Reads a mesh as read_input() does; what the reader had to do goes to standard error as notes
+/// unless `quiet`.
 [[nodiscard]] io::ReadResult read_mesh(const std::string& file, bool quiet = false);
 
 /// Adds --threads N: 0, the default, stands for all cores.

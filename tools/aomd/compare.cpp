@@ -1,30 +1,24 @@
-// aomd compare: distances, normals and topology between two surfaces; a check for scripts when
-// limits are given.
+// aomd compare: distances, normals and topology between two surfaces or volumes; a check for
+// scripts when limits are given.
 
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/measure/distance.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/compare_arguments.h"
+#include "tools/aomd/compare_volumes.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
-
-struct Options {
-  std::string original, result;
-  bool json = false, same_topology = false;
-  std::size_t samples = 500'000;
-  int threads = 0;  ///< 0: all cores
-  std::optional<double> max_distance, max_rms;
-  std::optional<std::size_t> max_flips, max_intersections;
-};
 
 /// One of the two surfaces, by itself.
 struct Side {
@@ -47,9 +41,13 @@ struct Comparison {
   }
 };
 
-Side read_side(const std::string& file, bool quiet, Progress& progress, int threads) {
+Mesh read(const std::string& file, bool quiet, Progress& progress) {
   progress.show("reading " + file);
-  Side side{file, Mesh(read_mesh(file, quiet).mesh), {}, {}, 0};
+  return Mesh(read_mesh(file, quiet).mesh);
+}
+
+Side measured(const std::string& file, Mesh mesh, Progress& progress, int threads) {
+  Side side{file, std::move(mesh), {}, {}, 0};
   if (side.mesh.count(2) == 0) throw io::ReadError(file, {}, "has no faces to compare");
   progress.show("measuring " + file);
   side.counts = measure::count_entities(side.mesh);
@@ -58,19 +56,19 @@ Side read_side(const std::string& file, bool quiet, Progress& progress, int thre
   return side;
 }
 
-Comparison compare(const Options& options) {
+Comparison compare(const CompareArguments& options, Mesh original, Mesh result) {
   Progress progress(false);
   const int threads = thread_count(options.threads);
-  Comparison c{read_side(options.original, options.json, progress, threads),
-               read_side(options.result, options.json, progress, threads),
+  Comparison c{measured(options.original, std::move(original), progress, threads),
+               measured(options.result, std::move(result), progress, threads),
                0,
                {},
                {}};
   progress.show("measuring distances");
-  const measure::Surface original(c.original.mesh, threads), result(c.result.mesh, threads);
-  c.diagonal = original.tree().box().diagonal();
-  c.distance = measure::mutual_distance(original, result, options.samples, threads);
-  c.normals = measure::measure_normals(original.tree(), c.result.mesh, threads);
+  const measure::Surface from(c.original.mesh, threads), to(c.result.mesh, threads);
+  c.diagonal = from.tree().box().diagonal();
+  c.distance = measure::mutual_distance(from, to, options.samples, threads);
+  c.normals = measure::measure_normals(from.tree(), c.result.mesh, threads);
   return c;
 }
 
@@ -80,22 +78,16 @@ bool same_topology(const measure::Counts& a, const measure::Counts& b) {
          (a.boundary_edges > 0) == (b.boundary_edges > 0);
 }
 
-/// What goes beyond the limits that were given, one sentence each.
-std::vector<std::string> objections(const Comparison& c, const Options& options) {
-  std::vector<std::string> list;
-  const auto limit = [&list](const auto& largest, auto value, const char* what, const char* unit) {
-    if (!largest || value <= *largest) return;
-    std::ostringstream text;
-    text << what << " " << value << unit << " is above the limit of " << *largest << unit;
-    list.push_back(text.str());
-  };
-  limit(options.max_distance, c.percent(c.distance.max()), "largest distance", " %");
-  limit(options.max_rms, c.percent(c.distance.rms()), "rms distance", " %");
-  limit(options.max_flips, c.normals.flips, "number of flips", "");
-  limit(options.max_intersections, c.result.self_intersections, "number of self-intersections", "");
+std::vector<std::string> objections(const Comparison& c, const CompareArguments& options) {
+  Objections list;
+  list.limit(options.max_distance, c.percent(c.distance.max()), "largest distance", " %");
+  list.limit(options.max_rms, c.percent(c.distance.rms()), "rms distance", " %");
+  list.limit(options.max_flips, c.normals.flips, "number of flips", "");
+  list.limit(options.max_intersections, c.result.self_intersections, "number of self-intersections",
+             "");
   if (options.same_topology && !same_topology(c.original.counts, c.result.counts))
-    list.push_back("the topology differs");
-  return list;
+    list.add("the topology differs");
+  return list.list();
 }
 
 // -----------------------------------------------------------------------------------------------
@@ -191,8 +183,8 @@ void print(const Comparison& c) {
   sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
 }
 
-int run(const Options& options) {
-  const Comparison c = compare(options);
+int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result) {
+  const Comparison c = compare(options, std::move(original), std::move(result));
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
     std::cout << text_of(comparison_json(c, list));
@@ -203,7 +195,17 @@ int run(const Options& options) {
   return list.empty() ? done : says_no;
 }
 
-void add_limits(CLI::App* command, Options& options) {
+int run(const CompareArguments& options) {
+  Progress progress(false);
+  Mesh original = read(options.original, options.json, progress),
+       result = read(options.result, options.json, progress);
+  progress.wipe();
+  return original.count(3) > 0 && result.count(3) > 0
+             ? compare_volumes(options, original, result)
+             : compare_surfaces(options, std::move(original), std::move(result));
+}
+
+void add_limits(CLI::App* command, CompareArguments& options) {
   const auto limit = [command](const char* name, auto& value, const char* text) {
     return command->add_option(name, value, text)
         ->type_name("N")
@@ -230,10 +232,11 @@ void add_limits(CLI::App* command, Options& options) {
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "compare",
-      "Distances, normals and topology between two surfaces; exit code 1 beyond given limits");
-  const auto options = std::make_shared<Options>();
-  command->add_option("ORIGINAL", options->original, "The surface that is the measure")->required();
-  command->add_option("RESULT", options->result, "The surface that should be like it")->required();
+      "Distances, normals and topology between two surfaces, of volumes also what their regions, "
+      "model edges and model vertices kept; exit code 1 beyond given limits");
+  const auto options = std::make_shared<CompareArguments>();
+  command->add_option("ORIGINAL", options->original, "The mesh that is the measure")->required();
+  command->add_option("RESULT", options->result, "The mesh that should be like it")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->add_option("--samples", options->samples, "Points on each surface, besides all vertices")
       ->type_name("N")

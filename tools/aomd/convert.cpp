@@ -1,7 +1,10 @@
 // aomd convert: from one format to another.
 
 #include <memory>
+#include <utility>
 
+#include "core/base/text.h"
+#include "core/mesh/split_tets.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/values.h"
@@ -9,15 +12,33 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ConvertArguments {
   std::string input, output, format;
-  bool ascii = false, binary = false, msh2 = false;
+  bool ascii = false, binary = false, msh2 = false, split_to_tets = false;
 };
 
-int run(const Options& options) {
+/// The mesh in tetrahedra; a note says what was cut.
+MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
+  SplitToTets split = split_to_tets(mesh);
+  std::vector<std::string> notes;
+  if (const std::string text = split.text(); !text.empty())
+    notes.push_back("cut " + text);
+  else
+    notes.push_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
+  if (split.turned > 0)
+    notes.push_back(counted(split.turned, "region") + " inside out, turned as they were cut");
+  if (split.inverted > 0)
+    notes.push_back(counted(split.inverted, "tetrahedron") +
+                    " of regions that are not convex without positive volume");
+  print_notes(options.input, notes);
+  return std::move(split.mesh);
+}
+
+int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   check_files({{"IN", options.input}}, {{"OUT", options.output}});
-  const io::ReadResult read = read_mesh(options.input);
+  io::ReadResult read = read_mesh(options.input);
+  if (options.split_to_tets) read.mesh = in_tetrahedra(options, read.mesh);
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
@@ -30,7 +51,7 @@ int run(const Options& options) {
 void add_convert(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("convert", "Writes a mesh in the format that OUT's extension names");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());
@@ -47,6 +68,8 @@ void add_convert(CLI::App& app, Action& action) {
   command->add_flag("--binary", options->binary, "As binary, where the format has both")
       ->excludes(ascii);
   command->add_flag("--msh2", options->msh2, "MSH version 2.2 instead of 4.1");
+  command->add_flag("--split-to-tets", options->split_to_tets,
+                    "Cuts hexahedra, prisms and pyramids into tetrahedra, and quads beside them");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }
 

@@ -80,9 +80,6 @@ class Run {
     mesh_ = Mesh(original_);
     if (volume() && !has_tetrahedra(mesh_))
       throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
-    if (volume() && !options_.paper())
-      throw io::LimitError(options_.input, {},
-                           "the quality strategy does not take volumes yet: --strategy paper does");
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
     count_cells();
@@ -130,7 +127,7 @@ class Run {
     progress_.show("classifying");
     classify_by_angle();
     if (volume()) mesh_.keep_model_faces_only();
-    if (!volume() && !options_.paper() && !model_ && !options_.snaps())
+    if (!options_.paper() && !model_ && !options_.snaps())
       keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;
@@ -187,7 +184,7 @@ class Run {
       steps_.max_distance = options_.max_distance_pct / 100 * diagonal_of(original_);
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     std::size_t required = 0;
-    steps_.keep = keep_required(mesh_, std::move(steps_.keep), required);
+    steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0 && !options_.quiet)
       print_notes(options_.input, {counted(required, "required vertex") + " kept in place"});
     const auto source = options_.spacing_source();
@@ -219,7 +216,8 @@ class Run {
     if (!misses(cells(), target_)) return;
     progress_.show("asking why");
     missed_ = {decimation.edges_left(), ""};
-    missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
+    if (mesh_.count(2) > least_faces(input_))
+      missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
   }
 
   void check() {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/decimate/spacing/spacing_expression.h"
 #include "tools/aomd/values.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 CLI::Validator angle_or_off() {
   const auto check = [](std::string& text) {
+    if (lower(text) == "off") text = "off";
     const bool fits = text == "off" || angle()(text).empty();
     return fits ? std::string()
                 : "must be off, or more than 0 and less than 180 degrees, not " + text;
@@ -41,11 +43,12 @@ CLI::Validator number_or_share() {
 }
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
-  return CLI::IsMember(words).description("");
+  return CLI::IsMember(words, CLI::ignore_case).description("");
 }
 
 std::vector<std::string> idea_names() {
   std::vector<std::string> names;
+  names.reserve(idea_count);
   for (int i = 0; i < idea_count; ++i) names.emplace_back(idea_name(static_cast<Idea>(i)));
   return names;
 }
@@ -102,7 +105,9 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       command.add_option("--strategy", o.strategy,
                          "quality: cheapest collapse first, vertices placed, fitted to "
                          "the original;\npaper: the loop as printed");
-  strategy->type_name("paper|quality")->check(one_of({"paper", "quality"}))->capture_default_str();
+  strategy->type_name("paper|quality")
+      ->transform(one_of({"paper", "quality"}))
+      ->capture_default_str();
   CLI::Option* regularity =
       command.add_option("--regularity", o.decimation.regularity,
                          "For quality: 0 accuracy first .. 1 regular faces first");
@@ -111,7 +116,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--feature-angle", o.feature_angle,
       "Edges whose faces meet at more than this become model edges; where that\nwould cost more "
       "than half of --target-faces, only from 50 degrees on unless\nit is given");
-  features->type_name("DEG|off")->check(angle_or_off())->capture_default_str();
+  features->type_name("DEG|off")->transform(angle_or_off())->capture_default_str();
   features->each([&o](const std::string&) { o.feature_angle_given = true; });
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
@@ -126,7 +131,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   CLI::Option* snap = command.add_option("--snap", o.snap,
                                          "model: smoothing puts vertices onto the model, that of "
                                          "--model or else\nthe facets of the input");
-  snap->type_name("none|model")->check(one_of({"none", "model"}))->capture_default_str();
+  snap->type_name("none|model")->transform(one_of({"none", "model"}))->capture_default_str();
   CLI::Option* model = command.add_option(
       "--model", o.model,
       "The CAD model that the mesh lies on: .step, .stp, .brep, .iges, .igs or .geo\n"
@@ -141,7 +146,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
-  without->type_name("IDEA,...")->delimiter(',')->check(one_of(idea_names()));
+  without->type_name("IDEA,...")->delimiter(',')->transform(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
                    model, triangulate, repair, weld, without, add_threads(command, o.threads)});
 }
@@ -159,12 +164,12 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
   CLI::Option* distance = command.add_option(
       "--max-distance", o.max_distance_pct,
       "No point of the result is further from the original, percent of the diagonal");
-  distance->type_name("PCT")->check(positive_number());
+  distance->type_name("PCT")->transform(percent())->check(positive_number());
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");
   CLI::Option* topology = command.add_option(
       "--topology", o.topology, "safe: keeps the topology; paper: as printed, without that check");
-  topology->type_name("safe|paper")->check(one_of({"safe", "paper"}))->capture_default_str();
+  topology->type_name("safe|paper")->transform(one_of({"safe", "paper"}))->capture_default_str();
   CLI::Option* keep = command.add_option(
       "--keep", o.keep,
       "Vertices that stay where they are, one item a line: a vertex (123), a range\n"

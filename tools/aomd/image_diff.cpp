@@ -11,12 +11,12 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ImageDiffArguments {
   std::string a, b, output;
   double threshold = 0.99;
 };
 
-int run(const Options& options) {
+int run(const ImageDiffArguments& options) {
   check_files({{"A", options.a}, {"B", options.b}}, {{"--output", options.output}});
   const io::Image a = io::read_png(options.a), b = io::read_png(options.b);
   const measure::ImageDifference difference = measure::compare_images(a, b);
@@ -35,7 +35,7 @@ int run(const Options& options) {
 void add_image_diff(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("image-diff", "Compares two PNG pictures; exit code 1 when they differ");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImageDiffArguments>();
   command->add_option("A", options->a, "A picture")->required();
   command->add_option("B", options->b, "The other one")->required();
   command

@@ -4,15 +4,17 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_report.h"
 
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct InfoArguments {
   std::string file;
   bool json = false;
 };
@@ -24,7 +26,7 @@ void row(const char* label, const Value& value) {
 }
 
 void print(const std::string& file, const Mesh& mesh, const measure::Counts& counts,
-           const measure::Quality& quality, const measure::VolumeQuality& volume) {
+           const measure::Quality& quality) {
   std::cout << printable(file) << '\n' << std::fixed << std::setprecision(2);
   row("vertices", counts.vertices);
   row("  used by nothing", counts.unused_vertices);
@@ -47,27 +49,44 @@ void print(const std::string& file, const Mesh& mesh, const measure::Counts& cou
                                       "on model regions"};
   for (std::size_t dim = 0; dim < counts.by_class.size(); ++dim)
     if (counts.by_class[dim] > 0) row(on_model[dim], counts.by_class[dim]);
-  if (volume.worst.valid()) {
-    row("smallest dihedral", volume.min_dihedral_deg);
-    row("inverted regions", volume.inverted.size());
+  if (mesh.count(2) > 0) {
+    row("smallest angle, mean", quality.min_angle_mean_deg);
+    row("smallest angle, worst", quality.min_angle_worst_deg);
+    row("% faces below 10 deg", quality.faces_below_10deg_pct);
   }
-  row("smallest angle, mean", quality.min_angle_mean_deg);
-  row("smallest angle, worst", quality.min_angle_worst_deg);
-  row("% faces below 10 deg", quality.faces_below_10deg_pct);
   row("memory, MB", static_cast<double>(mesh.entity_bytes() + mesh.adjacency_bytes()) / 1e6);
 }
 
-int run(const Options& options) {
+void print(const measure::VolumeComplex& complex, const measure::VolumeQuality& quality) {
+  row("smallest dihedral", quality.min_dihedral_deg);
+  row("  5 % are below", quality.p5_dihedral_deg);
+  row("  mean", quality.mean_dihedral_deg);
+  row("% regions below 10 deg", quality.regions_below_10deg_pct);
+  if (quality.tetrahedra > 0) {
+    row("shape of tets, worst", quality.shape_min);
+    row("  mean", quality.shape_mean);
+  }
+  row("inverted regions", quality.inverted.size());
+  row("repeated regions", complex.repeated.size());
+  row("non-conforming faces", complex.crowded.size());
+  row("folded faces", complex.folded.size());
+  print_regions(complex);
+}
+
+int run(const InfoArguments& options) {
   Stopwatch watch;
   const io::ReadResult read = read_mesh(options.file);
   const Mesh mesh(read.mesh);
   const double seconds = watch.lap();
   const measure::Counts counts = measure::count_entities(mesh);
   const measure::Quality quality = measure::measure_quality(mesh);
-  const measure::VolumeQuality volume = measure::measure_volume(mesh);
+  const int threads = thread_count(0);
+  const measure::VolumeQuality volume = measure::measure_volume(mesh, threads);
+  const measure::VolumeComplex complex = measure::analyse_volume(mesh, threads);
   const std::vector<SurfaceFinding> dirt = survey(read.mesh);
   if (!options.json) {
-    print(options.file, mesh, counts, quality, volume);
+    print(options.file, mesh, counts, quality);
+    if (counts.regions > 0) print(complex, volume);
     for (const SurfaceFinding& finding : dirt)
       if (finding.breaks != SurfaceProperty::Closed)
         std::cout << "  " << line_of(finding, options.file) << '\n';
@@ -84,6 +103,7 @@ int run(const Options& options) {
             {"surface", surface_json(dirt, options.file)},
             {"notes", read.notes}};
   add_volume_quality(json["quality"], volume);
+  if (counts.regions > 0) json["volume"] = volume_json(complex, volume);
   std::cout << text_of(json);
   return done;
 }
@@ -93,7 +113,7 @@ int run(const Options& options) {
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("info", "Counts, topology, classification, quality and memory of a mesh");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoArguments>();
   command->add_option("FILE", options->file, "The mesh")->required();
   command->add_flag("--json", options->json, "As JSON");
   command->callback([&action, options] { action = [options] { return run(*options); }; });

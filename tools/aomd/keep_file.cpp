@@ -9,8 +9,8 @@
 
 #include "core/base/text.h"
 #include "core/io/medit.h"
-#include "core/io/source.h"
 #include "core/io/text_cursor.h"
+#include "core/io/text_file.h"
 #include "core/model/model.h"
 
 namespace aomd::cli {
@@ -44,7 +44,7 @@ class KeepFile {
 
  private:
   void item() {
-    const std::string_view word = cursor_.word();
+    const std::string word = lower(cursor_.word());
     constexpr std::array<std::string_view, 4> dimensions = {"vertex", "edge", "face", "region"};
     const auto found = std::find(dimensions.begin(), dimensions.end(), word);
     if (found == dimensions.end()) return keep_range(word);
@@ -123,7 +123,7 @@ void mark_required(const Mesh& mesh, Kept& required) {
 
 }  // namespace
 
-std::shared_ptr<const Kept> keep_required(const Mesh& mesh, std::shared_ptr<const Kept> keep,
+std::shared_ptr<const Kept> keep_required(const Mesh& mesh, const std::shared_ptr<const Kept>& keep,
                                           std::size_t& required) {
   Kept kept(mesh.capacity(0), 0);
   mark_required<Vertex>(mesh, kept);
@@ -138,9 +138,8 @@ std::shared_ptr<const Kept> keep_required(const Mesh& mesh, std::shared_ptr<cons
 }
 
 std::shared_ptr<const Kept> read_keep_file(const std::filesystem::path& file, const Mesh& mesh) {
-  const io::detail::FileBytes bytes(file);
-  const io::detail::Source source{file.string(), bytes.view()};
-  return std::make_shared<const Kept>(KeepFile(source, mesh).read());
+  const io::detail::TextFile text(file);
+  return std::make_shared<const Kept>(KeepFile(text.source(), mesh).read());
 }
 
 }  // namespace aomd::cli

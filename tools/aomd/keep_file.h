@@ -17,11 +17,11 @@ namespace aomd::cli {
 [[nodiscard]] std::shared_ptr<const Column<Vertex, std::uint8_t>> read_keep_file(
     const std::filesystem::path& file, const Mesh& mesh);
 
-/// The same for what the mesh's own file requires: vertices with the mark of Medit, and those of
-/// edges and faces with it, besides those that stay anyway (`keep`, or null). Null where nothing
+/// Marks what the mesh's own file requires: vertices with the mark of Medit, and those of edges and
+/// faces with it, besides those that stay anyway (`keep`, or null). Null where nothing
 /// stays. `required` receives the number of required vertices. O(entities).
 [[nodiscard]] std::shared_ptr<const Column<Vertex, std::uint8_t>> keep_required(
-    const Mesh& mesh, std::shared_ptr<const Column<Vertex, std::uint8_t>> keep,
+    const Mesh& mesh, const std::shared_ptr<const Column<Vertex, std::uint8_t>>& keep,
     std::size_t& required);
 
 }  // namespace aomd::cli

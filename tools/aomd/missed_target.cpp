@@ -1,30 +1,14 @@
 #include "tools/aomd/missed_target.h"
 
 #include <algorithm>
-#include <tuple>
-#include <vector>
 
 #include "core/base/text.h"
 #include "core/decimate/explain/stop_words.h"
-#include "core/decimate/spacing/spacing_expression.h"
+#include "core/repair/survey.h"
+#include "tools/aomd/surface_lines.h"
 
 namespace aomd::cli {
 namespace {
-
-/// Whether vertices of faces share their places, as in a file that lists each triangle by itself.
-bool welding_joins(const MeshData& mesh) {
-  std::vector<std::uint32_t> used = mesh.faces.vertices;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const auto place = [&](std::uint32_t v) {
-    const glm::dvec3& p = mesh.positions[v];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  std::sort(used.begin(), used.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
-  const auto same = [&](std::uint32_t a, std::uint32_t b) { return place(a) == place(b); };
-  return std::adjacent_find(used.begin(), used.end(), same) != used.end();
-}
 
 /// Looks for what loosens one reason.
 class Help {
@@ -42,7 +26,7 @@ class Help {
         return against_classification();
       case Reason::Topology:
         if (volume) return "";
-        if (const std::string mending = by_mending(); !mending.empty()) return mending;
+        if (std::string mending = by_mending(); !mending.empty()) return mending;
         return steps_.topology == TopologyRule::Safe ? "--topology paper" : "";
       case Reason::Flat:
         return given_.repair || volume ? "" : "--repair";
@@ -71,14 +55,16 @@ class Help {
   /// Borders that should be none, and edges of many faces, are model edges as features are.
   [[nodiscard]] std::string against_classification() const {
     const bool volume = !original_.regions.empty();
-    if (const std::string mending = volume ? "" : by_mending(); !mending.empty()) return mending;
+    if (std::string mending = volume ? "" : by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     return given_.feature_angle != "off" ? "--feature-angle off" : "";
   }
 
   [[nodiscard]] std::string by_mending() const {
-    if (input_.boundary_edges > 0 && welding_joins(original_)) return "aomd repair --weld";
+    if (input_.boundary_edges > 0)
+      for (const SurfaceFinding& finding : survey(original_))
+        if (finding.remedy == Remedy::Weld) return "aomd repair " + weld_words(finding);
     return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
   }
 
@@ -92,6 +78,11 @@ class Help {
 
 bool misses(std::uint64_t faces, std::uint64_t target) {
   return target > 0 && 100 * faces > 101 * target;
+}
+
+std::uint64_t least_faces(const measure::Counts& input) {
+  const std::uint64_t of_a_piece = input.boundary_edges == 0 ? 4 : 1;
+  return of_a_piece * input.components;
 }
 
 std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,

@@ -13,6 +13,9 @@ namespace aomd::cli {
 /// Whether so many faces miss a target, 0 for none, by more than one percent.
 [[nodiscard]] bool misses(std::uint64_t faces, std::uint64_t target);
 
+/// How many faces the pieces of a surface need: where no more are left, no option helps.
+[[nodiscard]] std::uint64_t least_faces(const measure::Counts& input);
+
 /// What a run that missed its target found.
 struct MissedTarget {
   EdgesByReason edges{};   ///< that are left, by what keeps them

@@ -1,12 +1,10 @@
 #include "tools/aomd/outputs.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/io/output_files.h"
@@ -18,30 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string identity(const struct stat& info) {
-  return std::to_string(info.st_dev) + ':' + std::to_string(info.st_ino);
-}
-
-/// What tells one file from another, whatever the path; none for what nothing can overwrite, such
-/// as a terminal.
-std::optional<std::string> identity_of_input(const std::string& path) {
-  struct stat info {};
-  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &info) : ::stat(path.c_str(), &info);
-  if (failed != 0 || !S_ISREG(info.st_mode)) return {};
-  return identity(info);
-}
-
-/// Of an output that is not there yet: its folder and its name.
-std::optional<std::string> identity_of_output(const std::string& given) {
-  const fs::path path = output_path(given);
-  const io::detail::OutputTarget target = io::detail::find_output_target(path);
-  struct stat info {};
-  const bool own = target.kind == io::detail::OutputTarget::Kind::Descriptor;
-  const int failed = own ? ::fstat(target.descriptor, &info) : ::stat(target.path.c_str(), &info);
-  if (failed == 0) return S_ISCHR(info.st_mode) ? std::nullopt : std::optional(identity(info));
-  return (fs::weakly_canonical(fs::absolute(target.path).parent_path()) / target.path.filename())
-      .string();
-}
+using io::detail::input_identity;
+using io::detail::output_identity;
 
 bool is_standard_output(const NamedFile& file) {
   return !file.path.empty() && output_path(file.path) == "/dev/stdout";
@@ -55,7 +31,8 @@ struct KnownFile {
 std::vector<KnownFile> identified(const std::vector<NamedFile>& inputs) {
   std::vector<KnownFile> known;
   for (const NamedFile& input : inputs)
-    if (const auto identity = identity_of_input(input.path)) known.push_back({&input, *identity});
+    if (auto identity = input_identity(input.path == "-" ? "/dev/stdin" : input.path))
+      known.push_back({&input, std::move(*identity)});
   return known;
 }
 
@@ -66,7 +43,7 @@ void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFi
   for (const NamedFile& output : outputs) {
     if (output.path.empty()) continue;
     io::OutputFiles::probe(output_path(output.path));
-    const auto identity = identity_of_output(output.path);
+    const auto identity = output_identity(output_path(output.path));
     if (!identity) continue;
     for (const KnownFile& other : known)
       if (other.identity == *identity)

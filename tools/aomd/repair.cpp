@@ -13,7 +13,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct RepairArguments {
   std::string input, output, format;
   RepairOptions repair;
   WeldOption weld;
@@ -24,7 +24,21 @@ void print(std::ostream& out, const std::string& file, const std::vector<RepairI
   for (const RepairItem& item : items) out << printable(file) << ": " << line_of(item) << '\n';
 }
 
-int run(Options& options) {
+/// What welding and removing have left behind is told: other files may count on the numbers.
+void tell_unused(const MeshData& mesh, RepairReport& report) {
+  std::vector<std::uint8_t> used(mesh.positions.size(), 0);
+  for (const EntityList* list : {&mesh.edges, &mesh.faces})
+    for (const std::uint32_t v : list->vertices) used[v] = 1;
+  RepairItem item{"unused vertices", "", 0, 0, {}};
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (!used[v] && ++item.count <= 8) item.first.push_back(v);
+  if (item.count == 0) return;
+  item.text = counted(item.count, "vertex") + " that nothing uses left: --drop-unused drops " +
+              (item.count == 1 ? "it" : "them");
+  report.left.push_back(std::move(item));
+}
+
+int run(RepairArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"IN", options.input}}, outputs);
@@ -37,7 +51,8 @@ int run(Options& options) {
       options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();
   watch.lap();
   options.weld.apply(options.repair, read.mesh);
-  const RepairReport report = repair(read.mesh, options.repair);
+  RepairReport report = repair(read.mesh, options.repair);
+  if (!report.done.empty()) tell_unused(read.mesh, report);
   const double repairing = watch.lap();
   write_mesh(options.output, format, read.mesh, options.quiet || options.json);
   std::ostream& out = stream_beside(outputs);
@@ -72,6 +87,7 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
       .add_option("--min-piece", repair.min_piece_pct,
                   "Removes pieces smaller than this, percent of the diagonal")
       ->type_name("PCT")
+      ->transform(percent())
       ->check(between(0, 100));
   command.add_flag("--drop-unused", repair.drop_unused, "Drops vertices that nothing uses");
 }
@@ -81,7 +97,7 @@ void add_switches(CLI::App& command, RepairOptions& repair) {
 void add_repair(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "repair", "Mends what is safe to mend in a dirty surface, and says what it did");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RepairArguments>();
   command->add_option("IN", options->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());

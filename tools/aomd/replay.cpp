@@ -20,14 +20,14 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct ReplayArguments {
   std::string model, journal, output, format;
   std::optional<std::size_t> step;
   bool triangulate = false, repair = false, quiet = false;
   WeldOption weld;  ///< with repair
 };
 
-void mend(const Options& options, MeshData& mesh) {
+void mend(const ReplayArguments& options, MeshData& mesh) {
   if (options.triangulate) triangulate_quads(mesh);
   if (!options.repair || !mesh.regions.empty()) return;
   RepairOptions how;
@@ -35,7 +35,7 @@ void mend(const Options& options, MeshData& mesh) {
   repair(mesh, how);
 }
 
-std::size_t last_step(const Options& options, const Journal& journal) {
+std::size_t last_step(const ReplayArguments& options, const Journal& journal) {
   const std::size_t step = options.step.value_or(journal.size());
   if (step > journal.size())
     throw UsageError("--step " + std::to_string(step) + ": the journal has " +
@@ -43,7 +43,7 @@ std::size_t last_step(const Options& options, const Journal& journal) {
   return step;
 }
 
-int run(const Options& options) {
+int run(const ReplayArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"MODEL", options.model}, {"JOURNAL", options.journal}}, outputs);
@@ -79,7 +79,7 @@ int run(const Options& options) {
 
 void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Makes the operations of a journal again");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayArguments>();
   command
       ->add_option("MODEL", options->model,
                    "The mesh that the journal started from; - is standard input")

@@ -15,7 +15,7 @@
 namespace aomd::cli {
 namespace {
 
-struct Options {
+struct SampleArguments {
   std::string name, output, format;
   int size = 0;
   bool list = false;
@@ -28,7 +28,7 @@ int list_samples() {
   return done;
 }
 
-MeshData make(const Options& options) {
+MeshData make(const SampleArguments& options) {
   try {
     return make_sample(options.name, options.size);
   } catch (const std::invalid_argument& e) {
@@ -36,7 +36,7 @@ MeshData make(const Options& options) {
   }
 }
 
-int run(const Options& options) {
+int run(const SampleArguments& options) {
   if (options.list) return list_samples();
   if (options.name.empty() || options.output.empty())
     throw UsageError("sample: NAME and OUT are required, or --list");
@@ -51,7 +51,7 @@ int run(const Options& options) {
 
 void add_sample(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("sample", "Writes a generated mesh");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SampleArguments>();
   command->add_option("NAME", options->name, "Which one; --list shows them");
   command->add_option("OUT", options->output, "Where to write it; - is standard output");
   add_format(*command, options->format);

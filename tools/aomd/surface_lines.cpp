@@ -4,7 +4,6 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/decimate/spacing/spacing_expression.h"
 #include "core/measure/intersections.h"
 #include "tools/aomd/repair_items.h"
 
@@ -14,13 +13,9 @@ namespace {
 // Dirt in a smaller share of a surface is told only where a target is missed.
 constexpr std::size_t least_share = 20;
 
-std::string weld_words(const SurfaceFinding& finding) {
-  return finding.tolerance > 0 ? "--weld " + number_text(finding.tolerance) : "--weld";
-}
-
 // Nothing where no command mends it.
 std::string command_of(const SurfaceFinding& finding, const std::string& file) {
-  const std::string repair = "aomd repair " + file + " OUT";
+  std::string repair = "aomd repair " + file + " OUT";
   switch (finding.remedy) {
     case Remedy::Repair:
       return repair;
@@ -58,6 +53,10 @@ bool hinders(const SurfaceFinding& finding, bool classified) {
 }
 
 }  // namespace
+
+std::string weld_words(const SurfaceFinding& finding) {
+  return finding.tolerance > 0 ? "--weld " + number_text(finding.tolerance) : "--weld";
+}
 
 std::string line_of(const SurfaceFinding& finding, const std::string& file) {
   const std::string command = command_of(finding, file);

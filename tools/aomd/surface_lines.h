@@ -9,6 +9,9 @@
 
 namespace aomd::cli {
 
+/// "--weld 0.01", or "--weld" where equal positions are enough.
+[[nodiscard]] std::string weld_words(const SurfaceFinding& finding);
+
 /// "repeated faces: 1 face on the vertices of others, the same way round (face 2): aomd repair
 /// FILE OUT".
 [[nodiscard]] std::string line_of(const SurfaceFinding& finding, const std::string& file);

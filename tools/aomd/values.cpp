@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/decimate/spacing/spacing_expression.h"
 
 namespace aomd::cli {
 namespace {
@@ -51,6 +50,14 @@ CLI::Validator at_least(double low) {
 CLI::Validator between(double low, double high) {
   return number("between " + number_text(low) + " and " + number_text(high),
                 [=](double x) { return x >= low && x <= high; });
+}
+
+CLI::Validator percent() {
+  const auto take = [](std::string& text) {
+    if (text.size() > 1 && text.back() == '%') text.pop_back();
+    return std::string();
+  };
+  return CLI::Validator(take, "");
 }
 
 CLI::Validator angle() {

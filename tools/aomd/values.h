@@ -24,6 +24,8 @@ namespace aomd::cli {
 [[nodiscard]] CLI::Validator between(double low, double high);
 /// More than 0 and less than 180 degrees.
 [[nodiscard]] CLI::Validator angle();
+/// To transform: "5%" stands for 5 where percent are meant in any case.
+[[nodiscard]] CLI::Validator percent();
 /// To be used as a transformation: a text like "1e3" becomes "1000", which types of whole numbers
 /// can be read from.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t low, std::uint64_t high);

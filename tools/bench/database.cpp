@@ -170,6 +170,7 @@ void print_query(const Mesh& mesh, int i, int j, const std::string& stored) {
   std::vector<std::uint32_t> result;
   std::vector<double> times;
   std::size_t read = 0;
+  times.reserve(static_cast<std::size_t>(runs));
   for (int run = 0; run < runs; ++run)
     times.push_back(milliseconds([&] {
       for (std::uint32_t k = 0; k < n; ++k) {

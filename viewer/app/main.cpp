@@ -98,10 +98,9 @@ int run(Options options) {
 }  // namespace aomd::app
 
 int main(int argc, char** argv) {
-  const aomd::app::ParsedOptions parsed = aomd::app::parse_options(argc, argv);
-  if (!parsed.options) return parsed.exit_code;
   try {
-    return aomd::app::run(*parsed.options);
+    const aomd::app::ParsedOptions parsed = aomd::app::parse_options(argc, argv);
+    return parsed.options ? aomd::app::run(*parsed.options) : parsed.exit_code;
   } catch (const aomd::app::WindowError& error) {
     std::cerr << "aomd-view: " << error.what() << "\n";
     return aomd::app::exit_limit;

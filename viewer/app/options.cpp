@@ -4,8 +4,10 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "core/io/output_target.h"
 #include "core/io/png.h"
 #include "viewer/commands/commands.h"
 
@@ -45,14 +47,8 @@ struct NamedFile {
   std::filesystem::path path;
 };
 
-/// Whether writing one would change what the other is. Devices and pipes are what they are.
-bool one_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  namespace fs = std::filesystem;
-  std::error_code none;
-  if (fs::exists(a, none) && fs::exists(b, none))
-    return fs::is_regular_file(a, none) && fs::equivalent(a, b, none);
-  const fs::path first = fs::weakly_canonical(a, none);
-  return !first.empty() && first == fs::weakly_canonical(b, none);
+std::optional<std::string> identity_of(const NamedFile& file) {
+  return file.path.empty() ? std::nullopt : io::detail::output_identity(file.path);
 }
 
 /// What is wrong where a file would be written over another one that an option names; else empty.
@@ -68,13 +64,15 @@ std::string clash_of_files(const Options& options) {
       written.push_back({"the picture for --compare", picture_for_comparison(options)});
     written.push_back({"the difference for --compare", picture_of_difference(options)});
   }
-  std::vector<NamedFile> all = read;
+  std::map<std::string, std::string> option_of;  // by what tells one file from another
+  for (const NamedFile& each : read)
+    if (const auto identity = identity_of(each)) option_of.emplace(*identity, each.option);
   for (const NamedFile& each : written) {
-    if (each.path.empty()) continue;
-    for (const NamedFile& other : all)
-      if (!other.path.empty() && one_file(each.path, other.path))
-        return other.option + " and " + each.option + " are one file, " + each.path.string();
-    all.push_back(each);
+    const auto identity = identity_of(each);
+    if (!identity) continue;
+    const auto [other, first] = option_of.emplace(*identity, each.option);
+    if (!first)
+      return other->second + " and " + each.option + " are one file, " + each.path.string();
   }
   return {};
 }

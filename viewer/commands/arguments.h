@@ -38,6 +38,7 @@ class Arguments {
   template <typename T, std::size_t N>
   [[nodiscard]] T choice(const std::array<std::pair<std::string_view, T>, N>& choices) {
     std::vector<std::string_view> words;
+    words.reserve(N);
     for (const auto& each : choices) words.push_back(each.first);
     const std::string word = one_of(words);
     for (const auto& [name, value] : choices)

@@ -9,8 +9,6 @@
 namespace aomd::scene {
 namespace {
 
-constexpr long long largest_count = 1'000'000'000;
-
 /// A length factor, no limit, a number of faces and a spacing exclude each other.
 void no_other_aim(DecimationOptions& options) {
   options.coarsest = false;

@@ -7,8 +7,6 @@
 namespace aomd::scene {
 namespace {
 
-constexpr long long largest_count = 1'000'000'000;
-
 std::size_t count_or_one(Arguments& arguments, std::string_view what) {
   if (arguments.done()) return 1;
   const auto count = static_cast<std::size_t>(arguments.integer(what, 1, largest_count));
@@ -24,7 +22,7 @@ void say(Session& session, const std::string& name, std::size_t made) {
     session.status = name + ": " + counted(made, "operation") + ", " + faces;
 }
 
-void start(Session& session, Arguments& arguments) {
+void start_edit(Session& session, Arguments& arguments) {
   arguments.end();
   need_decimable(session);
   session.play(false);
@@ -33,7 +31,7 @@ void start(Session& session, Arguments& arguments) {
 void step(Session& session, Arguments& arguments) {
   const long long count =
       arguments.done() ? 1 : arguments.integer("a number of steps", -largest_count, largest_count);
-  start(session, arguments);
+  start_edit(session, arguments);
   Document& document = session.document();
   if (count >= 0) {
     say(session, "Step", document.step(static_cast<std::size_t>(count)));
@@ -47,27 +45,27 @@ void step(Session& session, Arguments& arguments) {
 
 void sweep(Session& session, Arguments& arguments) {
   const std::size_t count = count_or_one(arguments, "a number of sweeps");
-  start(session, arguments);
+  start_edit(session, arguments);
   say(session, "Sweep", session.document().sweep(count));
 }
 
-void swap(Session& session, Arguments& arguments) {
-  start(session, arguments);
+void swap_edges(Session& session, Arguments& arguments) {
+  start_edit(session, arguments);
   say(session, "Swap", session.document().swap());
 }
 
 void smooth(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_edit(session, arguments);
   say(session, "Smooth", session.document().smooth());
 }
 
 void improve(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_edit(session, arguments);
   say(session, "Improve", session.document().improve());
 }
 
 void run(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_edit(session, arguments);
   session.document().start_run();
   session.status =
       session.document().running() ? "Running ..." : "Run: nothing left to do with these settings";
@@ -100,7 +98,12 @@ std::vector<Command> edit_commands() {
        CommandGroup::Operations,
        sweep,
        {{"S", "sweep"}}},
-      {"swap", "", "One pass of edge swaps.", CommandGroup::Operations, swap, {{"W", "swap"}}},
+      {"swap",
+       "",
+       "One pass of edge swaps.",
+       CommandGroup::Operations,
+       swap_edges,
+       {{"W", "swap"}}},
       {"smooth",
        "",
        "One pass of vertex smoothing.",

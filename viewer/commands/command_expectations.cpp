@@ -82,17 +82,17 @@ std::string verdict_of(Session& session, Arguments& arguments) {
   return "unknown";
 }
 
-std::string color(Session& session, Arguments&) {
+std::string color_word(Session& session, Arguments&) {
   constexpr std::array names = {"classification", "spacing", "quality", "distance",
                                 "curvature",      "verdict", "none"};
   return names[static_cast<std::size_t>(session.view.coloring)];
 }
 
-std::string strategy(Session& session, Arguments&) {
+std::string strategy_word(Session& session, Arguments&) {
   return session.document().options().strategy == Strategy::Paper ? "paper" : "quality";
 }
 
-std::string topology(Session& session, Arguments&) {
+std::string topology_word(Session& session, Arguments&) {
   return session.document().options().topology == TopologyRule::Safe ? "safe" : "paper";
 }
 
@@ -114,7 +114,7 @@ std::string lies_on(Session& session, Arguments&) {
   return e.valid() ? model_level(session.document().mesh(), e) : "unknown";
 }
 
-/// The same of the vertices of the selected entity.
+/// The model levels that the vertices of the selected entity lie on.
 std::string ends(Session& session, Arguments&) {
   const EntityRef e = session.sheet().selection.single();
   const Mesh& mesh = session.document().mesh();
@@ -167,9 +167,9 @@ constexpr std::array<Question, 14> questions = {{{"selection", selection},
                                                  {"kind", kind},
                                                  {"verdict", verdict},
                                                  {"verdict-of", verdict_of},
-                                                 {"color", color},
-                                                 {"strategy", strategy},
-                                                 {"topology", topology},
+                                                 {"color", color_word},
+                                                 {"strategy", strategy_word},
+                                                 {"topology", topology_word},
                                                  {"class", class_of},
                                                  {"lies-on", lies_on},
                                                  {"ends", ends},

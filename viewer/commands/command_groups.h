@@ -38,11 +38,14 @@ namespace aomd::scene {
 
 // What handlers of several files need.
 
+/// No count that a line gives is larger.
+inline constexpr long long largest_count = 1'000'000'000;
 /// A file as a line names it: ~/ is the user's own folder. In command_files.cpp.
 [[nodiscard]] std::filesystem::path expanded(const std::string& text);
 /// Throws CommandError where there is no mesh yet. In command_files.cpp.
 void need_mesh(const Session& session);
-/// The same, and for a mesh that cannot be decimated. In command_files.cpp.
+/// Throws CommandError where there is no mesh, or one that cannot be decimated. In
+/// command_files.cpp.
 void need_decimable(const Session& session);
 /// "angle", "length" or "valence" and a value in the bar. In command_compare.cpp.
 [[nodiscard]] MarkedBar bar_of_histogram(Arguments& arguments);

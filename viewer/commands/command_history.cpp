@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* seek_usage = "N|end|next|previous|next-phase|previous-phase|bookmark NAME";
 
-void start(Session& session, Arguments& arguments) {
+void start_seek(Session& session, Arguments& arguments) {
   arguments.end();
   need_mesh(session);
   session.play(false);
@@ -21,7 +21,7 @@ void say_where(Session& session, const char* what) {
 }
 
 void undo(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_seek(session, arguments);
   if (session.document().undo())
     say_where(session, "Undo");
   else
@@ -29,7 +29,7 @@ void undo(Session& session, Arguments& arguments) {
 }
 
 void redo(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_seek(session, arguments);
   if (session.document().redo())
     say_where(session, "Redo");
   else
@@ -63,7 +63,7 @@ void seek(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   if (!again.done() && again.word("a place") == "bookmark") return seek_bookmark(session, again);
   const std::size_t target = arguments.done() ? 0 : place_of(session.document(), arguments);
-  start(session, arguments);
+  start_seek(session, arguments);
   session.document().seek(target);
   say_where(session, "Timeline");
 }
@@ -74,7 +74,7 @@ void forward(Session& session, Arguments& arguments) {
       arguments.done()
           ? 1
           : static_cast<std::size_t>(arguments.integer("a number of operations", 1, 1'000'000'000));
-  start(session, arguments);
+  start_seek(session, arguments);
   Document& document = session.document();
   const std::size_t known = document.journal().size() - document.journal().cursor();
   if (known == 0) {
@@ -90,7 +90,7 @@ void forward(Session& session, Arguments& arguments) {
 }
 
 void reset(Session& session, Arguments& arguments) {
-  start(session, arguments);
+  start_seek(session, arguments);
   session.document().seek(0);
   session.status = "As loaded: redo brings the operations back";
 }

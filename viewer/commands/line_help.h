@@ -16,11 +16,12 @@ struct LineHelp {
 /// All lines that have a sentence of their own, by command.
 [[nodiscard]] std::span<const LineHelp> helped_lines();
 
-/// What exactly this line does: its own sentence, or the help of a command that is the whole line.
-/// Else empty.
+/// What exactly this line does: its own sentence, or the help of a command that is the whole line;
+/// empty where there is neither.
 [[nodiscard]] std::string_view own_help(std::string_view line);
 
-/// The same, else the help of its command; empty where there is no such command.
+/// What exactly this line does, or else the help of its command; empty where there is no such
+/// command.
 [[nodiscard]] std::string_view line_help(std::string_view line);
 
 }  // namespace aomd::scene

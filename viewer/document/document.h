@@ -168,9 +168,9 @@ class Document {
   /// The present place gets a name; another place with this name loses it.
   void set_bookmark(const std::string& name) { tree_.set_bookmark(name, journal().cursor()); }
   bool remove_bookmark(const std::string& name) { return tree_.remove_bookmark(name); }
-  /// There, on whichever branch it is. False where there is none.
+  /// Goes to the place of this name, on whichever branch it is. False where there is none.
   bool go_to_bookmark(const std::string& name);
-  /// The same with a number instead of a name: see HistoryTree.
+  /// Places with a number instead of a name: see HistoryTree.
   void set_place(unsigned number) { tree_.set_place(number, journal().cursor()); }
   void forget_place(unsigned number) { tree_.forget_place(number); }
   bool go_to_place(unsigned number);
@@ -183,7 +183,7 @@ class Document {
   std::size_t operate(std::string label, const std::function<void()>& edit);
   [[nodiscard]] std::size_t classified_at() const;
   [[nodiscard]] std::size_t classified_start() const;
-  void fit_to(GivenModel& model);
+  void fit_to(GivenModel& given);
   const Model* model_to_snap_to();
   void make_original();
   void forget_fits();

@@ -8,10 +8,12 @@
 
 namespace aomd::scene {
 
-/// Where the command after the present place begins, or the end of the history; before it, or 0.
+/// Where the command after the present place begins, or the end of the history; where the one
+/// before it begins, or 0.
 [[nodiscard]] std::size_t next_command(const Document& document);
 [[nodiscard]] std::size_t previous_command(const Document& document);
-/// The same by phases: operations of one kind in a row, of one command. O(operations in between).
+/// Where the phase after the present place begins, or the one before it: operations of one kind in
+/// a row, of one command. O(operations in between).
 [[nodiscard]] std::size_t next_phase(const Document& document);
 [[nodiscard]] std::size_t previous_phase(const Document& document);
 

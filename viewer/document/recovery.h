@@ -37,7 +37,7 @@ class RecoveryKeeper {
   void update(const Document& document);
   /// Another document begins.
   void begin() { place_.reset(); }
-  /// The same whatever the pauses, and waits until it is done.
+  /// Writes whatever the pauses since the last time say, and waits until it is done.
   void write_now(const Document& document);
   /// The work has been restored here: its files go once this process has written its own.
   void take_over(std::shared_ptr<const SavedWork> work) { taken_over_ = std::move(work); }

@@ -22,7 +22,7 @@ constexpr double any = std::numeric_limits<double>::max();
 /// File names need not be UTF-8, which JSON must: such a text is kept as its bytes.
 Json text_json(const std::string& text) {
   try {
-    const Json json = text;
+    Json json = text;
     static_cast<void>(json.dump());
     return json;
   } catch (const Json::type_error&) {

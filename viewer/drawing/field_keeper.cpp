@@ -16,7 +16,7 @@ constexpr double beyond_share = 0.02;   // of the curvatures, on either side of 
 constexpr double curvature_span = 1e3;  // at most, from the scale's low to its high
 constexpr double rounding =
     1e-9;  // below this, relative to the diagonal of the box, there is nothing
-constexpr double least_span = 4;  // at least: what hardly differs should look so
+constexpr double least_scale_span = 4;  // at least: what hardly differs should look so
 
 /// Quads and volumes are not decimated: nothing is wanted of them, and they stay where they are.
 bool has_field(Coloring coloring, bool skin) {
@@ -40,8 +40,8 @@ FieldScale curvature_scale(const Mesh& mesh, const Column<Vertex, double>& value
   };
   scale.add(at(1 - beyond_share));
   scale.add(std::max(at(beyond_share), scale.high / curvature_span));
-  if (scale.high < least_span * scale.low) {
-    const double middle = std::sqrt(scale.low * scale.high), half = std::sqrt(least_span);
+  if (scale.high < least_scale_span * scale.low) {
+    const double middle = std::sqrt(scale.low * scale.high), half = std::sqrt(least_scale_span);
     scale.low = middle / half;
     scale.high = middle * half;
   }

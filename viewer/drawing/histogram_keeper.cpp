@@ -15,18 +15,18 @@ using measure::Histogram;
 using measure::make_histogram;
 using measure::Sample;
 
-constexpr double shown_share = 0.99;  // of the lengths; the rest counts in the last bin
-constexpr double least_span = 2;      // of lengths, so that 1 is well inside
+constexpr double shown_share = 0.99;     // of the lengths; the rest counts in the last bin
+constexpr double least_length_span = 2;  // of lengths, so that 1 is well inside
 
 /// A whole number that nearly all values lie below.
 double span_of(std::span<const Sample> samples) {
-  if (samples.empty()) return least_span;
+  if (samples.empty()) return least_length_span;
   std::vector<double> values;
   for (const Sample& sample : samples) values.push_back(sample.value);
   const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(shown_share * double(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
-  return std::max(least_span, std::ceil(*at));
+  return std::max(least_length_span, std::ceil(*at));
 }
 
 void count(HistogramKind kind, bool volume, HistogramPair& pair) {

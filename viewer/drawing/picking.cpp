@@ -277,13 +277,13 @@ void Picker::add_parts(const Shown& shown, const View& view, const Inside& insid
   const auto at = [&](std::size_t i) { return drawn.position(t[i]); };
   if (view.pick_level == PickLevel::Vertex) {
     for (std::size_t i = 0; i < 3; ++i)
-      if (inside.vertices[t[i]] && seen(at(i))) found.push_back(whole(shown, t[i]));
+      if (inside.vertices[t[i]] && seen(at(i))) found.emplace_back(whole(shown, t[i]));
   } else if (view.pick_level == PickLevel::Edge) {
     for (std::size_t i = 0, k = 1; i < 3; ++i, k = (i + 1) % 3) {
       if (!inside.vertices[t[i]] || !inside.vertices[t[k]] || (flags_of(shown, f) >> i & 1u) != 0)
         continue;
       const Edge e = entity(shown, whole(shown, t[i]), whole(shown, t[k]));
-      if (e.valid() && seen(0.5 * (at(i) + at(k)))) found.push_back(e);
+      if (e.valid() && seen(0.5 * (at(i) + at(k)))) found.emplace_back(e);
     }
   } else if (inside.vertices[t[0]] && inside.vertices[t[1]] && inside.vertices[t[2]]) {
     const EntityRef e = whole(shown, f, view.pick_level);

@@ -1,6 +1,7 @@
 #include "viewer/drawing/selection_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/mesh/side_index.h"
 
@@ -11,13 +12,14 @@ constexpr Color accent = rgb(0xff9f0a);
 constexpr Color rim = rgb(0x1b2430);
 constexpr float rim_px = 2.2f;  // how much wider the dark line below is
 constexpr Color hole = rgb(0xffffff);
-// The same from both ends, so that the sides of two faces fall together; parts of a line.
+// Dashes and gaps as parts of a line, the same from both ends, so that the sides of two faces fall
+// together.
 constexpr int dashes = 4;
 constexpr float gap = 0.12f;
 constexpr float dash = (1 - (dashes - 1) * gap) / dashes;
 
 Color with_alpha(Color color, float alpha) {
-  return (color & 0x00ffffffu) | static_cast<Color>(255.0f * alpha + 0.5f) << 24;
+  return (color & 0x00ffffffu) | static_cast<Color>(std::lround(255.0f * alpha)) << 24;
 }
 
 /// Puts one entity into an overlay.

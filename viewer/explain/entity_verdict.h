@@ -44,7 +44,7 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
 /// The two faces that a swap would make; nothing where there are not two.
 void draw_preview(const Mesh& mesh, const SwapOutlook& swap, const glm::dvec3& origin,
                   Overlay& overlay);
-/// The same for a vertex that is smoothed.
+/// Where smoothing would put a vertex, and the faces around it then.
 void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& origin,
                   Overlay& overlay);
 

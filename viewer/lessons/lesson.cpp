@@ -181,11 +181,14 @@ class LessonReader {
     Paragraph result = paragraph(collected_, paragraph_line_);
     collected_.clear();
     LessonPage& present = lesson_.pages.back();
-    if (section_ == Section::Hint && !present.hint.empty())
-      fail("a hint is one paragraph", paragraph_line_);
-    if (section_ == Section::Hint) present.hint = std::move(result);
-    if (section_ == Section::Text) present.text.push_back(std::move(result));
-    if (section_ == Section::Task) present.task.push_back(std::move(result));
+    if (section_ == Section::Hint) {
+      if (!present.hint.empty()) fail("a hint is one paragraph", paragraph_line_);
+      present.hint = std::move(result);
+    } else if (section_ == Section::Text) {
+      present.text.push_back(std::move(result));
+    } else if (section_ == Section::Task) {
+      present.task.push_back(std::move(result));
+    }
   }
 
   void close_section() {

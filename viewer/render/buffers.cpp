@@ -7,6 +7,7 @@
 namespace aomd::render {
 namespace {
 
+// NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
 const void* as_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 }  // namespace

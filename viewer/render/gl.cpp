@@ -17,6 +17,7 @@ void require_version(const Gl& gl) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): two statements, repeated for each function
 Gl load_gl(GetProcAddress get_proc_address) {
   Gl gl;
 #define AOMD_GL_LOAD(type, name)                                  \

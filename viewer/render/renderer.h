@@ -61,7 +61,7 @@ class Renderer {
   /// `rect` changes. An empty rect is left alone.
   void render(const DrawableBuffers& buffers, const scene::Camera& camera,
               const RenderSettings& settings, const PixelRect& rect, GLuint destination = 0);
-  /// The same into the framebuffer that is bound, which needs depth; the viewport must be `size`
+  /// Draws into the framebuffer that is bound, which needs depth; the viewport must be `size`
   /// large.
   void draw(const DrawableBuffers& buffers, const scene::Camera& camera,
             const RenderSettings& settings, glm::ivec2 size);

@@ -10,7 +10,8 @@ std::string shader_log(const Gl& gl, GLuint shader) {
   gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   gl.GetShaderInfoLog(shader, length, nullptr, log.data());
-  return log.c_str();
+  log.resize(log.find('\0'));
+  return log;
 }
 
 std::string program_log(const Gl& gl, GLuint program) {
@@ -18,7 +19,8 @@ std::string program_log(const Gl& gl, GLuint program) {
   gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   gl.GetProgramInfoLog(program, length, nullptr, log.data());
-  return log.c_str();
+  log.resize(log.find('\0'));
+  return log;
 }
 
 /// Compiles one shader and attaches it; the program keeps it alive.

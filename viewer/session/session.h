@@ -107,7 +107,7 @@ class Session {
   /// What goes on by itself, for a frame of `frame_s` seconds: loading, a run (about `budget`),
   /// playing.
   void tick(std::chrono::microseconds budget, double frame_s);
-  /// The same until nothing is loaded, running or played. Throws what loading threw.
+  /// Ticks until nothing is loaded, running or played. Throws what loading threw.
   void finish();
   /// Brings the sheet's facts and drawings up to date. O(what changed).
   void refresh() { sheet_->refresh(undisturbed(), budget_); }

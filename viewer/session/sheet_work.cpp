@@ -33,8 +33,8 @@ void Sheet::start_comparison() {
 }
 
 bool Sheet::take_comparison(bool wait) {
-  auto result = take(comparison_, wait);
-  if (result) storage_ = std::move(result);
+  const auto result = take(comparison_, wait);
+  if (result) storage_ = result;
   return result.has_value();
 }
 

@@ -11,7 +11,7 @@
 namespace aomd::ui {
 namespace {
 
-constexpr std::array<const char*, 4> levels = {"0 Vertex", "1 Edge", "2 Face", "3 Region"};
+constexpr std::array<const char*, 4> level_names = {"0 Vertex", "1 Edge", "2 Face", "3 Region"};
 
 /// How a cell looks, in the order of the key below the table.
 enum class State { Set, Requested, Implied, Absent };
@@ -72,7 +72,8 @@ struct Grid {
 Grid make_grid() {
   Grid grid;
   grid.gap = 0.22f * em();
-  for (const char* name : levels) grid.label = std::max(grid.label, ImGui::CalcTextSize(name).x);
+  for (const char* name : level_names)
+    grid.label = std::max(grid.label, ImGui::CalcTextSize(name).x);
   grid.label += 0.5f * em();
   grid.cell = {(ImGui::GetContentRegionAvail().x - grid.label - 3 * grid.gap) / 4, 2.3f * em()};
   return grid;
@@ -95,21 +96,22 @@ EntityRef centre_for(const Frame& frame, int j) {
 void column_titles(Frame& frame, const Grid& grid) {
   ImGui::PushFont(frame.fonts.small);
   bool wide = true;
-  for (const char* name : levels)
+  for (const char* name : level_names)
     wide = wide && ImGui::CalcTextSize(name).x <= grid.cell.x + grid.gap;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  for (std::size_t j = 0; j < levels.size(); ++j) {
+  for (std::size_t j = 0; j < level_names.size(); ++j) {
     const float left = corner.x + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap);
     const int level = static_cast<int>(j);
     const EntityRef centre = centre_for(frame, level);
     const bool lit = centre.valid() && frame.session.view.neighbours == level;
-    draw_centered({left, corner.y}, grid.cell.x, wide ? levels[j] : std::string(1, levels[j][0]),
+    draw_centered({left, corner.y}, grid.cell.x,
+                  wide ? level_names[j] : std::string(1, level_names[j][0]),
                   lit              ? frame.colors.text
                   : centre.valid() ? frame.colors.accent
                                    : frame.colors.text_muted);
     if (!centre.valid()) continue;
     ImGui::SetCursorScreenPos({left, corner.y});
-    if (ImGui::InvisibleButton(levels[j], {grid.cell.x, ImGui::GetFontSize()}))
+    if (ImGui::InvisibleButton(level_names[j], {grid.cell.x, ImGui::GetFontSize()}))
       frame.emit(neighbours_line(frame, level));
     tooltip("Lights up those around " + scene::entity_title(centre) + ".");
   }
@@ -184,7 +186,7 @@ std::optional<Place> table(Frame& frame) {
     const float left = ImGui::GetCursorPosX();
     const float top = ImGui::GetCursorPosY();
     ImGui::SetCursorPosY(top + 0.5f * (grid.cell.y - em()));
-    muted(frame, levels[static_cast<std::size_t>(i)]);
+    muted(frame, level_names[static_cast<std::size_t>(i)]);
     for (int j = 0; j < 4; ++j) {
       ImGui::SetCursorPos(
           {left + grid.label + static_cast<float>(j) * (grid.cell.x + grid.gap), top});

@@ -102,8 +102,7 @@ void CommandPalette::draw_field(const Frame& frame) {
   scroll_ = true;
 }
 
-bool CommandPalette::draw_row(const Frame& frame, const scene::CommandMatch& match,
-                              bool chosen) const {
+bool CommandPalette::draw_row(const Frame& frame, const scene::CommandMatch& match, bool chosen) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool pressed =
@@ -148,7 +147,7 @@ void CommandPalette::draw_list(Frame& frame) {
   ImGui::EndChild();
 }
 
-void CommandPalette::draw_footer(const Frame& frame) const {
+void CommandPalette::draw_footer(const Frame& frame) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.1f * em());
   if (!frame.session.error.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.bad);

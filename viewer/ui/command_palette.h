@@ -26,9 +26,9 @@ class CommandPalette {
  private:
   void draw_field(const Frame& frame);
   void draw_list(Frame& frame);
-  [[nodiscard]] bool draw_row(const Frame& frame, const scene::CommandMatch& match,
-                              bool chosen) const;
-  void draw_footer(const Frame& frame) const;
+  [[nodiscard]] static bool draw_row(const Frame& frame, const scene::CommandMatch& match,
+                                     bool chosen);
+  static void draw_footer(const Frame& frame);
   void move_choice();
   void choose(Frame& frame, const scene::CommandMatch& match);
   void remember(const std::string& line);

@@ -68,7 +68,7 @@ std::array<Words, 3> words_of(const scene::Histograms& all) {
 
 std::string bin_text(const Words& words, const Histogram& h, std::size_t bin) {
   const bool last = bin + 1 == h.counts.size();
-  const std::string low = scene::short_number(h.bound(bin), 2);
+  std::string low = scene::short_number(h.bound(bin), 2);
   if (last && words.open_above) return low + words.unit + " and more";
   if (words.whole) return low;
   return low + " to " + scene::short_number(h.bound(bin + 1), 2) + words.unit;

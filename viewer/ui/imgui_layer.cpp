@@ -6,12 +6,15 @@
 namespace aomd::ui {
 namespace {
 
+// NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
 const void* as_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 // ImTextureID is a pointer up to ImGui 1.91.3 and an integer afterwards; only this kind of cast
 // fits both.
+// NOLINTBEGIN(performance-no-int-to-ptr,cppcoreguidelines-pro-type-cstyle-cast)
 ImTextureID to_id(GLuint texture) { return (ImTextureID)(std::intptr_t)texture; }
 GLuint from_id(ImTextureID id) { return (GLuint)(std::intptr_t)id; }
+// NOLINTEND(performance-no-int-to-ptr,cppcoreguidelines-pro-type-cstyle-cast)
 
 }  // namespace
 

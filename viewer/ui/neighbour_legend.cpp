@@ -16,16 +16,16 @@ constexpr float pad_ems = 0.5f, swatch_ems = 2.0f;
 constexpr float axes_ems = 6.5f;  // the left corner belongs to the axes
 
 /// A line as it looks in the picture, or none, and what it means.
-struct Row {
+struct LegendRow {
   const scene::OverlayStyle* style;
   std::string words;
 };
 
-std::vector<Row> rows_of(const scene::Neighbours& n) {
+std::vector<LegendRow> rows_of(const scene::Neighbours& n) {
   static const scene::OverlayStyle selected = scene::selected_style(),
                                    stored = scene::stored_style(), derived = scene::derived_style(),
                                    between = scene::between_style();
-  std::vector<Row> rows{{nullptr, n.words}};
+  std::vector<LegendRow> rows{{nullptr, n.words}};
   if (!n.known) return rows;
   rows.push_back({&selected, name_of(n.of)});
   std::array<std::size_t, 4> count{};
@@ -54,8 +54,8 @@ void draw_swatch(const scene::OverlayStyle& style, ImVec2 from) {
 }
 
 /// Long words stand in several lines.
-std::vector<Row> broken(std::vector<Row> rows, float width) {
-  for (Row& row : rows)
+std::vector<LegendRow> broken(std::vector<LegendRow> rows, float width) {
+  for (LegendRow& row : rows)
     row.words = broken_at_blanks(row.words, row.style ? width - swatch_ems * em() : width);
   return rows;
 }
@@ -67,9 +67,9 @@ void neighbour_legend(const Frame& frame, const Area& viewport) {
   if (neighbours == nullptr || viewport.size.x < 2 * axes_ems * em()) return;
   const float pad = pad_ems * em(),
               most = std::min(26 * em(), viewport.size.x - (axes_ems + 1) * em());
-  const std::vector<Row> rows = broken(rows_of(*neighbours), most - 2 * pad);
+  const std::vector<LegendRow> rows = broken(rows_of(*neighbours), most - 2 * pad);
   ImVec2 size{0, 0};
-  for (const Row& row : rows) {
+  for (const LegendRow& row : rows) {
     const ImVec2 words = ImGui::CalcTextSize(row.words.c_str());
     size = {std::max(size.x, words.x + (row.style ? swatch_ems * em() : 0)), size.y + words.y};
   }
@@ -82,7 +82,7 @@ void neighbour_legend(const Frame& frame, const Area& viewport) {
   list.AddRectFilled(from, to, ImGui::GetColorU32(plate), 0.3f * em());
   list.AddRect(from, to, ImGui::GetColorU32(frame.colors.border), 0.3f * em());
   ImVec2 at{from.x + pad, from.y + pad};
-  for (const Row& row : rows) {
+  for (const LegendRow& row : rows) {
     if (row.style) draw_swatch(*row.style, at);
     list.AddText({at.x + (row.style ? swatch_ems * em() : 0), at.y},
                  ImGui::GetColorU32(frame.colors.text), row.words.c_str());

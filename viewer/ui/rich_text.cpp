@@ -79,7 +79,7 @@ class Writer {
     return kind == Kind::Code ? frame_.fonts.mono : frame_.fonts.text;
   }
   /// Bold and code in the size that suits the text.
-  [[nodiscard]] float size(Kind kind) const {
+  [[nodiscard]] static float size(Kind kind) {
     return kind == Kind::Code ? 0.94f * em() : kind == Kind::Key ? 0.86f * em() : em();
   }
   [[nodiscard]] float width(const Piece& piece) const {

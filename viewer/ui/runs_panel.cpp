@@ -18,7 +18,7 @@ struct Column {
   float ems;
   const char* help;
 };
-constexpr std::array<Column, 9> columns = {
+constexpr std::array<Column, 9> run_columns = {
     {{"Run", 0, "A click leads back to it, on whichever branch it is."},
      {"Beside", 3.2f, "Puts it beside the present mesh, and into the histograms."},
      {"Strategy", 3.8f, "The strategy that it was made with."},
@@ -40,21 +40,21 @@ std::string time_words(double seconds) {
 
 void header(const Frame& frame) {
   ImGui::TableSetupScrollFreeze(0, 1);
-  for (const Column& column : columns)
+  for (const Column& column : run_columns)
     ImGui::TableSetupColumn(
         column.title,
         column.ems > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
         column.ems * em());
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
-  for (std::size_t i = 0; i < columns.size(); ++i) {
+  for (std::size_t i = 0; i < run_columns.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
     if (i < 4)
-      text(columns[i].title);
+      text(run_columns[i].title);
     else
-      text_right(columns[i].title);
+      text_right(run_columns[i].title);
     ImGui::PopStyleColor();
-    tooltip(columns[i].help);
+    tooltip(run_columns[i].help);
   }
 }
 
@@ -69,7 +69,7 @@ void beside_cell(Frame& frame, const KeptRun& run) {
     frame.emit(on ? "compare off" : "compare side");
   }
   ImGui::PopStyleVar();
-  tooltip(on ? "Beside the present mesh. Click to end that." : columns[1].help);
+  tooltip(on ? "Beside the present mesh. Click to end that." : run_columns[1].help);
 }
 
 void cell(const std::string& words) {
@@ -94,7 +94,7 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   const std::string title = run.from.empty() ? run.name : run.name + ", from " + run.from;
   if (ImGui::Selectable(title.c_str(), here)) frame.emit("runs go " + std::to_string(run.number));
   if (run.number > 0) row_menu(frame, run);
-  tooltip(here ? "What is shown now." : columns[0].help);
+  tooltip(here ? "What is shown now." : run_columns[0].help);
   ImGui::TableNextColumn();
   beside_cell(frame, run);
   ImGui::TableNextColumn();
@@ -137,7 +137,7 @@ void runs_panel(Frame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.3f * em(), 0.1f * em()));
   const auto flags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH;
-  if (ImGui::BeginTable("runs", static_cast<int>(columns.size()), flags,
+  if (ImGui::BeginTable("runs", static_cast<int>(run_columns.size()), flags,
                         ImGui::GetContentRegionAvail())) {
     header(frame);
     const KeptRun* shown =

@@ -362,7 +362,7 @@ std::string shortened(const std::string& a, float width) {
   if (ImGui::CalcTextSize(a.c_str()).x <= width) return a;
   for (std::size_t keep = a.size(); keep > 0; --keep) {
     if ((static_cast<unsigned char>(a[keep]) & 0xc0u) == 0x80u) continue;  // within a character
-    const std::string shorter = a.substr(0, keep) + "\u2026";
+    std::string shorter = a.substr(0, keep) + "\u2026";
     if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
   }
   return "\u2026";
@@ -379,7 +379,7 @@ std::string fitted(const std::string& a, float width) {
     std::size_t tail = a.size() - (keep - head);
     while (head > 0 && inside(head)) --head;
     while (tail < a.size() && inside(tail)) ++tail;
-    const std::string shorter = a.substr(0, head) + "\u2026" + a.substr(tail);
+    std::string shorter = a.substr(0, head) + "\u2026" + a.substr(tail);
     if (ImGui::CalcTextSize(shorter.c_str()).x <= width) return shorter;
   }
   return "\u2026";

@@ -18,11 +18,12 @@ namespace aomd::ui {
 
 void text(std::string_view s);
 void muted(const Frame& frame, std::string_view s);
-/// With line ends instead of blanks, so that no line is wider; numbers are never cut as ImGui does.
+/// A text with line ends instead of blanks, so that no line is wider; numbers are never cut as
+/// ImGui does.
 [[nodiscard]] std::string broken_at_blanks(std::string_view s, float width);
-/// In as many lines as it needs.
+/// A text in as many lines as it needs.
 void wrapped(std::string_view s, const ImVec4& color);
-/// The same, muted.
+/// A muted text in as many lines as it needs.
 void wrapped(const Frame& frame, std::string_view s);
 /// Right-aligned in the present column.
 void text_right(std::string_view s);

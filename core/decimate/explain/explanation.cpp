@@ -48,7 +48,7 @@ std::string angle_words(const Mesh& mesh, const CollapseOutlook& o) {
 std::string length_words(const CollapseOutlook& o) {
   const Held held = held_length(o.length, o.longest);
   return "Its length is " + held.value + ", and an edge goes only where it is shorter than " +
-         held.limit + ", half the spacing of " + formatted("%.3g", 2 * o.longest) + ".";
+         held.limit + ", half the spacing of " + number_text(2 * o.longest, 3) + ".";
 }
 
 // Paper, section 3: a vertex goes only along what it lies on.
@@ -127,7 +127,7 @@ std::string accepted_words(const Mesh& mesh, const CollapseOutlook& o,
   std::string text =
       "Nothing is against it: " + name_of(c.deleted) + " would go into " + name_of(c.kept);
   const double moved = glm::length(c.position - mesh.position(c.kept));
-  if (moved > 0) text += ", which would move by " + formatted("%.3g", moved);
+  if (moved > 0) text += ", which would move by " + number_text(moved, 3);
   return text + ".";
 }
 
@@ -209,7 +209,7 @@ std::string explain_move(const Mesh& mesh, const MoveOutlook& o) {
   switch (o.verdict.reason) {
     case Reason::None: {
       const double moved = glm::length(o.target - mesh.position(o.vertex));
-      return moved > 0 ? sentence("it would move by " + formatted("%.3g", moved))
+      return moved > 0 ? sentence("it would move by " + number_text(moved, 3))
                        : "It would stay in place.";
     }
     case Reason::Classification:

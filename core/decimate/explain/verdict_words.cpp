@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/text.h"
 #include "core/decimate/explain/explanation.h"
 #include "core/model/model.h"
 
@@ -27,8 +28,8 @@ Held held_degrees(double value, double limit) {
 }
 
 Held held_length(double value, double limit) {
-  Held held{formatted("%.3g", value), formatted("%.3g", limit)};
-  if (held.value == held.limit) held = {formatted("%.6g", value), formatted("%.6g", limit)};
+  Held held{number_text(value, 3), number_text(limit, 3)};
+  if (held.value == held.limit) held = {number_text(value), number_text(limit)};
   return held;
 }
 
@@ -53,7 +54,7 @@ namespace {
 std::string distance_words(const Verdict& verdict, double limit) {
   if (verdict.number() <= limit)
     return sentence(name_of(verdict.entity) + " cannot be shown to stay within " +
-                    formatted("%.3g", limit) + " of the original");
+                    number_text(limit, 3) + " of the original");
   const Held held = held_length(verdict.number(), limit);
   return sentence("at " + name_of(verdict.entity) + " the surface would leave the original by " +
                   held.value + "; the limit is " + held.limit);

@@ -28,7 +28,7 @@ struct Held {
 
 /// "Face 812 would turn by 23.4 degrees; the limit is 10."
 [[nodiscard]] std::string turn_words(EntityRef who, double deg, double limit);
-/// The same against what the original looks like there.
+/// "Face 812 would look 63.4 degrees away from the original surface there; the limit is 60."
 [[nodiscard]] std::string away_words(EntityRef who, double deg, double limit);
 /// A verdict whose reason means the same for every operation; else the help of the reason.
 [[nodiscard]] std::string general_words(const Verdict& verdict, const Limits& limits);

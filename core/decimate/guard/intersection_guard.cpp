@@ -6,8 +6,9 @@ namespace aomd {
 
 void IntersectionGuard::take(Face face, const Triangle& corners) {
   if (without_area(corners)) return;
-  Piece& piece = pieces_.emplace_back(corners, Box(), face);
-  for (const glm::dvec3& p : corners) piece.box.add(p);
+  Box box;
+  for (const glm::dvec3& p : corners) box.add(p);
+  pieces_.push_back({corners, box, face});
 }
 
 void IntersectionGuard::mark(std::span<const Face> faces) {
@@ -20,8 +21,8 @@ void IntersectionGuard::find_others(const Change& change) {
   Box all;
   for (const Piece& p : pieces_) all.add(p.box);
   others_.clear();
-  tree_.touching(all, [&](const FaceTree::Item& item) {
-    if (stamps_[item.face] != stamp_) others_.push_back(&item);
+  tree_.touching(all, [&](const FaceTree::Item& item, const Box& box) {
+    if (stamps_[item.face] != stamp_) others_.push_back({&item, &box});
   });
 }
 
@@ -35,8 +36,8 @@ std::size_t IntersectionGuard::cuts(std::size_t limit, Face& cut) const {
   };
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
-    for (const FaceTree::Item* other : others_)
-      if (p.box.touches(other->box) && meet(p.corners, other->corners, other->face)) return found;
+    for (const auto& [other, box] : others_)
+      if (p.box.touches(*box) && meet(p.corners, other->corners, other->face)) return found;
     for (std::size_t k = 0; k < i; ++k)
       if (p.box.touches(pieces_[k].box) && meet(p.corners, pieces_[k].corners, pieces_[k].face))
         return found;

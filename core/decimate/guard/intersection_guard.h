@@ -18,7 +18,7 @@ namespace aomd {
 class IntersectionGuard {
  public:
   /// Starts from the mesh as it is; all faces are triangles, T(2,0) is stored. O(n log n); about
-  /// 160 bytes a face.
+  /// 170 bytes a face.
   explicit IntersectionGuard(const Mesh& mesh) : tree_(mesh), stamps_(mesh.capacity(2), 0) {}
 
   /// Accepts where the created faces cut the other faces and each other in no more pairs than those
@@ -35,6 +35,10 @@ class IntersectionGuard {
     Box box;
     Face face;
   };
+  struct Other {
+    const FaceTree::Item* item;
+    const Box* box;
+  };
   void take(Face face, const Triangle& corners);
   void mark(std::span<const Face> faces);
   void find_others(const Change& change);
@@ -44,8 +48,8 @@ class IntersectionGuard {
   FaceTree tree_;
   Column<Face, std::uint32_t> stamps_;  ///< == stamp_ for the faces that are replaced
   std::uint32_t stamp_ = 0;
-  std::vector<Piece> pieces_;                  ///< faces of the change that have area
-  std::vector<const FaceTree::Item*> others_;  ///< faces near them that stay
+  std::vector<Piece> pieces_;  ///< faces of the change that have area
+  std::vector<Other> others_;  ///< faces near them that stay
 };
 
 }  // namespace aomd

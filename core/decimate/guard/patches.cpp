@@ -45,7 +45,7 @@ std::vector<std::uint32_t> find_across(std::span<const std::array<std::uint32_t,
   };
   std::sort(sides.begin(), sides.end(), less);
   std::vector<std::uint32_t> across(sides.size(), no_index);
-  for (std::size_t i = 0, end; i < sides.size(); i = end) {
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     for (end = i + 1; end < sides.size() && !less(sides[i], sides[end]);) ++end;
     if (end != i + 2 || sides[i].forward == sides[i + 1].forward) continue;
     across[sides[i].place] = sides[i + 1].place / 3;
@@ -103,7 +103,7 @@ dvec3 Patches::mean_normal(const TriangleTree& tree, std::uint32_t seed) {
   for (std::size_t i = 0; i < region_.size(); ++i) {
     sum += normal_of(tree.triangle(region_[i]));
     for (std::size_t k = 0; k < 3 && region_.size() < normal_triangles; ++k) {
-      const std::uint32_t next = across_[3 * region_[i] + k];
+      const std::uint32_t next = across_[3 * std::size_t{region_[i]} + k];
       if (next == no_index || seen_[next] == stamp_) continue;
       seen_[next] = stamp_;
       region_.push_back(next);

@@ -21,7 +21,7 @@ namespace aomd {
 //     |-~~-|   the surface, from low to high
 //     |____|   high - reach:  what lies between has the surface within reach above or below it
 struct Patch {
-  glm::dvec3 centre, normal;
+  glm::dvec3 centre{}, normal{};
   double radius2 = -1, bottom = 0, top = 0;
   /// In the cylinder over the disc: a convex set, so that what has its corners there lies there
   /// altogether.

@@ -27,27 +27,29 @@ void stretch_curves(const Mesh& mesh, const Star& star, Vertex from, Vertex gone
 
 }  // namespace
 
-void describe(const Mesh& mesh, const Contraction& c, const Star& around_deleted,
+void describe(const Mesh& mesh, const Contraction& contraction, const Star& around_deleted,
               const Star& around_kept, Change& change) {
   change.clear();
   for (const StarFace& f : around_deleted)
-    if (f.uses(c.kept)) change.replaced.push_back(f.face);
-  stretch(mesh, around_deleted, c.kept, c.kept, c.position, change);
-  stretch_curves(mesh, around_deleted, c.deleted, c.kept, c.kept, c.position, change);
-  if (c.position == mesh.position(c.kept)) return;
-  stretch(mesh, around_kept, c.deleted, c.kept, c.position, change);
-  stretch_curves(mesh, around_kept, c.kept, c.deleted, c.kept, c.position, change);
+    if (f.uses(contraction.kept)) change.replaced.push_back(f.face);
+  stretch(mesh, around_deleted, contraction.kept, contraction.kept, contraction.position, change);
+  stretch_curves(mesh, around_deleted, contraction.deleted, contraction.kept, contraction.kept,
+                 contraction.position, change);
+  if (contraction.position == mesh.position(contraction.kept)) return;
+  stretch(mesh, around_kept, contraction.deleted, contraction.kept, contraction.position, change);
+  stretch_curves(mesh, around_kept, contraction.kept, contraction.deleted, contraction.kept,
+                 contraction.position, change);
 }
 
-void describe(const Mesh& mesh, const EdgePair& e, Change& change) {
+void describe(const Mesh& mesh, const EdgePair& pair, Change& change) {
   change.clear();
-  change.replaced.assign({e.f, e.g});
+  change.replaced.assign({pair.f, pair.g});
   const auto create = [&](Face face, Vertex a, Vertex b, Vertex c) {
     change.created.push_back(
         {face, {a, b, c}, {mesh.position(a), mesh.position(b), mesh.position(c)}});
   };
-  create(e.f, e.d, e.b, e.c);
-  create(e.g, e.c, e.a, e.d);
+  create(pair.f, pair.d, pair.b, pair.c);
+  create(pair.g, pair.c, pair.a, pair.d);
 }
 
 void describe(const Mesh& mesh, Vertex v, const Star& around, const glm::dvec3& target,

@@ -48,7 +48,7 @@ class PaperLoop : public Loop {
   virtual bool smooth(Vertex v) = 0;
 
  private:
-  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> asked, Plan& plan);
+  [[nodiscard]] Verdict judge(Edge edge, std::array<bool, 2> may_go, Plan& plan);
   [[nodiscard]] double first_reach() const;
   bool try_collapse(Edge edge);
   bool try_swap(Edge edge);

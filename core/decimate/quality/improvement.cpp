@@ -125,7 +125,7 @@ std::uint32_t QualityLoop::smooth_pass() {
 // swaps what was judged ahead is out of date.
 std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
   original_.locate(mesh_, options_.threads);
-  if (made > 0 && phase_ == Phase::Collapse) measure_vertices(true);
+  if (made > 0 && phase_ == Phase::Collapse) queue_.measure(true);
   std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::array<Face, 3>());
   return made;
 }

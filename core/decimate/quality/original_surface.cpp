@@ -91,7 +91,7 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
-void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const {
+void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
   double best = std::numeric_limits<double>::infinity();
   p.face = no_index;
   for (const Face f : mesh.row<2>(v)) {
@@ -110,7 +110,7 @@ void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex
 // To the better one of the faces that the nearest place also lies on: across its edge, or around
 // its corner; only faces that look the way the original did count, so that no point goes through a
 // thin wall.
-bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
+bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) {
   const Face from(p.face);
   const auto corners = mesh.triangle(from);
   const glm::vec3 at = p.barycentric;
@@ -134,9 +134,10 @@ bool OriginalSurface::walk_once(const Mesh& mesh, OriginalPoint& p) const {
   return moved;
 }
 
-void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) const {
+void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
   constexpr int most_steps = 10;
   for (int step = 0; step < most_steps; ++step) {
+    if (p.distance2 == 0) return;
     const glm::vec3& at = p.barycentric;
     if (at.x > 0 && at.y > 0 && at.z > 0) return;  // the nearest place is inside the face
     if (!walk_once(mesh, p)) return;

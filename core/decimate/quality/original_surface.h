@@ -76,9 +76,9 @@ class OriginalSurface {
   void add_faces(const Mesh& mesh, const Column<Face, double>& areas);
   void set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas);
   void locate_point(const Mesh& mesh, std::size_t i);
-  void find_face(const Mesh& mesh, OriginalPoint& p) const;
-  bool walk_once(const Mesh& mesh, OriginalPoint& p) const;
-  void start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) const;
+  static void find_face(const Mesh& mesh, OriginalPoint& p);
+  static bool walk_once(const Mesh& mesh, OriginalPoint& p);
+  static void start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v);
   [[nodiscard]] Vertex taken_by(Vertex v);
   void link_points(const Mesh& mesh);
 

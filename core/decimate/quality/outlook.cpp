@@ -7,32 +7,32 @@
 namespace aomd {
 
 Verdict QualityLoop::judge(Edge edge, Vertex& deleted) {
-  Candidate candidate;
+  CollapseQueue::Candidate candidate;
   const Verdict verdict = judge(edge, candidate);
   deleted = candidate.contraction.deleted;
   return verdict;
 }
 
 Verdict QualityLoop::judge(Vertex a, Vertex b) {
-  Candidate candidate;
+  CollapseQueue::Candidate candidate;
   return judge(a, b, candidate);
 }
 
-Verdict QualityLoop::judge(Edge edge, Candidate& candidate) {
+Verdict QualityLoop::judge(Edge edge, CollapseQueue::Candidate& candidate) {
   const auto [a, b] = mesh_.edge_vertices(edge);
   Verdict verdict = judge(a, b, candidate);
   if (verdict.reason == Reason::Spacing) verdict.entity = edge;
   return verdict;
 }
 
-Verdict QualityLoop::judge(Vertex a, Vertex b, Candidate& candidate) {
-  candidate = {{a, b, mesh_.position(b)}, unlimited};
+Verdict QualityLoop::judge(Vertex a, Vertex b, CollapseQueue::Candidate& candidate) {
+  candidate = {{a, b, mesh_.position(b)}, CollapseQueue::unlimited};
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
-  if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
+  if (!(length < double(std::max(queue_.reach(a), queue_.reach(b)))))
     return {Reason::Spacing, a, length};
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
-  candidate.cost = cost(a, b, candidate.contraction);
-  if (!(candidate.cost < unlimited))
+  candidate.cost = queue_.cost(a, b, candidate.contraction);
+  if (!(candidate.cost < CollapseQueue::unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
   Plan plan;
   return judge(candidate.contraction, plan);
@@ -50,7 +50,7 @@ Limits QualityLoop::limits(const TurnLimit& turn, double least_angle_deg) const 
 std::vector<CollapseOutlook> QualityLoop::outlook(Edge edge) {
   const auto [a, b] = mesh_.edge_vertices(edge);
   CollapseOutlook o;
-  Candidate candidate;
+  CollapseQueue::Candidate candidate;
   o.verdict = judge(edge, candidate);
   o.contraction = candidate.contraction;
   o.limits = limits(rules_.max_turn,
@@ -58,8 +58,8 @@ std::vector<CollapseOutlook> QualityLoop::outlook(Edge edge) {
   if (mesh_.classification(edge).dimension() == 1 && rules_.topology == TopologyRule::Safe)
     o.limits.curve_deg = rules_.max_curve_turn.angle_deg();
   o.length = glm::length(mesh_.position(a) - mesh_.position(b));
-  o.longest = double(std::max(state_[a].reach, state_[b].reach));
-  if (candidate.cost < unlimited) o.cost = double(candidate.cost);
+  o.longest = double(std::max(queue_.reach(a), queue_.reach(b)));
+  if (candidate.cost < CollapseQueue::unlimited) o.cost = double(candidate.cost);
   return {o};
 }
 
@@ -94,8 +94,6 @@ Reason QualityLoop::last_refusal(Edge e) const {
   return e.index < refusal_.size() ? refusal_[e] : Reason::None;
 }
 
-double QualityLoop::spacing(Vertex v) const {
-  return v.index < state_.size() ? 2.0 * double(state_[v].reach) : 0;
-}
+double QualityLoop::spacing(Vertex v) const { return 2.0 * double(queue_.reach(v)); }
 
 }  // namespace aomd

@@ -56,7 +56,7 @@ bool Fitter::least_squares(Vertex v, const Star& star, const FitRules& rules,
       anchor = &point;
     });
   }
-  if (!(area > 0) || !(weights > 0)) return false;
+  if (!(area > 0) || !(weights > 0) || anchor == nullptr) return false;
   centre /= area;
   normal /= std::max(glm::length(normal), std::numeric_limits<double>::min());
   const glm::dvec3 plane = anchor->normal;
@@ -69,7 +69,7 @@ bool Fitter::least_squares(Vertex v, const Star& star, const FitRules& rules,
 }
 
 bool Fitter::looks_away(const glm::dvec3& original, const glm::dvec3& normal,
-                        const FitRules& rules) const {
+                        const FitRules& rules) {
   return original != glm::dvec3(0.0) && !rules.max_away.allows(original, normal);
 }
 
@@ -112,19 +112,19 @@ Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dve
   return verdict;
 }
 
-double Fitter::swap_gain(const EdgePair& e, const FitRules& rules) const {
-  const glm::dvec3 a = mesh_.position(e.a), b = mesh_.position(e.b), c = mesh_.position(e.c),
-                   d = mesh_.position(e.d);
+double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules) const {
+  const glm::dvec3 a = mesh_.position(pair.a), b = mesh_.position(pair.b),
+                   c = mesh_.position(pair.c), d = mesh_.position(pair.d);
   const double shapes =
       misshape(a, b, c) + misshape(b, a, d) - misshape(d, b, c) - misshape(c, a, d);
   const double gain = rules.shape * rules.face_energy * shapes;
   double before = 0;
-  for (const Face f : {e.f, e.g})
+  for (const Face f : {pair.f, pair.g})
     original_.for_points(
         f, [&](const OriginalPoint& p) { before += double(p.weight) * double(p.distance2); });
   if (gain + before <= 0) return gain;  // even without any error left it would not pay
   double after = 0;
-  for (const Face f : {e.f, e.g})
+  for (const Face f : {pair.f, pair.g})
     original_.for_points(f, [&](const OriginalPoint& p) {
       glm::dvec3 at;
       after += double(p.weight) * std::min(nearest_barycentric(p.position, d, b, c, at),
@@ -162,14 +162,14 @@ Verdict Fitter::judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& 
   return {};
 }
 
-void Fitter::swapped(const EdgePair& e) {
+void Fitter::swapped(const EdgePair& pair) {
   const auto corners = [&](Face face, Vertex from, Vertex to) {
     auto t = mesh_.triangle(face);
     std::replace(t.begin(), t.end(), from, to);
     return std::array{mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2])};
   };
-  const auto f = corners(e.f, e.a, e.d), g = corners(e.g, e.b, e.c);
-  original_.redistribute(e.f, e.g, [&](OriginalPoint& p) {
+  const auto f = corners(pair.f, pair.a, pair.d), g = corners(pair.g, pair.b, pair.c);
+  original_.redistribute(pair.f, pair.g, [&](OriginalPoint& p) {
     glm::dvec3 on_f, on_g;
     const double to_f = nearest_barycentric(p.position, f[0], f[1], f[2], on_f);
     const double to_g = nearest_barycentric(p.position, g[0], g[1], g[2], on_g);

@@ -66,8 +66,8 @@ class Fitter {
                                      const FitRules& rules) const;
   [[nodiscard]] bool least_squares(Vertex v, const Star& star, const FitRules& rules,
                                    glm::dvec3& target) const;
-  [[nodiscard]] bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
-                                const FitRules& rules) const;
+  [[nodiscard]] static bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
+                                       const FitRules& rules);
   [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
 
   const Mesh& mesh_;

@@ -52,7 +52,7 @@ class QuadricOf {
   [[nodiscard]] Number operator()(const Vec3& p) const {
     return glm::dot(p, times(p) + Number(2) * b_) + c_;
   }
-  /// The same function of x - origin: as seen by who stands there.
+  /// This function in coordinates whose origin is the point `origin`.
   [[nodiscard]] QuadricOf about(const Vec3& origin) const {
     QuadricOf q = *this;
     const Vec3 moved = times(origin);
@@ -61,6 +61,13 @@ class QuadricOf {
     return q;
   }
   [[nodiscard]] Number trace() const { return xx_ + yy_ + zz_; }
+  /// A p: how the function bends along p is dot(p, times(p)).
+  [[nodiscard]] Vec3 times(const Vec3& p) const {
+    return {xx_ * p.x + xy_ * p.y + xz_ * p.z, xy_ * p.x + yy_ * p.y + yz_ * p.z,
+            xz_ * p.x + yz_ * p.y + zz_ * p.z};
+  }
+  /// Half the gradient.
+  [[nodiscard]] Vec3 slope(const Vec3& p) const { return times(p) + b_; }
   /// The minimum of the quadric plus `stay` * |x - anchor|^2, which makes it unique; false where
   /// numbers are too small for it.
   [[nodiscard]] bool minimum(const Vec3& anchor, Number stay, Vec3& x) const {
@@ -79,10 +86,6 @@ class QuadricOf {
  private:
   template <typename Other>
   friend class QuadricOf;
-  [[nodiscard]] Vec3 times(const Vec3& p) const {
-    return {xx_ * p.x + xy_ * p.y + xz_ * p.z, xy_ * p.x + yy_ * p.y + yz_ * p.z,
-            xz_ * p.x + yz_ * p.y + zz_ * p.z};
-  }
 
   Number xx_ = 0, yy_ = 0, zz_ = 0, xy_ = 0, xz_ = 0, yz_ = 0;
   Vec3 b_{Number(0)};

@@ -2,19 +2,19 @@
 
 #include <utility>
 
-#include "core/decimate/quality/quality_loop.h"
+#include "core/decimate/quality/collapse_queue.h"
 #include "core/mesh/geometry.h"
 
 namespace aomd {
 
 // On a model edge the surface looks several ways at once, which says nothing about the faces beside
 // it.
-void QualityLoop::add_normal(Vertex v, const glm::vec3& normal) {
+void CollapseQueue::add_normal(Vertex v, const glm::vec3& normal) {
   if (state_[v].model.dimension() > 1) normal_[v] += normal;
 }
 
 // Every face is a plane to its three vertices, by its area (Garland, Heckbert 1997).
-void QualityLoop::quadric_of_faces(Vertex v) {
+void CollapseQueue::quadric_of_faces(Vertex v) {
   for (const Face f : mesh_.row<2>(v)) {
     const auto t = mesh_.triangle(f);
     const glm::dvec3 normal =
@@ -22,7 +22,7 @@ void QualityLoop::quadric_of_faces(Vertex v) {
     const double length = glm::length(normal);
     if (!(length > 0)) continue;
     const glm::vec3 unit(normal / length);
-    const float share = static_cast<float>(length / (6 * unit_area_));
+    const float share = static_cast<float>(length / (6 * rules_.unit_area));
     state_[v].quadric.add_plane(unit, 0, share);
     state_[v].area += share;
     add_normal(v, share * unit);
@@ -31,13 +31,13 @@ void QualityLoop::quadric_of_faces(Vertex v) {
 
 // Every point of the original is a plane to the vertices of the face that it lies on, by its
 // barycentric coordinates: what many collapses have added up is measured anew.
-void QualityLoop::quadrics_of_points() {
+void CollapseQueue::quadrics_of_points() {
   for (const OriginalPoint& p : original_.points()) {
     if (p.face == no_index) continue;
     const auto t = mesh_.triangle(Face(p.face));
     for (int k = 0; k < 3; ++k) {
       const Vertex v = t[static_cast<std::size_t>(k)];
-      const float share = p.weight * p.barycentric[k] / static_cast<float>(unit_area_);
+      const float share = p.weight * p.barycentric[k] / static_cast<float>(rules_.unit_area);
       const glm::vec3 off(mesh_.position(v) - p.position);
       state_[v].quadric.add_plane(p.normal, glm::dot(p.normal, off), share);
       state_[v].area += share;
@@ -48,7 +48,7 @@ void QualityLoop::quadrics_of_points() {
 
 // A model edge is a plane at right angles to each face beside it, by the square of its length.
 // These are looked for around the end that has few faces, should the other be crowded.
-void QualityLoop::quadrics_of_model_edges() {
+void CollapseQueue::quadrics_of_model_edges() {
   for (const Edge e : mesh_.edges()) {
     if (mesh_.classification(e).dimension() > 1) continue;
     auto [a, b] = mesh_.edge_vertices(e);
@@ -63,8 +63,9 @@ void QualityLoop::quadrics_of_model_edges() {
       const double length = glm::length(across);
       if (!(length > 0)) continue;
       for (const Vertex v : {a, b})
-        state_[v].quadric.add_plane(glm::vec3(across / length), 0,
-                                    static_cast<float>(3 * glm::dot(along, along) / unit_area_));
+        state_[v].quadric.add_plane(
+            glm::vec3(across / length), 0,
+            static_cast<float>(3 * glm::dot(along, along) / rules_.unit_area));
     }
   }
 }

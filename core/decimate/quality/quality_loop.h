@@ -5,15 +5,13 @@
 // effect).
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/decimate/loop.h"
+#include "core/decimate/quality/collapse_queue.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/point_fit.h"
-#include "core/decimate/quality/quadric.h"
-#include "core/decimate/quality/vertex_queue.h"
 
 namespace aomd {
 
@@ -39,56 +37,22 @@ class QualityLoop final : public Loop {
   [[nodiscard]] double progress() const override;
 
  private:
-  /// An edge that could collapse: what would go where, and at what cost.
-  struct Candidate {
-    Contraction contraction;
-    float cost = 0;
-  };
-
-  static constexpr float unlimited = std::numeric_limits<float>::infinity();
-  static constexpr std::size_t vertices_a_piece = 2048;  ///< where threads share them out
-  /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for
-  /// memory.
-  struct alignas(64) State {
-    LocalQuadric quadric;      ///< about the vertex
-    ModelRef model;            ///< what the vertex lies on
-    float area = 0;            ///< of the surface that it took in
-    float reach = 0;           ///< edges shorter than it may go
-    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
-    float cost = unlimited;    ///< of that; where not known, a bound from below
-    float second = unlimited;  ///< a bound from below for all its others
-  };
-
   // Collapses (quality_loop.cpp)
   bool advance_collapse();
-  template <typename Visit>
-  void look_around(Vertex v, Star& star, Visit&& visit) const;
-  void find_candidates(Vertex v);
-  [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
-  enum class Freedom { None, OntoFirst, OntoSecond, Any };
-  [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
-  [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
   bool relax();
   bool try_others(Vertex v);
   bool collapse(const Contraction& contraction);
-  static void offer(State& state, Vertex partner, float cost);
-  void update(Vertex v, Vertex kept, float cost);
-  void dequeue(Vertex v);
-  void refresh_around(Vertex kept);
-  void forget_lost_edges(const CollapsePlan& made);
-  void fill_queue();
   [[nodiscard]] Verdict judge(const Contraction& contraction, Plan& plan);
 
-  // What is said without being done (quality_outlook.cpp)
+  // What is said without being done (outlook.cpp)
   /// With what would go where, and at what cost: infinite where it is out of the question.
-  [[nodiscard]] Verdict judge(Edge edge, Candidate& candidate);
-  [[nodiscard]] Verdict judge(Vertex a, Vertex b, Candidate& candidate);
+  [[nodiscard]] Verdict judge(Edge edge, CollapseQueue::Candidate& candidate);
+  [[nodiscard]] Verdict judge(Vertex a, Vertex b, CollapseQueue::Candidate& candidate);
   [[nodiscard]] Limits limits(const TurnLimit& turn, double least_angle_deg) const;
 
-  // Stages (quality_stages.cpp)
+  // Stages (stages.cpp)
   void start(const DecimationOptions& options);
   void begin_stage();
-  void measure_vertices(bool by_points);
   void measure_energy();
   void begin_improvement();
   void enter(Phase phase);
@@ -98,9 +62,10 @@ class QualityLoop final : public Loop {
   [[nodiscard]] int rounds() const { return last_stage() ? 3 : 1; }
   void set_goals();
   void set_rules();
+  [[nodiscard]] CostRules cost_rules() const;
   void fill_spacing();
 
-  // Passes of swaps and of smoothing (quality_improvement.cpp)
+  // Passes of swaps and of smoothing (improvement.cpp)
   /// Part of a pass of swaps: its edges are judged ahead, on all threads, and then have their turn
   /// one by one.
   struct SwapBatch {
@@ -123,28 +88,12 @@ class QualityLoop final : public Loop {
   bool try_swap(Vertex a, Vertex b);
   bool try_smooth(Vertex v);
 
-  // Quadrics (quality_quadrics.cpp)
-  void add_normal(Vertex v, const glm::vec3& normal);
-  void quadric_of_faces(Vertex v);
-  void quadrics_of_points();
-  void quadrics_of_model_edges();
-
   OriginalSurface original_;
   Collapser collapser_;
   Fitter fitter_;
   CollapseRules rules_;
   FitRules fit_;
-  float edge_weight_ = 0;  ///< what a squared edge length costs, by the area it stands for
-  float scale_ = 1;        ///< makes costs independent of the mesh's units
-  bool cubes_ = true, places_ = true;  ///< the ideas of these names are in force
-  double unit_area_ = 1;               ///< areas are counted in it: numbers stay near 1
-
-  Column<Vertex, State> state_;
-  /// Of the original faces that a vertex took in, times their areas; 0 on model edges.
-  Column<Vertex, glm::vec3> normal_;
-  VertexQueue queue_;
-  std::vector<Candidate> found_;  ///< scratch: the candidates at one vertex, cheapest first
-  Star star_;
+  CollapseQueue queue_;
   Column<Edge, Reason> refusal_;
 
   std::vector<std::uint32_t>

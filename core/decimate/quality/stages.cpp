@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/base/parallel.h"
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/spacing.h"
-#include "core/mesh/id_pool.h"
 
 namespace aomd {
 namespace {
@@ -37,7 +34,8 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
       original_(mesh, sampling(mesh, options), options.threads),
       collapser_(mesh),
-      fitter_(mesh, original_) {
+      fitter_(mesh, original_),
+      queue_(mesh, original_, options_) {
   start(options);
 }
 
@@ -46,11 +44,9 @@ void QualityLoop::set_rules() {
   const double usual_least_deg = between(w, 8, 12, 12);
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
-  rules_.original_normals = options_.has(Idea::Facing) ? &normal_ : nullptr;
+  rules_.original_normals = options_.has(Idea::Facing) ? &queue_.normals() : nullptr;
   fit_.max_away = TurnLimit(options_.has(Idea::Facing) ? 60 : 179);
   fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
-  cubes_ = options_.has(Idea::ThirdPowers);
-  places_ = options_.has(Idea::Placement);
   rules_.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_around = LeastAngle(usual_least_deg);
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
@@ -58,11 +54,18 @@ void QualityLoop::set_rules() {
   fit_.pull = between(w, 0.001, 0.022, 0.07);
   fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
   fit_.model = options_.model;
-  edge_weight_ = static_cast<float>(between(w, 3e-6, 3e-4, 5e-3));
+}
+
+CostRules QualityLoop::cost_rules() const {
+  CostRules rules;
   const double diagonal = original_.diagonal(),
                points = static_cast<double>(original_.points().size());
-  unit_area_ = original_.area() > 0 ? original_.area() / points : 1;
-  scale_ = diagonal > 0 ? static_cast<float>(1 / (diagonal * diagonal)) : 1;
+  rules.edge_weight = static_cast<float>(between(options_.regularity, 3e-6, 3e-4, 5e-3));
+  if (original_.area() > 0) rules.unit_area = original_.area() / points;
+  if (diagonal > 0) rules.scale = static_cast<float>(1 / (diagonal * diagonal));
+  rules.cubes = options_.has(Idea::ThirdPowers);
+  rules.places = options_.has(Idea::Placement);
+  return rules;
 }
 
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
@@ -74,8 +77,8 @@ void QualityLoop::fill_spacing() {
   const Column<Vertex, double>* given = by_factor ? &average_length_ : options_.spacing.get();
   for (const Vertex v : mesh_.vertices()) {
     const bool known = given && v.index < given->size();
-    state_[v].reach =
-        given ? (known ? static_cast<float>(0.5 * factor * (*given)[v]) : 0.0f) : unlimited;
+    const float half = known ? static_cast<float>(0.5 * factor * (*given)[v]) : 0.0f;
+    queue_.set_reach(v, given ? half : CollapseQueue::unlimited);
   }
 }
 
@@ -101,38 +104,18 @@ void QualityLoop::start(const DecimationOptions& options) {
   options_ = options;
   set_rules();
   set_goals();
-  state_.assign(mesh_.capacity(0), {});
+  queue_.reset(cost_rules());
   fill_spacing();
   stage_ = 0;
   begin_stage();
 }
 
 void QualityLoop::begin_stage() {
-  measure_vertices(stage_ > 0);
+  queue_.measure(stage_ > 0);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   round_ = 0;
   phase_ = Phase::Collapse;
   open_sweep();
-}
-
-// What each vertex stands for: by the faces around it, or by the points of the original that lie on
-// them now.
-void QualityLoop::measure_vertices(bool by_points) {
-  normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
-  const auto measure = [&](std::uint32_t id) {
-    const Vertex v(id);
-    State fresh;
-    fresh.reach = state_[v].reach;
-    fresh.model = mesh_.classification(v);
-    state_[v] = fresh;
-    if (!by_points) quadric_of_faces(v);
-  };
-  parallel_for(
-      mesh_.capacity(0), options_.threads, vertices_a_piece,
-      [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
-  if (by_points) quadrics_of_points();
-  quadrics_of_model_edges();
-  fill_queue();
 }
 
 void QualityLoop::begin_improvement() {

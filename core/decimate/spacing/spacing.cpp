@@ -11,6 +11,7 @@
 #include "core/decimate/spacing/vertex_neighbours.h"
 #include "core/io/source.h"
 #include "core/io/text_cursor.h"
+#include "core/io/text_file.h"
 
 namespace aomd {
 namespace {
@@ -48,9 +49,8 @@ double read_value(io::detail::TextCursor& cursor) {
 }
 
 Column<Vertex, double> Evaluator::operator()(const SpacingFile& source) const {
-  const io::detail::FileBytes bytes(source.path);
-  const io::detail::Source file{source.path.string(), bytes.view()};
-  io::detail::TextCursor cursor(file, file.bytes, 0, '#');
+  const io::detail::TextFile file(source.path);
+  io::detail::TextCursor cursor(file.source(), file.source().bytes, 0, '#');
   Column<Vertex, double> spacing(mesh.capacity(0), 0.0);
   std::uint32_t read = 0;
   for (const Vertex v : mesh.vertices()) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -127,13 +126,6 @@ void SpacingExpression::fail_at(const Mesh& mesh, Vertex v, double value) const 
                               " at vertex " + std::to_string(v.index) + " (" + number_text(p.x) +
                               ", " + number_text(p.y) + ", " + number_text(p.z) +
                               "); it must be positive and finite");
-}
-
-std::string number_text(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 6).ptr;
-  return {text.begin(), end};
 }
 
 }  // namespace aomd

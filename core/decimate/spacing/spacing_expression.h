@@ -37,7 +37,4 @@ class SpacingExpression {
   std::unique_ptr<Parser> parser_;
 };
 
-/// A number as messages show it: 6 digits, no trailing zeros.
-[[nodiscard]] std::string number_text(double value);
-
 }  // namespace aomd

@@ -1,0 +1,120 @@
+#pragma once
+// Which collapse is next: what each vertex stands for, what the collapses of its edges cost, and
+// the vertices in the order of the cheapest of these.
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "core/decimate/options.h"
+#include "core/decimate/quality/original_surface.h"
+#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quality/vertex_queue.h"
+#include "core/mesh/column.h"
+#include "core/operators/collapse.h"
+#include "core/operators/star.h"
+
+namespace aomd {
+
+/// What a cost is made of.
+struct CostRules {
+  float edge_weight = 0;  ///< what a squared edge length costs, by the area it stands for
+  float scale = 1;        ///< makes costs independent of the mesh's units
+  double unit_area = 1;   ///< areas are counted in it: numbers stay near 1
+  bool cubes = true, places = true;  ///< the ideas of these names are in force
+};
+
+/// Judges nothing but costs: whether a collapse is allowed is for others to say. Mesh, original and
+/// options must outlive it; T(2,0) and T(0,2) must be stored.
+class CollapseQueue {
+ public:
+  static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  /// An edge that could collapse: what would go where, and at what cost.
+  struct Candidate {
+    Contraction contraction;
+    float cost = 0;
+  };
+
+  CollapseQueue(const Mesh& mesh, const OriginalSurface& original, const DecimationOptions& options)
+      : mesh_(mesh), original_(original), options_(options) {}
+
+  /// Knows nothing of any vertex any more.
+  void reset(const CostRules& rules);
+  /// Edges shorter than the reach of one of their ends may go; 0 where none was set.
+  void set_reach(Vertex v, float reach) { state_[v].reach = reach; }
+  [[nodiscard]] float reach(Vertex v) const {
+    return v.index < state_.size() ? state_[v].reach : 0.0f;
+  }
+  /// What each vertex stands for: by the faces around it, or by the points of the original that lie
+  /// on them now. Fills the queue. O(n log n).
+  void measure(bool by_points);
+  /// Fills the queue anew.
+  void refill();
+  /// Of the original faces that a vertex took in, times their areas; 0 on model edges.
+  [[nodiscard]] const Column<Vertex, glm::vec3>& normals() const { return normal_; }
+
+  /// What the collapse of an edge costs, and which end goes where; infinite where it is out of the
+  /// question.
+  [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
+
+  /// The vertex whose cheapest candidate is next, which leaves; an invalid one when there is none.
+  [[nodiscard]] Vertex pop() { return order_.pop(); }
+  /// Its cheapest candidate, where that is known and still possible.
+  [[nodiscard]] bool cheapest(Vertex v, Contraction& contraction) const;
+  /// All candidates of a vertex, cheapest first, until the next call. The vertex leaves.
+  [[nodiscard]] const std::vector<Candidate>& take_all(Vertex v);
+  /// Whether the i-th of those has become so dear that others come first: then the vertex is back
+  /// in the queue with it.
+  [[nodiscard]] bool put_off(Vertex v, std::size_t i);
+
+  /// A collapse is about to be made: the kept vertex takes in what the other one stands for.
+  void merge(const Contraction& contraction);
+  /// It has been made: what its edges cost now.
+  void refresh_around(Vertex kept);
+  /// Without the link condition a third vertex of the faces that went may have no face with the
+  /// kept one any more: then their edge is no candidate.
+  void forget_lost_edges(const CollapsePlan& made);
+
+ private:
+  static constexpr std::size_t vertices_a_piece = 2048;  ///< where threads share them out
+  /// What is known of a vertex; one cache line, because looking at neighbours waits for memory.
+  struct alignas(64) State {
+    LocalQuadric quadric;      ///< about the vertex
+    ModelRef model;            ///< what the vertex lies on
+    float area = 0;            ///< of the surface that it took in
+    float reach = 0;           ///< edges shorter than it may go
+    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
+    float cost = unlimited;    ///< of that; where not known, a bound from below
+    float second = unlimited;  ///< a bound from below for all its others
+  };
+  enum class Freedom { None, OntoFirst, OntoSecond, Any };
+
+  template <typename Visit>
+  void look_around(Vertex v, Star& star, Visit&& visit) const;
+  void find_candidates(Vertex v);
+  [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
+  [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
+  static void offer(State& state, Vertex partner, float cost);
+  void update(Vertex v, Vertex kept, float cost);
+  void dequeue(Vertex v);
+  void fill();
+
+  // Quadrics (quadrics.cpp)
+  void add_normal(Vertex v, const glm::vec3& normal);
+  void quadric_of_faces(Vertex v);
+  void quadrics_of_points();
+  void quadrics_of_model_edges();
+
+  const Mesh& mesh_;
+  const OriginalSurface& original_;
+  const DecimationOptions& options_;
+  CostRules rules_;
+  Column<Vertex, State> state_;
+  Column<Vertex, glm::vec3> normal_;
+  VertexQueue order_;
+  std::vector<Candidate> found_;  ///< of the vertex that was taken last
+  float known_ = 0;               ///< the cost by which that one stood in the queue
+  Star star_;                     ///< scratch
+};
+
+}  // namespace aomd

@@ -1,0 +1,182 @@
+// Passes of the quality strategy over tetrahedra and vertices: edges and faces are removed around
+// poor tetrahedra, and vertices go where those around them are better.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/decimate/volume/volume_quality_loop.h"
+#include "core/mesh/id_pool.h"
+#include "core/mesh/tet_geometry.h"
+#include "core/operators/smooth.h"
+
+namespace aomd {
+
+bool VolumeQualityLoop::advance_swap() {
+  bool made = false;
+  if (!improvement_.next_swap(made)) end_phase();
+  return made;
+}
+
+// Whatever an operation makes has a vertex of those that it stirs.
+bool VolumeQualityLoop::looks_at(Region poor) {
+  const auto t = mesh_.tetrahedron(poor);
+  return std::any_of(t.begin(), t.end(), [&](Vertex v) { return stir_[v] >= stir_limit_; });
+}
+
+// The last one that is allowed is the one that is made.
+bool VolumeQualityLoop::allows(const EdgeRemoval& plan) {
+  const EdgeRing& ring = plan.ring;
+  plan_.change.clear();
+  if (options_.kept(ring.a) && options_.kept(ring.b)) return false;
+  if (ring.on_model_face()) {
+    const EdgePair pair{ring.faces[0], ring.faces[1],  ring.a,
+                        ring.b,        ring.apexes[0], ring.apexes[1]};
+    if (!keeps_close(ring) || keeps_face_of(pair) ||
+        !guards_.judge(mesh_, plan_.change, pair).accepted())
+      return false;
+  }
+  std::swap(allowed_, plan_.change);
+  return true;
+}
+
+bool VolumeQualityLoop::allows(const FaceRemoval&) {
+  allowed_.clear();
+  return true;
+}
+
+void VolumeQualityLoop::made(const EdgeRemoval& plan) {
+  const EdgeRing& ring = plan.ring;
+  if (ring.on_model_face()) note_gains(plan);
+  stir(ring.a);
+  stir(ring.b);
+  Loop::made(StepKind::Swap, ring.a, allowed_);
+}
+
+void VolumeQualityLoop::made(const FaceRemoval& plan) {
+  for (const Vertex v : plan.apexes) stir(v);
+  Loop::made(StepKind::Swap, plan.regions[0], allowed_);
+}
+
+// The other diagonal of two faces runs beside the first one by so much at most that the cost of
+// the distance is that of a short edge.
+bool VolumeQualityLoop::keeps_close(const EdgeRing& ring) const {
+  const glm::dvec3 a = mesh_.position(ring.a), b = mesh_.position(ring.b),
+                   c = mesh_.position(ring.apexes[0]), d = mesh_.position(ring.apexes[1]);
+  const double area = glm::length(glm::cross(b - a, d - c));
+  if (!(area > 0)) return false;
+  const double apart = six_volumes(a, b, c, d) / area;
+  const double size2 = double(state_[ring.a].size) * double(state_[ring.b].size);
+  return double(surface_) * apart * apart / 8 <= size2;
+}
+
+bool VolumeQualityLoop::advance_smooth() {
+  const std::uint32_t id = mesh_.ids(0).next_alive(cursor_);
+  if (id >= mesh_.capacity(0)) {
+    end_phase();
+    return false;
+  }
+  cursor_ = id + 1;
+  return settling_ > 0 ? settle(Vertex(id)) : try_move(Vertex(id));
+}
+
+bool VolumeQualityLoop::try_move(Vertex v) {
+  glm::dvec3 x;
+  if (!options_.smooth || options_.kept(v) || !find_target(v, scratch_, x)) return false;
+  return move(v, x);
+}
+
+// Goes by `x` where the guards let it; the conditions and the model faces in the scratch are those
+// at the vertex.
+bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
+  State& s = state_[v];
+  plan_.change.clear();
+  if (s.model.dimension() < 3) {
+    if (!guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
+      return false;
+    s.quadric = s.quadric.about(glm::vec3(x));
+    debts_.settle(v, x, scratch_.balance.conditions());
+  }
+  apply_smooth(mesh_, v, mesh_.position(v) + x);
+  stir(v);
+  Loop::made(StepKind::Smooth, v, plan_.change);
+  return true;
+}
+
+// Where the energy of the vertex is least, as far as one step tells; false where it stays.
+bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
+  const State& s = state_[v];
+  if (s.model.dimension() == 0 || !among_tets(v)) return false;
+  gather(mesh_, v, scratch.balls[0]);
+  relaxation_.begin(mesh_, v, scratch.balls[0]);
+  scratch.balance.begin(mesh_.position(v));
+  if (s.model.dimension() == 3) return relaxation_.step(floor_, glm::dvec3(0.0), x);
+  Frame frame;
+  glm::dvec3 shift(0.0);
+  if (!fix_ways(v, scratch, frame, shift)) return false;
+  for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
+  if (const float area = s.quadric.trace(); area > 0)
+    relaxation_.add_surface(s.quadric, double(surface_ / (area * s.size * s.size)));
+  return relaxation_.step(floor_, shift, x) && keeps_faces(v, scratch.star, mesh_.position(v) + x);
+}
+
+// Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges
+// also along them. `x` receives what pays their debts.
+bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x) {
+  const int dimension = state_[v].model.dimension();
+  gather_model_faces(mesh_, v, scratch.star);
+  scratch.planes.clear();
+  scratch.planes.add(mesh_, v, scratch.star);
+  take_planes(scratch.planes, frame);
+  scratch.balance.add(mesh_, v, scratch.balls[0]);
+  if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
+  debts_.charge(v, scratch.balance.conditions());
+  take_conditions(scratch.balance.conditions(), paid_at_once * double(state_[v].size),
+                  3 - dimension, frame, x);
+  if (dimension == 2) return frame.taken() == 1;
+  glm::dvec3 along;
+  if (!tangent(v, scratch.star, along)) return false;
+  if (frame.taken() == 1) frame.take(glm::cross(along, frame.axis(0)));
+  return frame.taken() == 2;
+}
+
+// From the vertex before it on its model edge to the one after it.
+bool VolumeQualityLoop::tangent(Vertex v, const Star& star, glm::dvec3& along) const {
+  std::array<glm::dvec3, 2> ways;
+  std::size_t count = 0;
+  for_edges_at(mesh_, v, star, [&](Edge e, Vertex far) {
+    if (mesh_.classification(e) != state_[v].model) return;
+    if (count < 2) ways[count] = mesh_.position(far) - mesh_.position(v);
+    ++count;
+  });
+  along = ways[0] - ways[1];
+  return count == 2 && glm::dot(ways[0], ways[1]) < 0;
+}
+
+bool VolumeQualityLoop::keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const {
+  const glm::dvec3 from = mesh_.position(v);
+  return std::none_of(star.begin(), star.end(), [&](const StarFace& f) {
+    const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
+    const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
+    return is_flat(to, p, q, after) || !improving_.removal.max_turn.allows(before, after);
+  });
+}
+
+std::uint32_t VolumeQualityLoop::swap_pass() {
+  stir_limit_ = 0;
+  return pass_done(improvement_.swap_pass());
+}
+
+std::uint32_t VolumeQualityLoop::smooth_pass() {
+  std::uint32_t count = 0;
+  for (const Vertex v : mesh_.vertices()) count += try_move(v);
+  return pass_done(count);
+}
+
+// Between two collapses the queue knows neither the new edges nor the new places.
+std::uint32_t VolumeQualityLoop::pass_done(std::uint32_t made) {
+  if (made > 0 && phase_ == Phase::Collapse) fill_queue();
+  return made;
+}
+
+}  // namespace aomd

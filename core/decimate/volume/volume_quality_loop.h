@@ -1,0 +1,190 @@
+#pragma once
+// The quality strategy for volumes of tetrahedra: one queue for model faces and what lies between
+// them, the kept vertex placed where no region's volume changes, and tetrahedra that are improved
+// whenever collapses alone lead no further (docs/VOLUMES.md).
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/decimate/loop.h"
+#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quality/vertex_queue.h"
+#include "core/decimate/volume/improvement.h"
+#include "core/decimate/volume/region_balance.h"
+#include "core/decimate/volume/vertex_relaxation.h"
+#include "core/decimate/volume/volume_placement.h"
+#include "core/operators/region_collapse.h"
+
+namespace aomd {
+
+class VolumeQualityLoop final : public Loop, private ImprovementWatch {
+ public:
+  static constexpr const char* name = "the quality loop";  ///< of its requests
+
+  /// T(3,0), T(0,3), T(2,0), T(0,2) and T(0,1) must be stored, as listed or complete.
+  VolumeQualityLoop(Mesh& mesh, const DecimationOptions& options);
+
+  bool advance() override;
+  void restart(const DecimationOptions& options) override;
+  std::uint32_t swap_pass() override;
+  std::uint32_t smooth_pass() override;
+  [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
+  [[nodiscard]] Verdict judge(Vertex a, Vertex b) override;
+  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
+  [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
+  [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
+  [[nodiscard]] Reason last_refusal(Edge e) const override;
+  [[nodiscard]] double spacing(Vertex v) const override;
+  [[nodiscard]] double progress() const override;
+
+ private:
+  static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  static constexpr std::size_t vertices_a_piece = 1024;  ///< where threads share them out
+
+  /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for
+  /// memory.
+  struct alignas(64) State {
+    LocalQuadric quadric;      ///< about the vertex; 0 inside regions
+    ModelRef model;            ///< what the vertex lies on
+    float size = 0;            ///< the mean length of the edges here, at the start
+    float reach = 0;           ///< edges shorter than it may go
+    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
+    float cost = unlimited;    ///< of that; where not known, a bound from below
+    float second = unlimited;  ///< a bound from below for all its others
+  };
+  struct Candidate {
+    Vertex other;
+    float cost = 0;
+  };
+  /// A way to collapse an edge, and what it costs the surface.
+  struct Place {
+    Contraction contraction;
+    float cost = 0;
+  };
+  /// What a judgement needs, so that nothing is allocated for it.
+  struct Scratch {
+    std::array<Ball, 2> balls;
+    Star star;
+    std::vector<Vertex> neighbours;
+    ModelPlanes planes;
+    RegionBalance balance;
+    std::vector<Place> places;
+  };
+
+  // The queue (volume_queue.cpp)
+  [[nodiscard]] std::span<const Vertex> neighbours_of(Vertex v, Scratch& scratch) const;
+  template <typename Visit>
+  void look_around(Vertex v, Scratch& scratch, Visit&& visit) const;
+  [[nodiscard]] float cost(Vertex v, Vertex w) const;
+  [[nodiscard]] bool may_collapse(Vertex v, Vertex w, float length2) const;
+  static void offer(State& state, Vertex partner, float cost);
+  void update(Vertex v, Vertex kept, float cost);
+  void dequeue(Vertex v);
+  void refresh_around(Vertex kept);
+  void fill_queue();
+  bool advance_collapse();
+  bool try_others(Vertex v);
+  void find_candidates(Vertex v);
+
+  // Contractions (volume_contraction.cpp)
+  enum class Freedom { None, OntoFirst, OntoSecond, Any };
+  [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
+  [[nodiscard]] float surface_cost(const LocalQuadric& quadric, const glm::vec3& x,
+                                   float size2) const;
+  void find_places(Vertex v, Vertex w, Scratch& scratch) const;
+  void places_inside(Vertex v, Vertex w, Scratch& scratch) const;
+  void places_on_model(Vertex v, Vertex w, Scratch& scratch) const;
+  void find_planes(Vertex v, Vertex w, Scratch& scratch) const;
+  [[nodiscard]] bool straight_curve(Vertex v, Vertex w, Star& star) const;
+  [[nodiscard]] double worst_shape(const Contraction& c, const Scratch& scratch,
+                                   double enough) const;
+  void keep_best_shape(Scratch& scratch) const;
+  [[nodiscard]] float worst_cost(float best) const;
+  [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan);
+  bool collapse(Vertex v, Vertex w);
+  void note_refusal(Vertex v, Vertex w, const Verdict& verdict);
+  void take_over(const Contraction& c, const glm::dvec3& origin);
+
+  // What is said without being done (volume_outlook.cpp)
+  [[nodiscard]] Verdict judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan);
+
+  // Stages (volume_stages.cpp)
+  void start(const DecimationOptions& options);
+  [[nodiscard]] double stretch() const;
+  void set_rules();
+  void measure_vertices();
+  void measure(Vertex v, Scratch& scratch);
+  void quadric_of_faces(Vertex v, Star& star);
+  void quadrics_of_model_edges();
+  void begin_descent();
+  void begin_improvement();
+  void enter(Phase phase);
+  void end_phase();
+  void end_round();
+  void end_settling();
+  bool relax();
+  /// False where other shapes than tetrahedra are around a vertex, or nothing: it stays.
+  [[nodiscard]] bool among_tets(Vertex v) const { return state_[v].size > 0; }
+  [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }
+  [[nodiscard]] bool last_descent() const;
+
+  // Passes over tetrahedra and vertices (volume_passes.cpp)
+  bool advance_swap();
+  bool advance_smooth();
+  [[nodiscard]] bool looks_at(Region poor) override;
+  [[nodiscard]] bool allows(const EdgeRemoval& plan) override;
+  [[nodiscard]] bool allows(const FaceRemoval& plan) override;
+  void made(const EdgeRemoval& plan) override;
+  void made(const FaceRemoval& plan) override;
+  void stir(Vertex v) { stir_[v] = stir_now_; }
+  [[nodiscard]] bool keeps_close(const EdgeRing& ring) const;
+  bool try_move(Vertex v);
+  bool move(Vertex v, const glm::dvec3& x);
+  bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
+  bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
+  [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
+  [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
+  std::uint32_t pass_done(std::uint32_t made);
+
+  // Debts (volume_settling.cpp)
+  void note_gains(const EdgeRemoval& plan);
+  void draw_debts(Vertex v, const Scratch& scratch);
+  bool settle(Vertex v);
+  [[nodiscard]] bool owes(Vertex v) const;
+  void spread(Vertex v);
+
+  static constexpr double curve_weight = 3;  ///< of the planes along model edges
+  /// Debts are paid by moving by this part of a size, or of an edge, at a time.
+  static constexpr double paid_at_once = 0.03;
+
+  RegionCollapser collapser_;
+  VertexRelaxation relaxation_;
+  VolumeRules rules_;
+  ImprovementRules improving_;
+  VolumeImprovement improvement_;
+  double floor_ = 0.3;  ///< no tetrahedron gets a poorer shape, if it can be helped
+  float surface_ = 0;   ///< what squared distances cost, in sizes
+  Column<Vertex, State> state_;
+  Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
+  VertexQueue queue_;
+  VolumeDebts debts_;
+  Scratch scratch_;
+  std::vector<Candidate> found_;
+  Change allowed_;  ///< by the removal that is to be made
+  Column<Edge, Reason> refusal_;
+  Column<Vertex, std::uint32_t> stir_;  ///< the pass in which something around changed last
+  std::uint32_t stir_now_ = 0, stir_limit_ = 0;
+
+  std::uint32_t target_ = 0, goal_ = 0;
+  std::uint32_t start_regions_ = 0;
+  int round_ = 0;     ///< of improvement, since the last descent
+  int settling_ = 0;  ///< passes in which debts are paid, at the end
+  int descents_ = 0;
+  std::uint32_t before_descent_ = 0, freed_ = 0;
+  std::uint32_t cursor_ = 0;  ///< of a pass
+};
+
+}  // namespace aomd

@@ -1,0 +1,108 @@
+// What operations on a volume owe to its regions: who takes debts on, and how they are paid.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/decimate/volume/volume_quality_loop.h"
+#include "core/mesh/tet_geometry.h"
+
+namespace aomd {
+namespace {
+
+double six_volumes_of(const Mesh& mesh, Vertex a, Vertex b, Vertex c, Vertex d) {
+  return std::abs(
+      six_volumes(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(d)));
+}
+
+// How much volume the tetrahedra on one side of a model face gain, six times.
+double gain_of(const Mesh& mesh, const EdgeRing& ring, const RingSide& side,
+               const RingTriangles& triangles) {
+  double gain = 0;
+  for (std::uint32_t i = 0; i < side.region_count(); ++i)
+    gain -= six_volumes_of(mesh, ring.a, ring.b, side.ring[i], side.after(i));
+  for (std::uint32_t i = 0; i < triangles.count; ++i) {
+    const RingTriangle& t = triangles.items[i];
+    for (const Vertex end : {ring.a, ring.b})
+      gain += six_volumes_of(mesh, end, side.ring[t[0]], side.ring[t[1]], side.ring[t[2]]);
+  }
+  return gain;
+}
+
+}  // namespace
+
+// What a region gains is owed by an end of the old edge that can pay.
+void VolumeQualityLoop::note_gains(const EdgeRemoval& plan) {
+  const EdgeRing& ring = plan.ring;
+  Vertex debtor = ring.a;
+  for (const Vertex v : {ring.apexes[1], ring.apexes[0], ring.b, ring.a})
+    if (state_[v].model.dimension() == 2) debtor = v;
+  for (std::uint32_t s = 0; s < ring.side_count; ++s)
+    debts_.add(debtor, mesh_.classification(ring.sides[s].regions[0]),
+               gain_of(mesh_, ring, ring.sides[s], plan.triangles[s]));
+}
+
+// What contractions onto model edges owe is paid by the curved model faces beside them: a vertex
+// there can give from one of its regions to the other.
+void VolumeQualityLoop::draw_debts(Vertex v, const Scratch& scratch) {
+  const std::span<const VolumeCondition> sides = scratch.balance.conditions();
+  if (sides.empty() || sides.size() > 2) return;
+  const ModelRef a = sides[0].region, b = sides.back().region;
+  for (const StarFace& f : scratch.star) {
+    const Vertex u = f.next;
+    if (state_[u].model.dimension() >= state_[v].model.dimension()) continue;
+    const double at_a = debts_.of(u, a), at_b = debts_.of(u, b);
+    const double part = a == b ? at_a : 0.5 * (at_a - at_b);
+    debts_.add(u, a, -part);
+    debts_.add(v, a, part);
+    if (a == b) continue;
+    debts_.add(u, b, part);
+    debts_.add(v, b, -part);
+  }
+}
+
+// In the first passes debts spread over curved model faces, then they are paid: so that none makes
+// a bump.
+bool VolumeQualityLoop::settle(Vertex v) {
+  constexpr int spreading = 8;  // passes
+  const int dimension = state_[v].model.dimension();
+  if (dimension == 0 || dimension == 3 || options_.kept(v) || !among_tets(v)) return false;
+  gather(mesh_, v, scratch_.balls[0]);
+  scratch_.balance.begin(mesh_.position(v));
+  Frame frame;
+  glm::dvec3 x(0.0);
+  if (!fix_ways(v, scratch_, frame, x) || !owes(v)) return false;
+  if (settling_ <= spreading) {
+    spread(v);
+    return false;
+  }
+  relaxation_.begin(mesh_, v, scratch_.balls[0]);
+  const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
+  if (x == glm::dvec3(0.0) || relaxation_.worst_shape(x) < least ||
+      !keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
+    spread(v);
+    return false;
+  }
+  return move(v, x);
+}
+
+bool VolumeQualityLoop::owes(Vertex v) const {
+  constexpr double noise = 1e-9;  // of a size cubed
+  const auto conditions = scratch_.balance.conditions();
+  const double least = noise * std::pow(double(state_[v].size), 3);
+  return std::any_of(conditions.begin(), conditions.end(),
+                     [&](const VolumeCondition& c) { return std::abs(c.debt) > least; });
+}
+
+// Each neighbour inside the same model face takes an equal part.
+void VolumeQualityLoop::spread(Vertex v) {
+  const auto takes = [&](const StarFace& f) { return state_[f.next].model == state_[v].model; };
+  const auto takers = std::count_if(scratch_.star.begin(), scratch_.star.end(), takes);
+  for (const VolumeCondition& c : scratch_.balance.conditions()) {
+    const double part = c.debt / double(takers + 1);
+    for (const StarFace& f : scratch_.star)
+      if (takes(f)) debts_.add(f.next, c.region, part);
+    debts_.add(v, c.region, part - c.debt);
+  }
+}
+
+}  // namespace aomd

@@ -1,0 +1,40 @@
+#pragma once
+// A box along axes of its own, which holds thin triangles that lie askew better than one along the
+// axes of space.
+
+#include <array>
+
+#include <glm/vec3.hpp>
+
+#include "core/base/box.h"
+
+namespace aomd {
+
+/// What is added must lie within the box of all that it is made with: coordinates are measured from
+/// the middle of that, and grown by what rounding may do to them.
+class TiltedBox {
+ public:
+  TiltedBox() = default;
+  /// Empty, along the longest side of a triangle and its normal; where these have no length, along
+  /// any others.
+  TiltedBox(const std::array<glm::dvec3, 3>& triangle, const Box& all);
+
+  void add(const glm::dvec3& p);
+  /// All corners of another one.
+  void add(const TiltedBox& other);
+  /// Squared distance of a point; 0 inside.
+  [[nodiscard]] double distance2(const glm::dvec3& p) const { return box_.distance2(along(p)); }
+
+ private:
+  [[nodiscard]] glm::dvec3 along(const glm::dvec3& p) const {
+    const glm::dvec3 q = p - middle_;
+    return {glm::dot(axes_[0], q), glm::dot(axes_[1], q), glm::dot(axes_[2], q)};
+  }
+
+  std::array<glm::dvec3, 3> axes_{};
+  glm::dvec3 middle_{0};
+  double doubt_ = 0;
+  Box box_;  ///< of coordinates along the axes
+};
+
+}  // namespace aomd

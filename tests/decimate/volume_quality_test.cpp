@@ -1,0 +1,167 @@
+// The quality strategy among tetrahedra: nothing but shape and number of them changes, regions keep
+// their volumes, whatever holds the faces and edges inside.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/decimate/decimation.h"
+#include "core/mesh/journal.h"
+#include "core/mesh/tet_geometry.h"
+#include "tests/support/volume_bench.h"
+#include "tests/support/volume_oracle.h"
+
+namespace aomd {
+namespace {
+
+using namespace test;
+
+DecimationOptions quality(const Mesh& mesh, double share, double regularity = 0.5) {
+  DecimationOptions options;
+  options.strategy = Strategy::Quality;
+  options.angle_deg = usual_angle_deg(Strategy::Quality, false);
+  options.target_faces = static_cast<std::uint32_t>(share * mesh.count(3));
+  options.regularity = regularity;
+  return options;
+}
+
+double mean_shape(const Mesh& mesh) {
+  double sum = 0;
+  for (const Region r : mesh.regions()) {
+    const auto t = mesh.tetrahedron(r);
+    sum += tet_shape(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]),
+                     mesh.position(t[3]));
+  }
+  return sum / mesh.count(3);
+}
+
+// How far vertices of the ball's surface are from its sphere, root mean square.
+double off_the_sphere(const Mesh& mesh) {
+  double sum = 0;
+  int count = 0;
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 middle =
+        (mesh.position(t[0]) + mesh.position(t[1]) + mesh.position(t[2])) / 3.0;
+    if (glm::length(middle) > 0.8) continue;  // on the box
+    const double off = glm::length(middle) - 0.45;
+    sum += off * off;
+    ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+struct Sample {
+  const char* name;
+  int size;
+};
+
+class VolumeQuality : public testing::TestWithParam<Sample> {};
+
+TEST_P(VolumeQuality, ReachesTheTargetAndKeepsTheModel) {
+  VolumeBench b(make_sample(GetParam().name, GetParam().size), Levels::Listed);
+  const VolumeOracle before = volume_oracle(to_data(b.mesh));
+  const DecimationOptions options = quality(b.mesh, 0.25);
+  Decimation decimation(b.mesh, options);
+  std::uint32_t steps = 0;
+  while (decimation.step())
+    if (++steps % 100 == 0) {
+      ASSERT_EQ(b.finding(), "") << steps;
+      expect_kept(before, volume_oracle(to_data(b.mesh)), 0.05);
+    }
+  EXPECT_EQ(b.finding(), "");
+  EXPECT_LE(b.mesh.count(3), options.target_faces);
+  EXPECT_GE(b.mesh.count(3), 0.98 * options.target_faces);
+  expect_kept(before, volume_oracle(to_data(b.mesh)), 1e-9);
+}
+
+TEST_P(VolumeQuality, IsTheSameWhateverHoldsTheInsideAndOnThreads) {
+  const MeshData data = make_sample(GetParam().name, GetParam().size);
+  VolumeBench listed(data, Levels::Listed), complete(data, Levels::Complete),
+      shared(data, Levels::Listed);
+  DecimationOptions options = quality(listed.mesh, 0.3);
+  Decimation(listed.mesh, options).run();
+  Decimation(complete.mesh, options).run();
+  EXPECT_EQ(complete.finding(), "");
+  const MeshData result = to_data(listed.mesh);
+  EXPECT_EQ(result, to_data(complete.mesh));
+  options.threads = 2;
+  Decimation(shared.mesh, options).run();
+  EXPECT_EQ(result, to_data(shared.mesh));
+}
+
+TEST_P(VolumeQuality, IsUndone) {
+  VolumeBench b(make_sample(GetParam().name, GetParam().size), Levels::Listed);
+  Journal journal;
+  b.mesh.attach(&journal);
+  const std::string start = zoo::fingerprint(b.mesh);
+  Decimation(b.mesh, quality(b.mesh, 0.3)).run();
+  const std::string end = zoo::fingerprint(b.mesh);
+  journal.seek(b.mesh, 0);
+  EXPECT_EQ(zoo::fingerprint(b.mesh), start);
+  journal.seek(b.mesh, journal.size());
+  EXPECT_EQ(zoo::fingerprint(b.mesh), end);
+  b.mesh.attach(nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, VolumeQuality,
+                         testing::Values(Sample{"ball-in-box", 2}, Sample{"tet-bracket", 2},
+                                         Sample{"layered-beam", 2}),
+                         [](const auto& sample) {
+                           std::string name = sample.param.name;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(VolumeQualityTest, FlatFacesStayFlatAndStraightEdgesStraight) {
+  VolumeBench b(make_sample("layered-beam"), Levels::Listed);
+  Box box;
+  for (const Vertex v : b.mesh.vertices()) box.add(b.mesh.position(v));
+  Decimation(b.mesh, quality(b.mesh, 0.1)).run();
+  for (const Face f : b.mesh.faces())
+    for (const Vertex v : b.mesh.triangle(f)) {
+      const glm::dvec3 p = b.mesh.position(v);
+      double off = 1;
+      for (int k = 0; k < 3; ++k)
+        off = std::min({off, std::abs(p[k] - box.low[k]), std::abs(p[k] - box.high[k])});
+      const bool on_skin = off < 1e-3;
+      EXPECT_TRUE(!on_skin || off < 1e-12) << off;
+    }
+}
+
+TEST(VolumeQualityTest, RegularityTradesClosenessForShape) {
+  double shape = 0, off = 0;
+  for (const double regularity : {0.0, 0.5, 1.0}) {
+    VolumeBench b(make_sample("ball-in-box"), Levels::Listed);
+    Decimation(b.mesh, quality(b.mesh, 0.2, regularity)).run();
+    const double present_shape = mean_shape(b.mesh), present_off = off_the_sphere(b.mesh);
+    EXPECT_GT(present_shape, shape) << regularity;
+    EXPECT_GT(present_off, off) << regularity;
+    shape = present_shape, off = present_off;
+  }
+}
+
+TEST(VolumeQualityTest, KeptVerticesAndOtherShapesStay) {
+  VolumeBench b(make_sample("tet-bracket"), Levels::Listed);
+  auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(b.mesh.capacity(0), std::uint8_t{0});
+  std::vector<std::pair<Vertex, glm::dvec3>> kept;
+  for (const Vertex v : b.mesh.vertices())
+    if (v.index % 7 == 0) {
+      (*keep)[v] = 1;
+      kept.emplace_back(v, b.mesh.position(v));
+    }
+  DecimationOptions options = quality(b.mesh, 0.3);
+  options.keep = keep;
+  Decimation(b.mesh, options).run();
+  for (const auto& [v, position] : kept) {
+    ASSERT_TRUE(b.mesh.alive(v));
+    EXPECT_EQ(b.mesh.position(v), position);
+  }
+  VolumeBench mixed(zoo::hybrid(), Levels::Complete);
+  const MeshData start = to_data(mixed.mesh);
+  Decimation(mixed.mesh, quality(mixed.mesh, 0.5)).run();
+  EXPECT_EQ(to_data(mixed.mesh).regions, start.regions);
+}
+
+}  // namespace
+}  // namespace aomd

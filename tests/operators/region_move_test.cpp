@@ -1,0 +1,255 @@
+// Moves of the vertices of tetrahedra: exact targets on drawn balls, volumes kept on model faces,
+// what may not move.
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/journal.h"
+#include "core/mesh/tet_geometry.h"
+#include "core/model/analytic_model.h"
+#include "core/operators/region_move.h"
+#include "tests/support/volume_bench.h"
+#include "tests/support/volume_oracle.h"
+
+namespace aomd {
+namespace {
+
+using namespace test;
+
+RegionMove judged(const Mesh& mesh, std::uint32_t v, const MoveRules& rules = {}) {
+  RegionMover mover(mesh);
+  RegionMove plan;
+  (void)mover.judge(mesh, Vertex(v), rules, plan);
+  return plan;
+}
+
+// Vertex 0 among the six corners 1 to 6 of an octahedron, stretched.
+MeshData octahedron_around(const glm::dvec3& centre, const glm::dvec3& stretch = {1, 1, 1}) {
+  MeshData data;
+  data.positions = {centre};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0}) {
+      glm::dvec3 p(0.0);
+      p[axis] = sign * stretch[axis];
+      data.positions.push_back(p);
+    }
+  for (const std::uint32_t x : {1u, 2u})
+    for (const std::uint32_t y : {3u, 4u})
+      for (const std::uint32_t z : {5u, 6u})
+        if ((x + y + z) % 2 == 1)
+          data.regions.add(Shape::Tetrahedron, {0, x, y, z}, ModelRef(3, 1));
+        else
+          data.regions.add(Shape::Tetrahedron, {0, y, x, z}, ModelRef(3, 1));
+  return data;
+}
+
+TEST(RegionMoveTest, InsideARegionTheAverageOfTheNeighbours) {
+  for (const Levels levels : both_levels) {
+    VolumeBench b(octahedron_around({0.3, 0.2, -0.1}), levels);
+    ASSERT_EQ(volume_oracle(to_data(b.mesh)).inverted, 0);
+    const RegionMove plan = judged(b.mesh, 0);
+    ASSERT_TRUE(plan.verdict.accepted());
+    EXPECT_EQ(plan.target, glm::dvec3(0.0));
+    EXPECT_NEAR(plan.after, std::sqrt(2) / std::pow(1.5, 1.5), 1e-15);
+    Journal journal;
+    const std::string start = zoo::fingerprint(b.mesh);
+    b.mesh.attach(&journal);
+    RegionMover::apply(b.mesh, plan);
+    EXPECT_EQ(b.mesh.position(Vertex(0)), glm::dvec3(0.0));
+    EXPECT_EQ(journal.step(0).kind, StepKind::Smooth);
+    const RegionMove again = judged(b.mesh, 0);
+    EXPECT_EQ(again.verdict.reason, Reason::Quality);
+    EXPECT_NEAR(again.verdict.number(), std::atan(std::sqrt(2)) * 180 / M_PI, 1e-12);
+    journal.undo(b.mesh);
+    EXPECT_EQ(zoo::fingerprint(b.mesh), start);
+    b.mesh.attach(nullptr);
+  }
+}
+
+double worst_at(const Mesh& mesh, const RegionMove& plan, const glm::dvec3& at) {
+  double worst = 1;
+  for (const BallRegion& r : plan.ball)
+    worst = std::min(worst, tet_shape(at, mesh.position(r.others[0]), mesh.position(r.others[1]),
+                                      mesh.position(r.others[2])));
+  return worst;
+}
+
+double best_on_a_grid(const Mesh& mesh, const RegionMove& plan) {
+  double best = -1;
+  constexpr int n = 20;
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+      for (int k = -n; k <= n; ++k)
+        best = std::max(best, worst_at(mesh, plan, glm::dvec3(i, j, k) * (1.2 / n)));
+  return best;
+}
+
+// Corners at random distances: the average may be no good place, and the worst is still found good
+// enough, or as good as there is.
+TEST(RegionMoveTest, ThePoorClimb) {
+  int climbed = 0;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    MeshData data = octahedron_around({0, 0, 0});
+    for (std::size_t v = 1; v < 7; ++v) {
+      data.positions[v] *= 0.15 + double(random() % 1000) / 600;
+      for (int k = 0; k < 3; ++k) data.positions[v][k] += 0.3 * (double(random() % 1000) / 500 - 1);
+    }
+    VolumeBench b(data, Levels::Listed, smooth_skin);
+    const RegionMove plan = judged(b.mesh, 0);
+    ASSERT_NEAR(plan.before, worst_at(b.mesh, plan, {0, 0, 0}), 1e-14);
+    ASSERT_NEAR(plan.after, worst_at(b.mesh, plan, plan.target), 1e-14);
+    if (plan.before < 0 || plan.before >= 0.3) continue;
+    ++climbed;
+    EXPECT_GE(plan.after, std::min(0.3, 0.9 * best_on_a_grid(b.mesh, plan))) << seed;
+  }
+  EXPECT_GT(climbed, 10);
+}
+
+// The worst of good ones may not get better at the cost of all together.
+TEST(RegionMoveTest, WhereNoneIsPoorTheSumDoesNotFall) {
+  int moved = 0;
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    MeshData data = octahedron_around({0, 0, 0});
+    for (std::size_t v = 1; v < 7; ++v) data.positions[v] *= 0.4 + double(random() % 1000) / 800;
+    VolumeBench b(data, Levels::Listed, smooth_skin);
+    const RegionMove plan = judged(b.mesh, 0);
+    if (!plan.verdict.accepted() || plan.before < 0.3) continue;
+    ++moved;
+    double gain = 0;
+    for (const BallRegion& r : plan.ball) {
+      const glm::dvec3 p = b.mesh.position(r.others[0]), q = b.mesh.position(r.others[1]),
+                       s = b.mesh.position(r.others[2]);
+      gain += tet_shape(plan.target, p, q, s) - tet_shape({0, 0, 0}, p, q, s);
+    }
+    EXPECT_GE(gain, -1e-14) << seed;
+  }
+  EXPECT_GT(moved, 20);
+}
+
+// Half of it: vertex 0 on the face z = 0 with corners 1 to 4, the apex 6 below.
+MeshData half_octahedron(const glm::dvec3& centre) {
+  MeshData data = octahedron_around(centre);
+  MeshData half;
+  half.positions = data.positions;
+  half.positions.erase(half.positions.begin() + 5);
+  for (std::size_t r = 0; r < data.regions.size(); ++r) {
+    const std::uint32_t* t = &data.regions.vertices[4 * r];
+    if (t[3] == 6) half.regions.add(Shape::Tetrahedron, {t[0], t[1], t[2], 5}, ModelRef(3, 1));
+  }
+  return half;
+}
+
+TEST(RegionMoveTest, OnAFlatModelFaceItStaysOnIt) {
+  for (const Levels levels : both_levels) {
+    VolumeBench b(half_octahedron({0.4, 0.3, 0}), levels);
+    const RegionMove plan = judged(b.mesh, 0);
+    ASSERT_TRUE(plan.verdict.accepted()) << reason_name(plan.verdict.reason);
+    EXPECT_NEAR(plan.target.x, 0, 1e-15);
+    EXPECT_NEAR(plan.target.y, 0, 1e-15);
+    EXPECT_EQ(plan.target.z, 0);
+  }
+}
+
+TEST(RegionMoveTest, OnACurvedModelFaceTheVolumesStay) {
+  MeshData data = half_octahedron({0.4, 0.3, 0.1});
+  data.positions[1].z = 0.05, data.positions[4].z = -0.04;
+  for (const Levels levels : both_levels) {
+    VolumeBench b(data, levels, smooth_skin);
+    ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 2);
+    const VolumeOracle before = volume_oracle(to_data(b.mesh));
+    const RegionMove plan = judged(b.mesh, 0, {.max_turn = TurnLimit(60)});
+    ASSERT_TRUE(plan.verdict.accepted()) << reason_name(plan.verdict.reason);
+    EXPECT_GT(glm::length(plan.target - b.mesh.position(Vertex(0))), 0.3);
+    RegionMover::apply(b.mesh, plan);
+    expect_kept(before, volume_oracle(to_data(b.mesh)), 1e-14);
+    EXPECT_EQ(b.finding(), "");
+  }
+}
+
+TEST(RegionMoveTest, NormalsTurnByNoMoreThanTheLimit) {
+  VolumeBench b(half_octahedron({0.4, 0.3, 0.15}), Levels::Listed, smooth_skin);
+  const RegionMove plan = judged(b.mesh, 0, {.max_turn = TurnLimit(0.01)});
+  EXPECT_EQ(plan.verdict.reason, Reason::Angle);
+  EXPECT_EQ(plan.verdict.entity.dimension, 2);
+  EXPECT_GT(plan.verdict.number(), 0.01);
+}
+
+// The middle of the edge 1-2 of a wedge of four tetrahedra around the axis x.
+//   1---0---2 along x, 3 and 4 off it
+MeshData on_a_model_edge(const glm::dvec3& centre) {
+  MeshData data;
+  data.positions = {centre, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  data.regions.add(Shape::Tetrahedron, {1, 0, 3, 4}, ModelRef(3, 1));
+  data.regions.add(Shape::Tetrahedron, {0, 2, 3, 4}, ModelRef(3, 1));
+  return data;
+}
+
+TEST(RegionMoveTest, OnAStraightModelEdgeAlongIt) {
+  for (const Levels levels : both_levels) {
+    VolumeBench b(on_a_model_edge({0.5, 0, 0}), levels);
+    ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 1);
+    const RegionMove plan = judged(b.mesh, 0);
+    ASSERT_TRUE(plan.verdict.accepted()) << reason_name(plan.verdict.reason);
+    EXPECT_EQ(plan.target, glm::dvec3(0.0));
+  }
+}
+
+TEST(RegionMoveTest, ABentModelEdgeStays) {
+  for (const Levels levels : both_levels) {
+    VolumeBench b(on_a_model_edge({0.5, -0.01, -0.01}), levels, {.corner_angle_deg = 60});
+    ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 1);
+    const RegionMove plan = judged(b.mesh, 0);
+    EXPECT_EQ(plan.verdict.reason, Reason::Angle);
+    EXPECT_EQ(plan.verdict.entity.dimension, 1);
+  }
+}
+
+// The edge is straight, the model face z = 0 beside it is not: its border would slide off it.
+TEST(RegionMoveTest, AModelEdgeBesideACurvedModelFaceStays) {
+  MeshData data;
+  data.positions = {{0.5, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0.2, 1, 0.1}, {0, 0.5, 1}};
+  data.regions.add(Shape::Tetrahedron, {1, 0, 3, 4}, ModelRef(3, 1));
+  data.regions.add(Shape::Tetrahedron, {0, 2, 3, 4}, ModelRef(3, 1));
+  data.positions.push_back({1, 0.9, 0.4});  // the face bends between 0 2 5 and 0 5 3
+  data.regions.vertices[6] = 5;
+  data.regions.add(Shape::Tetrahedron, {0, 5, 3, 4}, ModelRef(3, 1));
+  VolumeBench b(data, Levels::Listed, {.feature_angle_deg = 40});
+  ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 1);
+  const RegionMove plan = judged(b.mesh, 0);
+  EXPECT_EQ(plan.verdict.reason, Reason::Angle);
+  EXPECT_EQ(plan.verdict.entity.dimension, 2);
+}
+
+TEST(RegionMoveTest, WhatNeverMoves) {
+  for (const Levels levels : both_levels) {
+    VolumeBench b(octahedron_around({0.3, 0.2, -0.1}), levels);
+    EXPECT_EQ(judged(b.mesh, 1).verdict.reason, Reason::Classification) << "a model vertex";
+    Mesh loose(octahedron_around({0.3, 0.2, -0.1}));
+    set_all(loose);
+    EXPECT_EQ(judged(loose, 0).verdict.reason, Reason::Classification) << "unclassified";
+  }
+  VolumeBench mixed(zoo::hybrid(), Levels::Complete);
+  const RegionMove plan = judged(mixed.mesh, 5);
+  EXPECT_EQ(plan.verdict.reason, Reason::Kept);
+  EXPECT_EQ(plan.verdict.entity, EntityRef(Region(0))) << "a hexahedron";
+}
+
+TEST(RegionMoveTest, WithAModelTheTargetLiesOnIt) {
+  const AnalyticModel sphere = sphere_model(1);
+  VolumeBench b(make_sample("tet-ball", 3), Levels::Listed, smooth_skin);
+  RegionMover mover(b.mesh);
+  RegionMove plan;
+  std::uint32_t moved = 0;
+  for (const Vertex v : b.mesh.vertices()) {
+    if (b.mesh.classification(v).dimension() != 2) continue;
+    if (!mover.judge(b.mesh, v, {.max_turn = TurnLimit(30), .model = &sphere}, plan).accepted())
+      continue;
+    EXPECT_NEAR(glm::length(plan.target), 1, 1e-12);
+    ++moved;
+  }
+  EXPECT_GT(moved, 0u);
+}
+
+}  // namespace
+}  // namespace aomd
