@@ -208,22 +208,25 @@ void Decimation::begin_volume(const DecimationOptions& options) {
     needs.push_back(mesh_.request_listed(i, j, name));
   needs_ = std::move(needs);
   require_classified(mesh_);
-  DecimationOptions volume = options;
-  volume.keep = keep_hanging(mesh_, options.keep);
   if (paper)
-    loop_ = std::make_unique<VolumePaperLoop>(mesh_, volume);
+    loop_ = std::make_unique<VolumePaperLoop>(mesh_, for_loop(options));
   else
-    loop_ = std::make_unique<VolumeQualityLoop>(mesh_, volume);
+    loop_ = std::make_unique<VolumeQualityLoop>(mesh_, for_loop(options));
+}
+
+// A volume's loop looks at regions alone.
+DecimationOptions Decimation::for_loop(const DecimationOptions& options) const {
+  DecimationOptions result = options;
+  if (mesh_.count(3) > 0) result.keep = keep_hanging(mesh_, options.keep);
+  return result;
 }
 
 void Decimation::set_options(const DecimationOptions& options) {
   if (options == given_) return;
-  const bool same = options.strategy == given_.strategy && options.exchange == given_.exchange &&
-                    mesh_.count(3) == 0;
-  if (same)
-    loop_->restart(given_ = options);
-  else
-    begin(options);
+  if (options.strategy != given_.strategy || options.exchange != given_.exchange)
+    return begin(options);
+  given_ = options;
+  loop_->restart(for_loop(options));
 }
 
 void Decimation::invalidate() { loop_->restart(DecimationOptions(loop_->options())); }

@@ -97,6 +97,7 @@ class Decimation {
  private:
   void begin(const DecimationOptions& options);
   void begin_volume(const DecimationOptions& options);
+  [[nodiscard]] DecimationOptions for_loop(const DecimationOptions& options) const;
 
   Mesh& mesh_;
   DecimationOptions given_;

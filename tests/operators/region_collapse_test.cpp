@@ -6,6 +6,7 @@
 #include "core/model/classify.h"
 #include "core/operators/region_collapse.h"
 #include "tests/support/strata.h"
+#include "tests/support/tet_zoo.h"
 
 namespace aomd {
 namespace {
@@ -145,18 +146,42 @@ TEST(RegionCollapseTest, AnEdgeThatWouldBeTooLongIsNamedByItsEnd) {
   EXPECT_TRUE(s.judge(4, 0, {.overshoot = 2.1, .size = &size}).accepted());
 }
 
-TEST(RegionCollapseTest, AShapeBelowTheLeastNeedsOneAsBadAround) {
-  Stored s(corner_with_a_point());
-  const auto& p = [&](std::uint32_t v) { return s.mesh.position(Vertex(v)); };
-  const double made = tet_shape(p(0), p(1), p(2), p(3));
-  s.mesh.move(Vertex(4), {0.25, 0.25, 0.25});
-  const double worst_there = tet_shape(p(0), p(1), p(2), p(4));
-  ASSERT_GT(made, worst_there) << "so that the limit does not bind";
-  EXPECT_TRUE(s.judge(4, 0, {.least_shape = 0.99}).accepted());
-  s.mesh.move(Vertex(0), {0.24, 0.24, 0.24});  // now the one that is made is worse than all
-  const Verdict v = s.judge(4, 0, {.least_shape = 0.99});
-  EXPECT_EQ(v.reason, Reason::None) << "one as bad was around it";
-  s.mesh.move(Vertex(4), {0.28, 0.28, 0.28});
+// In a grid all tetrahedra are of one shape; a collapse stretches some.
+TEST(RegionCollapseTest, AShapeBelowTheLeastAndBelowAllAroundIsRefused) {
+  MeshData data = zoo::tet_grid({3, 3, 3}, [](const zoo::Cell&) { return 1; });
+  Mesh classified(data);
+  classify(classified);
+  data = to_data(classified);
+  Stored s(data);
+  const auto at = [&](const glm::dvec3& p) {
+    return static_cast<std::uint32_t>(std::find(data.positions.begin(), data.positions.end(), p) -
+                                      data.positions.begin());
+  };
+  const std::uint32_t deleted = at({1, 1, 1}), kept = at({2, 1, 1});
+  ASSERT_TRUE(s.judge(deleted, kept).accepted());
+  ASSERT_EQ(s.plan.balls[0].size(), 24u);
+  const auto shape = [&](const BallRegion& r, Vertex centre) {
+    return tet_shape(s.mesh.position(centre), s.mesh.position(r.others[0]),
+                     s.mesh.position(r.others[1]), s.mesh.position(r.others[2]));
+  };
+  double before = 1, after = 1;
+  for (const BallRegion& r : s.plan.balls[0]) {
+    before = std::min(before, shape(r, Vertex(deleted)));
+    if (!r.uses(Vertex(kept))) after = std::min(after, shape(r, Vertex(kept)));
+  }
+  ASSERT_LT(after, before);
+  const Verdict v = s.judge(deleted, kept, {.least_shape = 0.5 * (after + before)});
+  EXPECT_EQ(v.reason, Reason::Shape);
+  ASSERT_EQ(v.entity.dimension, 3);
+  EXPECT_TRUE(s.judge(deleted, kept, {.least_shape = after}).accepted());
+  // Beside a vertex that has one as bad it does not matter.
+  RegionCollapser& collapser = s.collapser();
+  const glm::dvec3 place = s.mesh.position(Vertex(deleted));
+  s.mesh.move(Vertex(deleted), place + glm::dvec3(-0.9, 0, 0));
+  EXPECT_TRUE(collapser
+                  .judge(s.mesh, {Vertex(deleted), Vertex(kept), s.mesh.position(Vertex(kept))},
+                         {.least_shape = 0.5 * (after + before)}, s.plan)
+                  .accepted());
 }
 
 TEST(RegionCollapseTest, ACrowdWaits) {

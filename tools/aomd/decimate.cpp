@@ -127,7 +127,7 @@ class Run {
     progress_.show("classifying");
     classify_by_angle();
     if (volume()) mesh_.keep_model_faces_only();
-    if (!volume() && !options_.paper() && !model_ && !options_.snaps())
+    if (!options_.paper() && !model_ && !options_.snaps())
       keep_edges_for_quality(mesh_);  // models look at all edges
     if (!options_.journal.empty()) {
       record_.classify = how_;

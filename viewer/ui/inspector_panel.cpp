@@ -100,13 +100,14 @@ void adjacent_section(Frame& frame, const scene::EntityFacts& inspection) {
 }
 
 const char* check_help(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, const char*>, 8> help = {
+  constexpr std::array<std::pair<std::string_view, const char*>, 9> help = {
       {{"Length", "Is the edge shorter than half the spacing?"},
        {"Kept", "Does the user want the vertex to stay?"},
        {"Model", "Does the vertex stay on the model entity that it lies on?"},
        {"Topology", "The link condition: is the surface neither pinched, doubled nor torn?"},
        {"Faces", "Do the stretched faces keep area, direction and angles?"},
        {"Model edge", "Does the model edge keep its direction?"},
+       {"Tetrahedra", "Do the stretched tetrahedra stay upright and of a good shape?"},
        {"Distance", "Does the surface stay near the original?"},
        {"Intersections", "Does the surface cut itself no more than before?"}}};
   for (const auto& [check, words] : help)

@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/decimate/explain/verdict_words.h"
+#include "core/decimate/explain/volume_words.h"
 #include "core/operators/star.h"
 
 namespace aomd {
@@ -117,9 +118,11 @@ std::string topology_words(const Mesh& mesh, const CollapseOutlook& o) {
 
 std::string accepted_words(const Mesh& mesh, const CollapseOutlook& o,
                            const DecimationOptions& options) {
-  if (options.target_faces > 0 && mesh.count(2) <= options.target_faces)
+  const bool volume = mesh.count(3) > 0;
+  if (options.target_faces > 0 && mesh.count(volume ? 3 : 2) <= options.target_faces)
     return "Nothing is against it, but the mesh has come down to the " +
-           std::to_string(options.target_faces) + " faces that were asked for.";
+           std::to_string(options.target_faces) +
+           (volume ? " tetrahedra that were asked for." : " faces that were asked for.");
   const Contraction& c = o.contraction;
   std::string text =
       "Nothing is against it: " + name_of(c.deleted) + " would go into " + name_of(c.kept);
@@ -163,15 +166,17 @@ ReasonWords reason_words(Reason reason) {
 
 std::string explain_collapse(const Mesh& mesh, const CollapseOutlook& o,
                              const DecimationOptions& options) {
+  const bool volume = mesh.count(3) > 0;
+  if (std::string text = region_words(mesh, o.verdict); !text.empty()) return text;
   switch (o.verdict.reason) {
     case Reason::None:
       return accepted_words(mesh, o, options);
     case Reason::Spacing:
       return length_words(o);
     case Reason::Classification:
-      return model_words(mesh, o.contraction);
+      return volume ? volume_model_words(mesh, o.contraction) : model_words(mesh, o.contraction);
     case Reason::Topology:
-      return topology_words(mesh, o);
+      return volume ? volume_topology_words(mesh, o) : topology_words(mesh, o);
     case Reason::Angle:
       return angle_words(mesh, o);
     default:
@@ -227,13 +232,16 @@ std::vector<CheckResult> collapse_checks(const CollapseOutlook& o,
   };
   const Reason r = o.verdict.reason;
   const bool curve = r == Reason::Angle && o.verdict.entity.dimension == 1;
-  const std::array<Check, 8> checks = {{
+  const bool shape = r == Reason::Shape && o.verdict.entity.dimension == 3;
+  const std::array<Check, 9> checks = {{
       {"Length", true, r == Reason::Spacing},
       {"Kept", options.keep != nullptr, r == Reason::Kept},
       {"Model", true, r == Reason::Classification},
       {"Topology", options.topology == TopologyRule::Safe, r == Reason::Topology},
-      {"Faces", true, r == Reason::Flat || r == Reason::Shape || (r == Reason::Angle && !curve)},
+      {"Faces", true,
+       r == Reason::Flat || (r == Reason::Shape && !shape) || (r == Reason::Angle && !curve)},
       {"Model edge", o.limits.curve_deg > 0, curve},
+      {"Tetrahedra", o.limits.regions, r == Reason::Inverted || r == Reason::Overshoot || shape},
       {"Distance", options.max_distance > 0, r == Reason::Distance},
       {"Intersections", options.no_intersections, r == Reason::Intersection},
   }};

@@ -19,6 +19,7 @@ struct Limits {
   double curve_deg = 0;      ///< of a model edge in one collapse along itself
   double min_angle_deg = 0;  ///< of a face, unless it had a smaller one
   double distance = 0;       ///< from the original
+  bool regions = false;      ///< tetrahedra are held to be upright and of some shape
 };
 
 /// A collapse of an edge: who would go, who would stay and where that one would be then.
