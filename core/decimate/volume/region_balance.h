@@ -43,6 +43,7 @@ class RegionBalance {
   void add(const Mesh& mesh, Vertex deleted, const Ball& around_deleted, Vertex kept,
            const Ball& around_kept);
 
+  [[nodiscard]] const glm::dvec3& origin() const { return origin_; }
   [[nodiscard]] std::span<VolumeCondition> conditions() { return conditions_; }
   [[nodiscard]] std::span<const VolumeCondition> conditions() const { return conditions_; }
 

@@ -98,40 +98,56 @@ void VolumeQualityLoop::keep_best_shape(Scratch& scratch) const {
   scratch.places.assign(1, chosen);
 }
 
-// The least quadric under the conditions; then places between the ends, which may be better for
-// the shape.
 void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) const {
-  const State &at_v = state_[v], &at_w = state_[w];
-  const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w), along = from - to;
+  const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
   const Freedom freedom = freedom_of(v, w);
   if (freedom == Freedom::None) return;
   scratch.balance.add(mesh_, v, scratch.balls[0], w, scratch.balls[1]);
   debts_.charge(v, scratch.balance.conditions());
   debts_.charge(w, scratch.balance.conditions());
-  LocalQuadric q = at_v.quadric.about(glm::vec3(-along));
-  q += at_w.quadric;
-  const float size = at_v.size * at_w.size;
-  const auto add = [&](const Contraction& c) {
-    const glm::vec3 x(c.position - to);
-    scratch.places.push_back({c, surface_cost(q, x, size)});
-  };
-  if (freedom == Freedom::OntoFirst) return add({w, v, from});
-  if (freedom == Freedom::OntoSecond) return add({v, w, to});
+  scratch.quadric = state_[v].quadric.about(glm::vec3(to - from));
+  scratch.quadric += state_[w].quadric;
+  if (freedom == Freedom::OntoFirst)
+    add_place({w, v, from}, scratch);
+  else if (freedom == Freedom::OntoSecond)
+    add_place({v, w, to}, scratch);
+  else if (state_[v].model.dimension() == 1 && straight_curve(v, w, scratch.star))
+    places_along(v, w, scratch);
+  else
+    places_between(v, w, scratch);
+}
+
+// With what it costs the surface; the quadric is seen from where the conditions are.
+void VolumeQualityLoop::add_place(const Contraction& c, Scratch& scratch) const {
+  const float size2 = state_[c.deleted].size * state_[c.kept].size;
+  const glm::vec3 x(c.position - scratch.balance.origin());
+  scratch.places.push_back({c, surface_cost(scratch.quadric, x, size2)});
+}
+
+// On a straight model edge: where the quadric is least along it, or the ends.
+void VolumeQualityLoop::places_along(Vertex v, Vertex w, Scratch& scratch) const {
+  const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w), along = from - to;
+  const double length = glm::length(along);
+  const PlacementLimits limits{0.5 * along, 0.5 * length, 0};
+  add_place({v, w, to + least_on_line(scratch.quadric, along / length, limits)}, scratch);
+  add_place({v, w, to}, scratch);
+  add_place({w, v, from}, scratch);
+}
+
+// Where the quadric is least under the conditions; then next to the middle and the ends, which may
+// be better for the shape.
+void VolumeQualityLoop::places_between(Vertex v, Vertex w, Scratch& scratch) const {
+  const glm::dvec3 to = mesh_.position(w), along = mesh_.position(v) - to;
   const double length = glm::length(along);
   const PlacementLimits limits{0.5 * along, 0.5 * length, paid_at_once * length};
-  if (at_v.model.dimension() == 1 && straight_curve(v, w, scratch.star)) {
-    add({v, w, to + least_on_line(q, along / length, limits)});
-    add({v, w, to});
-    add({w, v, from});
-    return;
-  }
-  find_planes(v, w, scratch);
   const auto conditions = scratch.balance.conditions();
-  const glm::dvec3 best = least_under(q, scratch.planes, conditions, limits);
+  find_planes(v, w, scratch);
+  const glm::dvec3 best = least_under(scratch.quadric, scratch.planes, conditions, limits);
   const glm::dvec3 away = best - limits.middle;
-  if (glm::dot(away, away) <= 4 * length * length) add({v, w, to + best});
+  if (glm::dot(away, away) <= 4 * length * length) add_place({v, w, to + best}, scratch);
   for (const double share : {0.5, 0.0, 1.0})
-    add({v, w, to + nearest_under(scratch.planes, conditions, limits, share * along)});
+    add_place({v, w, to + nearest_under(scratch.planes, conditions, limits, share * along)},
+              scratch);
 }
 
 void VolumeQualityLoop::find_planes(Vertex v, Vertex w, Scratch& scratch) const {

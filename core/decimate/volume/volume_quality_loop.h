@@ -69,6 +69,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
     std::array<Ball, 2> balls;
     Star star;
     std::vector<Vertex> neighbours;
+    LocalQuadric quadric;
     ModelPlanes planes;
     RegionBalance balance;
     std::vector<Place> places;
@@ -97,6 +98,9 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void find_places(Vertex v, Vertex w, Scratch& scratch) const;
   void places_inside(Vertex v, Vertex w, Scratch& scratch) const;
   void places_on_model(Vertex v, Vertex w, Scratch& scratch) const;
+  void add_place(const Contraction& c, Scratch& scratch) const;
+  void places_along(Vertex v, Vertex w, Scratch& scratch) const;
+  void places_between(Vertex v, Vertex w, Scratch& scratch) const;
   void find_planes(Vertex v, Vertex w, Scratch& scratch) const;
   [[nodiscard]] bool straight_curve(Vertex v, Vertex w, Star& star) const;
   [[nodiscard]] double worst_shape(const Contraction& c, const Scratch& scratch,
@@ -145,6 +149,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   bool try_move(Vertex v);
   bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
+  [[nodiscard]] bool snap(Vertex v, glm::dvec3& x) const;
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;

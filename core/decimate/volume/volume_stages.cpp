@@ -216,7 +216,7 @@ bool VolumeQualityLoop::relax() {
 // What regions are owed at the end is paid in a few passes.
 void VolumeQualityLoop::end_settling() {
   constexpr int passes = 32;
-  if (settling_ < passes && options_.smooth) {
+  if (settling_ < passes && options_.smooth && !options_.model) {
     ++settling_;
     enter(Phase::Smooth);
     return;
