@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "core/mesh/bulk.h"
 #include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
 
@@ -284,13 +285,18 @@ class Verifier {
   std::vector<Finding> findings_;
 };
 
-std::optional<Finding> misclassified(const Mesh& mesh, EntityRef e) {
-  const ModelRef model = mesh.classification(e);
-  if (!model.valid()) return {};
-  VertexBuffer buffer;
-  for (const std::uint32_t v : mesh.vertices_of(e, buffer))
-    if (above(mesh.classification(Vertex(v)), model)) return not_closed(Vertex(v), e);
-  return {};
+// The first of a level that a vertex of higher class bounds.
+std::optional<Finding> first_misclassified_of(const Mesh& mesh, int dim) {
+  std::optional<Finding> first;
+  const VertexRows rows(mesh, dim);
+  rows.each([&](std::uint32_t id, const std::uint32_t* v) {
+    const EntityRef e(dim, id);
+    const ModelRef model = mesh.classification(e);
+    if (first || !model.valid()) return;
+    for (int k = 0; k < rows.shape(id).vertex_count && !first; ++k)
+      if (above(mesh.classification(Vertex(v[k])), model)) first = not_closed(Vertex(v[k]), e);
+  });
+  return first;
 }
 
 }  // namespace
@@ -301,10 +307,7 @@ std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options) {
 
 std::optional<Finding> first_misclassified(const Mesh& mesh) {
   for (int dim = 1; dim <= 3; ++dim)
-    for (std::uint32_t id = 0; id < mesh.capacity(dim); ++id) {
-      if (!mesh.alive(EntityRef(dim, id))) continue;
-      if (auto finding = misclassified(mesh, EntityRef(dim, id))) return finding;
-    }
+    if (auto finding = first_misclassified_of(mesh, dim)) return finding;
   return {};
 }
 

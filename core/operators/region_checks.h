@@ -10,7 +10,7 @@ namespace aomd {
 /// What limits a collapse among tetrahedra. None turns inside out and the topology is kept,
 /// whatever they say.
 struct VolumeRules {
-  CollapseRules faces{};     ///< for model faces and model edges; always TopologyRule::Safe
+  CollapseRules faces{};   ///< for model faces and model edges; always TopologyRule::Safe
   double least_shape = 0;  ///< no stretched tetrahedron gets a smaller tet_shape, unless one as bad
                            ///< was around the same end; 0: no limit
   /// No edge becomes longer than this many times the larger size of its ends, unless it was; 0: no

@@ -170,12 +170,19 @@ RegionMover::Shapes RegionMover::shapes(const glm::dvec3& at) const {
   return shapes;
 }
 
-// The way in which the worst cells, and those that are nearly as bad, all get better.
+// The way in which the worst cells, and those that are nearly as bad, all get better; none where
+// their slopes cancel: what rounding leaves of them then points anywhere.
 glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst, double nearly) {
+  constexpr double cancelled = 1e-6;
   slopes_.clear();
-  for (const Cell& cell : cells_)
-    if (cell.shape(at) <= worst + nearly) slopes_.push_back(freedom_.part_of(cell.slope(at)));
-  return nearest_to_zero(slopes_);
+  double steepest = 0;
+  for (const Cell& cell : cells_) {
+    if (cell.shape(at) > worst + nearly) continue;
+    slopes_.push_back(freedom_.part_of(cell.slope(at)));
+    steepest = std::max(steepest, glm::length(slopes_.back()));
+  }
+  const glm::dvec3 way = nearest_to_zero(slopes_);
+  return glm::length(way) > cancelled * steepest ? freedom_.part_of(way) : glm::dvec3(0.0);
 }
 
 double RegionMover::longest_step(const glm::dvec3& at) const {

@@ -78,7 +78,8 @@ TEST_F(DecimateOptionsCommand, WrongFilesAreCode3WithTheirLine) {
   refused("--keep", "face x\n", "1: expected a whole number for the tag");
   refused("--keep", "0\nface 1\nedge 99\n", "3: nothing lies on model edge 99");
   refused("--keep", "face 999999999\n", "1: no model entity has such a tag");
-  refused("--keep", "region 1\n", "1: expected a vertex");
+  refused("--keep", "region 1\n", "1: nothing lies on model region 1");
+  refused("--keep", "solid 1\n", "1: expected a vertex");
   expect_failure("decimate s.ply o.ply --keep missing.txt", 3, "missing.txt");
   EXPECT_FALSE(exists("o.ply"));
 }

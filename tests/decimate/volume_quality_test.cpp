@@ -71,7 +71,7 @@ TEST_P(VolumeQuality, ReachesTheTargetAndKeepsTheModel) {
     }
   EXPECT_EQ(b.finding(), "");
   EXPECT_LE(b.mesh.count(3), options.target_faces);
-  EXPECT_GE(b.mesh.count(3), 0.98 * options.target_faces);
+  EXPECT_GE(b.mesh.count(3), 0.99 * options.target_faces);
   expect_kept(before, volume_oracle(to_data(b.mesh)), 1e-9);
 }
 
@@ -105,7 +105,7 @@ TEST_P(VolumeQuality, IsUndone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, VolumeQuality,
-                         testing::Values(Sample{"ball-in-box", 2}, Sample{"tet-bracket", 2},
+                         testing::Values(Sample{"ball-in-box", 2}, Sample{"tet-bracket", 4},
                                          Sample{"layered-beam", 2}),
                          [](const auto& sample) {
                            std::string name = sample.param.name;

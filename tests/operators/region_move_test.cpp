@@ -195,6 +195,48 @@ TEST(RegionMoveTest, OnAStraightModelEdgeAlongIt) {
   }
 }
 
+// Along no axis, so that numbers are rounded.
+MeshData turned(MeshData data) {
+  const glm::dvec3 x = glm::normalize(glm::dvec3(1, 2, 3)),
+                   y = glm::normalize(glm::cross(x, glm::dvec3(0, 0, 1))), z = glm::cross(x, y);
+  for (glm::dvec3& p : data.positions) p = p.x * x + p.y * y + p.z * z;
+  return data;
+}
+
+double distance_to_line(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::length(glm::cross(p - a, glm::normalize(b - a)));
+}
+
+// Where the slopes along the edge, or the face, cancel there is nowhere to go.
+TEST(RegionMoveTest, ClimbingLeavesNeitherEdgeNorFace) {
+  int on_edge = 0, on_face = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double low, double high) {
+      return low + (high - low) * double(random() % 10'000) / 1e4;
+    };
+    MeshData wedge = on_a_model_edge({number(-0.9, 0.9), 0, 0});
+    wedge.positions[3] = {number(-0.5, 0.5), number(0.02, 0.3), 0};
+    wedge.positions[4] = {number(-0.5, 0.5), 0, number(0.02, 0.3)};
+    MeshData half = half_octahedron({number(-0.3, 0.3), number(-0.3, 0.3), 0});
+    for (std::size_t v = 1; v < 5; ++v) half.positions[v] *= number(0.2, 1.5);
+    half.positions[5].z = -number(0.05, 0.2);
+    VolumeBench edge(turned(wedge), Levels::Listed), face(turned(half), Levels::Listed);
+    const RegionMove along = judged(edge.mesh, 0), across = judged(face.mesh, 0);
+    on_edge += along.verdict.accepted();
+    on_face += across.verdict.accepted();
+    EXPECT_LE(distance_to_line(along.target, edge.mesh.position(Vertex(1)),
+                               edge.mesh.position(Vertex(2))),
+              1e-12)
+        << seed;
+    const glm::dvec3 a = face.mesh.position(Vertex(1)), b = face.mesh.position(Vertex(2)),
+                     c = face.mesh.position(Vertex(3));
+    EXPECT_LE(std::abs(six_volumes(a, b, c, across.target)), 1e-12) << seed;
+  }
+  EXPECT_GT(on_edge, 100);
+  EXPECT_GT(on_face, 50);
+}
+
 TEST(RegionMoveTest, ABentModelEdgeStays) {
   for (const Levels levels : both_levels) {
     VolumeBench b(on_a_model_edge({0.5, -0.01, -0.01}), levels, {.corner_angle_deg = 60});

@@ -144,8 +144,8 @@ MeshData flattened(MeshData data) {
 }
 
 std::vector<Start> starts() {
-  return {{"box", shaken("tet-box", 4, 0.08, 1), {}, 1e-12},
-          {"flat box", flattened(shaken("tet-box", 4, 0.08, 2)), {}, 1e-12},
+  return {{"box", shaken("tet-box", 3, 0.1, 1), {}, 1e-12},
+          {"flat box", flattened(shaken("tet-box", 3, 0.1, 2)), {}, 1e-12},
           {"box, one model face", shaken("tet-box", 3, 0.1, 2), smooth_skin, 0.2},
           {"flat ball", flattened(shaken("tet-ball", 3, 0.1, 3)), smooth_skin, 0.2},
           {"drilled", shaken("tet-drilled", 3, 0.1, 4), {}, 0.05}};
@@ -159,7 +159,7 @@ TEST(VolumeProgramTest, SidesInsideRegionsAsEntitiesMakeNoDifference) {
           complete(start.data, Levels::Complete, start.options);
       const VolumeOracle before = volume_oracle(to_data(listed.mesh));
       Program some(listed.mesh, seed), all(complete.mesh, seed);
-      for (int i = 0; i < 250; ++i) {
+      for (int i = 0; i < 400; ++i) {
         const Edit a = some.edit(), b = all.edit();
         ASSERT_EQ(a, b) << start.name << " seed " << seed << " edit " << i << ": "
                         << reason_name(a.reason) << ' ' << reason_name(b.reason);
@@ -172,10 +172,9 @@ TEST(VolumeProgramTest, SidesInsideRegionsAsEntitiesMakeNoDifference) {
       expect_kept(before, volume_oracle(to_data(listed.mesh)), start.volume_share);
       ASSERT_FALSE(testing::Test::HasFailure()) << start.name << " seed " << seed;
     }
-  EXPECT_GT(made[0], 200) << "edges";
-  EXPECT_GT(made[1], 0) << "faces";
-  EXPECT_GT(made[2], 50) << "moves";
-  EXPECT_GT(made[5], 30) << "faces all the same";
+  EXPECT_GT(made[0], 100) << "edges";
+  EXPECT_GT(made[1] + made[5], 20) << "faces";
+  EXPECT_GT(made[2], 30) << "moves";
 }
 
 TEST(VolumeProgramTest, AllBackIsTheStartAndAllForwardTheEnd) {

@@ -216,8 +216,8 @@ class Run {
     if (!misses(cells(), target_)) return;
     progress_.show("asking why");
     missed_ = {decimation.edges_left(), ""};
-    if (mesh_.count(2) > least_faces(input_))
-      missed_->would_help = what_would_help(missed_->edges, options_, steps_, original_, input_);
+    missed_->would_help =
+        what_would_help(missed_->edges, options_, steps_, original_, input_, mesh_.count(2));
   }
 
   void check() {

@@ -52,6 +52,14 @@ class Help {
     return "";
   }
 
+  /// Borders that should be none.
+  [[nodiscard]] std::string by_welding() const {
+    if (input_.boundary_edges > 0)
+      for (const SurfaceFinding& finding : survey(original_))
+        if (finding.remedy == Remedy::Weld) return "aomd repair " + weld_words(finding);
+    return "";
+  }
+
  private:
   /// Borders that should be none, and edges of many faces, are model edges as features are.
   [[nodiscard]] std::string against_classification() const {
@@ -63,9 +71,7 @@ class Help {
   }
 
   [[nodiscard]] std::string by_mending() const {
-    if (input_.boundary_edges > 0)
-      for (const SurfaceFinding& finding : survey(original_))
-        if (finding.remedy == Remedy::Weld) return "aomd repair " + weld_words(finding);
+    if (std::string welding = by_welding(); !welding.empty()) return welding;
     return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
   }
 
@@ -88,8 +94,9 @@ std::uint64_t least_faces(const measure::Counts& input) {
 
 std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
                             const DecimationOptions& steps, const MeshData& original,
-                            const measure::Counts& input) {
+                            const measure::Counts& input, std::uint64_t faces) {
   const Help help(given, steps, original, input);
+  if (faces <= least_faces(input)) return help.by_welding();
   for (const ReasonCount& each : by_number(edges))
     if (std::string option = help.against(each.reason); !option.empty()) return option;
   return "";

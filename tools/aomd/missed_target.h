@@ -13,7 +13,7 @@ namespace aomd::cli {
 /// Whether so many faces miss a target, 0 for none, by more than one percent.
 [[nodiscard]] bool misses(std::uint64_t faces, std::uint64_t target);
 
-/// How many faces the pieces of a surface need: where no more are left, no option helps.
+/// How many faces the pieces of a surface need: where no more are left, only joining pieces helps.
 [[nodiscard]] std::uint64_t least_faces(const measure::Counts& input);
 
 /// What a run that missed its target found.
@@ -24,9 +24,10 @@ struct MissedTarget {
 
 /// Says what would loosen the reason that keeps most edges of those that anything loosens: an
 /// option of `given`, or a command that mends `original`, of which `input` counts the entities.
+/// Where the `faces` that are left are no more than its pieces need, only welding can.
 [[nodiscard]] std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
                                           const DecimationOptions& steps, const MeshData& original,
-                                          const measure::Counts& input);
+                                          const measure::Counts& input, std::uint64_t faces);
 
 /// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help"; of a
 /// volume tetrahedra.

@@ -67,7 +67,8 @@ Column<Vertex, double> Evaluator::operator()(const SpacingFile& source) const {
 
 Column<Vertex, double> Evaluator::operator()(const SpacingByCurvature& source) const {
   if (mesh.count(3) > 0)
-    throw std::invalid_argument("by curvature is for surfaces: it says nothing about what is inside a volume");
+    throw std::invalid_argument(
+        "by curvature is for surfaces: it says nothing about what is inside a volume");
   check_positive(source.chord_error, "the chord error of a spacing");
   check_positive(source.largest, "the largest spacing");
   const double diagonal = box_of_used(mesh, neighbours).diagonal();

@@ -131,7 +131,7 @@ bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::
   scratch.balance.add(mesh_, v, scratch.balls[0]);
   if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
-  take_conditions(scratch.balance.conditions(), paid_at_once * double(state_[v].size),
+  take_conditions(scratch.balance.conditions(), reach_of_payment_ * double(state_[v].size),
                   3 - dimension, frame, x);
   if (dimension == 2) return frame.taken() == 1;
   glm::dvec3 along;

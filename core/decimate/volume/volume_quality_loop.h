@@ -126,6 +126,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void end_round();
   void end_settling();
   bool relax();
+  [[nodiscard]] int rounds() const;
   /// False where other shapes than tetrahedra are around a vertex, or nothing: it stays.
   [[nodiscard]] bool among_tets(Vertex v) const { return state_[v].size > 0; }
   [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }
@@ -171,6 +172,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
   VertexQueue queue_;
   VolumeDebts debts_;
+  double reach_of_payment_ = 0;  ///< how far a vertex goes for debts at a time, by its size
   Scratch scratch_;
   std::vector<Candidate> found_;
   Change allowed_;  ///< by the removal that is to be made

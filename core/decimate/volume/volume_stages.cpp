@@ -2,6 +2,7 @@
 // improve, and down again as long as improvement has made something possible.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/parallel.h"
@@ -19,9 +20,9 @@ double between(double regularity, double at_0, double at_half, double at_1) {
   return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
 }
 
-// Improvement takes tetrahedra too, most in its first round: the first descent ends that far above
-// the target.
-constexpr double above = 1.06;
+// Improvement takes tetrahedra too, most in its first round: by how much each descent but the last
+// ends above the target.
+constexpr std::array<double, 2> above{1.06, 1.007};
 
 // A descent that takes less than this part of the tetrahedra was the last one.
 constexpr double worth_another = 0.01;
@@ -49,6 +50,7 @@ void VolumeQualityLoop::start(const DecimationOptions& options) {
   refusal_.assign(mesh_.complete(1) ? mesh_.capacity(1) : 0, Reason::None);
   measure_vertices();
   set_rules();
+  reach_of_payment_ = paid_at_once * std::max(1.0, stretch());
   descents_ = 0;
   begin_descent();
 }
@@ -62,7 +64,7 @@ double VolumeQualityLoop::stretch() const {
 void VolumeQualityLoop::set_rules() {
   const double w = options_.regularity;
   floor_ = between(w, 0.20, 0.30, 0.40);
-  surface_ = static_cast<float>(between(w, 7000, 150, 10));
+  surface_ = static_cast<float>(between(w, 7000, 220, 10));
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
@@ -147,7 +149,8 @@ void VolumeQualityLoop::quadrics_of_model_edges() {
 void VolumeQualityLoop::begin_descent() {
   ++descents_;
   settling_ = 0;
-  goal_ = static_cast<std::uint32_t>((descents_ == 1 ? above : 1.0) * target_);
+  const auto turn = static_cast<std::size_t>(descents_ - 1);
+  goal_ = static_cast<std::uint32_t>((turn < above.size() ? above[turn] : 1.0) * target_);
   round_ = 0;
   before_descent_ = mesh_.count(3);
   fill_queue();
@@ -183,15 +186,22 @@ void VolumeQualityLoop::end_phase() {
 }
 
 void VolumeQualityLoop::end_round() {
-  const int rounds = last_descent() || descents_ > 2 ? 3 : 1;
-  if (++round_ < rounds) {
+  if (++round_ < rounds()) {
     open_sweep();
     enter(options_.swap ? Phase::Swap : Phase::Smooth);
-  } else if (!last_descent() || relax()) {
+  } else if (!last_descent() || relax() || (reached() && mesh_.count(3) > target_)) {
     begin_descent();
   } else {
     end_settling();
   }
+}
+
+// One round lets a descent go on; three are what a result is worth, unless all but a few of its
+// tetrahedra have had them.
+int VolumeQualityLoop::rounds() const {
+  constexpr double few = 0.02;
+  if (reached() && descents_ > 2 && freed_ < few * before_descent_) return 1;
+  return last_descent() || descents_ > 2 ? 3 : 1;
 }
 
 // A target that shape and length keep out of reach is worth poorer tetrahedra, to a point.
@@ -205,7 +215,7 @@ bool VolumeQualityLoop::relax() {
 
 // What regions are owed at the end is paid in a few passes.
 void VolumeQualityLoop::end_settling() {
-  constexpr int passes = 18;
+  constexpr int passes = 32;
   if (settling_ < passes && options_.smooth) {
     ++settling_;
     enter(Phase::Smooth);
