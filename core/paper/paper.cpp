@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/mesh/derive.h"
+#include "core/operators/edge_removal.h"
 #include "core/operators/smooth.h"
 #include "core/operators/swap.h"
 
@@ -67,15 +68,63 @@ pEntity_<Dim> next_of(pMesh_ mesh, int* next) {
 }
 
 // The mesh behind a surface operator, which has what that needs.
-Mesh& surface(pMesh_ mesh) {
-  Mesh& m = mesh->mesh;
-  for (const auto& [i, j] : {std::pair(2, 0), std::pair(0, 1), std::pair(0, 2)})
+void need(const Mesh& m, std::initializer_list<std::pair<int, int>> relations, const char* where) {
+  for (const auto& [i, j] : relations)
     if (!m.stored(i, j))
       throw std::logic_error("M_setAdjacency_(mesh," + std::to_string(i) + "," + std::to_string(j) +
-                             ",1) first: the operators on surfaces need it");
+                             ",1) first: the operators on " + where + " need it");
+}
+
+Mesh& surface(pMesh_ mesh) {
+  Mesh& m = mesh->mesh;
+  need(m, {{2, 0}, {0, 1}, {0, 2}}, "surfaces");
   if (m.count(3) > 0 || m.representation().down(2, 0).stride() != 3)
     throw std::logic_error("this operator is for surfaces of triangles");
   return m;
+}
+
+Mesh& volume(pMesh_ mesh) {
+  Mesh& m = mesh->mesh;
+  if (m.count(3) == 0) throw std::logic_error("this operator is for volumes of tetrahedra");
+  need(m, {{2, 0}, {0, 1}, {0, 2}, {3, 0}, {0, 3}}, "volumes");
+  return m;
+}
+
+// The edges opposite to a vertex in its tetrahedra, each once.
+std::vector<EdgeEnds> opposite_edges(const Mesh& m, Vertex v) {
+  std::vector<EdgeEnds> opposite;
+  Ball ball;
+  gather(m, v, ball);
+  for (const BallRegion& r : ball)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(r.others[k], r.others[(k + 1) % 3]);
+      opposite.push_back({low, high});
+    }
+  std::sort(opposite.begin(), opposite.end());
+  opposite.erase(std::unique(opposite.begin(), opposite.end()), opposite.end());
+  return opposite;
+}
+
+int remove_opposite_edges(Mesh& m, pMesh_ mesh, pVertex_ vertex) {
+  int removed = 0;
+  EdgeRemoval plan;
+  for (const auto& [a, b] : opposite_edges(m, entity_in(mesh, vertex))) {
+    if (!judge(m, a, b, {mesh->improve}, plan).accepted()) continue;
+    apply(m, plan);
+    ++removed;
+  }
+  return removed;
+}
+
+int move_in_volume(Mesh& m, pMesh_ mesh, pVertex_ vertex) {
+  if (!mesh->region_mover) mesh->region_mover.emplace(m);
+  MoveRules rules;
+  rules.max_turn = mesh->improve;
+  rules.model = mesh->model;
+  if (!mesh->region_mover->judge(m, entity_in(mesh, vertex), rules, mesh->move).accepted())
+    return 0;
+  RegionMover::apply(m, mesh->move);
+  return 1;
 }
 
 }  // namespace
@@ -177,7 +226,23 @@ int E_2Dcollapse_(pMesh_ mesh, pEdge_ edge, pVertex_ vertex) {
   return 1;
 }
 
+int E_3Dcollapse_(pMesh_ mesh, pEdge_ edge, pVertex_ vertex) {
+  Mesh& m = volume(mesh);
+  const Edge e = entity_in(mesh, edge);
+  const Vertex v = entity_in(mesh, vertex);
+  const auto [a, b] = m.edge_vertices(e);
+  require(v == a || v == b, "the vertex is no end of the edge");
+  if (!mesh->region_collapser) mesh->region_collapser.emplace(m);
+  VolumeRules rules;
+  rules.faces = mesh->collapse;
+  RegionCollapser& collapser = *mesh->region_collapser;
+  if (!collapser.judge(m, e, {v == a, v == b}, rules, mesh->plan).accepted()) return 0;
+  collapser.apply(m, mesh->plan);
+  return 1;
+}
+
 int V_swapOpEdges_(pMesh_ mesh, pVertex_ vertex) {
+  if (mesh->mesh.count(3) > 0) return remove_opposite_edges(volume(mesh), mesh, vertex);
   Mesh& m = surface(mesh);
   const Vertex v = entity_in(mesh, vertex);
   mesh->opposite.clear();
@@ -198,6 +263,7 @@ int V_swapOpEdges_(pMesh_ mesh, pVertex_ vertex) {
 }
 
 int V_smooth_(pMesh_ mesh, pVertex_ vertex) {
+  if (mesh->mesh.count(3) > 0) return move_in_volume(volume(mesh), mesh, vertex);
   Mesh& m = surface(mesh);
   const Vertex v = entity_in(mesh, vertex);
   glm::dvec3 target;

@@ -62,13 +62,17 @@ void G_snapVertex_(pModel_ model, pVertex_ vertex);
 
 /// Figure 7: deletes the end `vertex` by collapsing the edge onto the other one, if
 /// Session::collapse allows it. 1 when done, 0 when refused. For triangles without regions and with
-/// T(0,1), T(0,2), T(2,0), as the next two.
+/// T(0,1), T(0,2), T(2,0).
 int E_2Dcollapse_(pMesh_ mesh, pEdge_ edge, pVertex_ vertex);
+/// The same among tetrahedra, which always keep the topology: T(0,3) and T(3,0) beside these.
+int E_3Dcollapse_(pMesh_ mesh, pEdge_ edge, pVertex_ vertex);
 /// Swaps those edges opposite to the vertex in its faces whose swap makes the smallest angle
-/// larger. Returns how many.
+/// larger; among tetrahedra removes those opposite to it in its regions where the worst shape
+/// grows. Returns how many. What must be stored: as above, also for the next one.
 int V_swapOpEdges_(pMesh_ mesh, pVertex_ vertex);
 /// Moves the vertex to the average of its neighbours, on a model edge of those along it, and onto
-/// Session::model. 1 when done.
+/// Session::model; among tetrahedra where the worst around it gets better (RegionMover). 1 when
+/// done.
 int V_smooth_(pMesh_ mesh, pVertex_ vertex);
 
 /// Figure 7: the number of that name attached to an entity: Mesh::attached<Vertex, double> and so

@@ -9,7 +9,8 @@
 
 #include "core/mesh/mesh.h"
 #include "core/model/model.h"
-#include "core/operators/collapse.h"
+#include "core/operators/region_collapse.h"
+#include "core/operators/region_move.h"
 
 namespace aomd::paper {
 
@@ -19,13 +20,16 @@ namespace aomd::paper {
 struct Session {
   explicit Session(Mesh& m) : mesh(m) {}
   Mesh& mesh;
-  CollapseRules collapse{TurnLimit(10), TopologyRule::Paper};  ///< of E_2Dcollapse_
+  CollapseRules collapse{TurnLimit(10), TopologyRule::Paper};  ///< of E_2Dcollapse_, E_3Dcollapse_
   TurnLimit improve{10};                                       ///< of V_swapOpEdges_ and V_smooth_
   const Model* model = nullptr;  ///< V_smooth_ snaps to it when there is one
 
   // Made by the calls when first needed
   std::optional<Collapser> collapser;
-  CollapsePlan plan;
+  std::optional<RegionCollapser> region_collapser;
+  std::optional<RegionMover> region_mover;
+  VolumeCollapsePlan plan;
+  RegionMove move;
   std::vector<Edge> opposite;
   Request region_faces;
 };

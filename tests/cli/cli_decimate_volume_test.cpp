@@ -70,6 +70,17 @@ TEST_F(DecimateVolume, WhatItCannotDoIsSaid) {
   EXPECT_FALSE(exists("o.msh") || exists("o.mesh"));
 }
 
+// A tetrahedron beside a hexahedron, whose vertices stay.
+TEST_F(DecimateVolume, WhatIsBesideOtherShapesStays) {
+  put("m.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n9\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+      "0 0 1 0\n1 0 1 0\n1 1 1 0\n0 1 1 0\n2 2 2 0\nHexahedra\n1\n1 2 3 4 5 6 7 8 1\n"
+      "Pyramids\n1\n5 6 7 8 9 1\nTetrahedra\n1\n6 3 7 9 1\nEnd\n");
+  const Outcome run = aomd("decimate m.mesh o.mesh --strategy paper --coarsest");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("1 tetrahedron -> 1"), std::string::npos) << run.out;
+}
+
 TEST_F(DecimateVolume, RegionsCanBeKept) {
   put("keep.txt", "region 1\n");
   ASSERT_EQ(aomd("decimate v.msh o.msh --strategy paper --keep keep.txt --report r.json").code, 0);

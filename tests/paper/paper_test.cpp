@@ -18,6 +18,7 @@
 #include "core/model/analytic_model.h"
 #include "core/model/classify.h"
 #include "core/samples/samples.h"
+#include "tests/support/strata.h"
 #include "tests/support/zoo.h"
 
 // As printed, assignments are conditions, and a loop's variable hides an outer one.
@@ -283,6 +284,40 @@ TEST(PaperTest, CollapseDeletesTheNamedEndOrRefuses) {
   EXPECT_TRUE(verify(p.own).empty());
 }
 
+// "This algorithm can decimate both volume and surface meshes."
+void figure_7_of_volumes(pMesh_ mesh) {
+  bool done = false;
+  do {
+    done = false;
+    int next = 0;
+    while (const pEdge_ edge = M_nextEdge_(mesh, &next))
+      for (int i = 0; i < 2; ++i)
+        if (const pVertex_ v = E_vertex_(edge, i); L_dataD_(v->list, "spacing") > E_length_(edge))
+          if (E_3Dcollapse_(mesh, edge, v)) {
+            done = true;
+            break;
+          }
+    next = 0;
+    while (const pVertex_ vertex = M_nextVertex_(mesh, &next)) {
+      V_swapOpEdges_(mesh, vertex);
+      V_smooth_(mesh, vertex);
+    }
+  } while (done);
+}
+
+TEST(PaperTest, Figure7DecimatesVolumes) {
+  Program p(make_sample("tet-box", 4));
+  classify(p.own);
+  const std::uint32_t before = p.own.count(3);
+  for (const auto& [i, j] : {std::pair(2, 0), std::pair(0, 1), std::pair(0, 2), std::pair(0, 3)})
+    M_setAdjacency_(p.mesh, i, j, 1);
+  for (const Vertex v : p.own.vertices()) L_putDataD_(pVertex_(p.mesh, v)->list, "spacing", 0.6);
+  figure_7_of_volumes(p.mesh);
+  EXPECT_LT(p.own.count(3), before / 2);
+  EXPECT_TRUE(verify(p.own).empty());
+  EXPECT_EQ(test::wrong_with_tets(p.own), "");
+}
+
 TEST(PaperTest, TheAngleIsOfTheSession) {
   MeshData data = zoo::grid(2);
   data.positions[4].z = 0.4;
@@ -354,8 +389,12 @@ TEST(PaperTest, MistakesAreErrors) {
             "M_setAdjacency_(mesh,0,1,1) first: the operators on surfaces need it");
   Program tets(zoo::two_tets());
   M_setAdjacency_(tets.mesh, 2, 0, 1);
-  EXPECT_EQ(refusal([&] { V_smooth_(tets.mesh, tets.vertex(0)); }),
+  EXPECT_EQ(refusal([&] { E_2Dcollapse_(tets.mesh, tets.edge(0, 1), tets.vertex(0)); }),
             "this operator is for surfaces of triangles");
+  EXPECT_EQ(refusal([&] { V_smooth_(tets.mesh, tets.vertex(0)); }),
+            "M_setAdjacency_(mesh,0,3,1) first: the operators on volumes need it");
+  EXPECT_EQ(refusal([&] { E_3Dcollapse_(p.mesh, p.edge(3, 4), p.vertex(3)); }),
+            "this operator is for volumes of tetrahedra");
 }
 
 double mean_smallest_angle(const Mesh& mesh) {

@@ -37,6 +37,7 @@ class Help {
       case Reason::Shape:
         return steps_.min_angle_deg > 0 ? "a smaller --min-angle" : "";
       case Reason::Kept:
+        if (given_.keep.empty() && volume) return "aomd convert --split-to-tets";
         return "fewer vertices in --keep";
       case Reason::Distance:
         return "--max-distance " + number_text(2 * given_.max_distance_pct);

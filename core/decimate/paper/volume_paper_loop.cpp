@@ -5,7 +5,7 @@ namespace {
 
 // The printed loop forbids flat tetrahedra only. What is all but flat is of no more use to a
 // solver: without a floor the worst dihedral angles of a result are far below a degree, with this
-// one 7 or more, for 1 to 6 % of the input's tetrahedra that stay (docs/VOLUMES.md).
+// one 6.7 or more, for 1 to 6 % of the input's tetrahedra that stay (docs/VOLUMES.md).
 constexpr double least_shape = 0.15;
 
 }  // namespace
