@@ -145,18 +145,66 @@ TEST(RegionCollapseTest, AnEdgeThatWouldBeTooLongIsNamedByItsEnd) {
   EXPECT_TRUE(s.judge(4, 0, {.overshoot = 2.1, .size = &size}).accepted());
 }
 
+// Vertex 0 among the corners 1 to 6 of an octahedron, of which the first two stand at these x.
+MeshData octahedron(double first, double second) {
+  MeshData data;
+  data.positions = {{0, 0, 0},  {first, 0, 0}, {second, 0, 0}, {0, 1, 0},
+                    {0, -1, 0}, {0, 0, 1},     {0, 0, -1}};
+  for (const auto& [y, z] :
+       {std::array{3u, 5u}, std::array{5u, 4u}, std::array{4u, 6u}, std::array{6u, 3u}}) {
+    data.regions.add(Shape::Tetrahedron, {0, 1, y, z}, inside);
+    data.regions.add(Shape::Tetrahedron, {0, 2, z, y}, inside);
+  }
+  data.vertex_classes.assign(data.positions.size(), inside);
+  return data;
+}
+
 TEST(RegionCollapseTest, AShapeBelowTheLeastNeedsOneAsBadAround) {
   Stored s(corner_with_a_point());
-  const auto& p = [&](std::uint32_t v) { return s.mesh.position(Vertex(v)); };
-  const double made = tet_shape(p(0), p(1), p(2), p(3));
-  s.mesh.move(Vertex(4), {0.25, 0.25, 0.25});
-  const double worst_there = tet_shape(p(0), p(1), p(2), p(4));
-  ASSERT_GT(made, worst_there) << "so that the limit does not bind";
-  EXPECT_TRUE(s.judge(4, 0, {.least_shape = 0.99}).accepted());
-  s.mesh.move(Vertex(0), {0.24, 0.24, 0.24});  // now the one that is made is worse than all
-  const Verdict v = s.judge(4, 0, {.least_shape = 0.99});
-  EXPECT_EQ(v.reason, Reason::None) << "one as bad was around it";
-  s.mesh.move(Vertex(4), {0.28, 0.28, 0.28});
+  EXPECT_TRUE(s.judge(4, 0, {.least_shape = 0.99}).accepted()) << "those around were worse";
+  Stored stretched(octahedron(3, -1));
+  const double around = std::sqrt(2) * 3 / std::pow(5.5, 1.5),
+               made = std::sqrt(2) * 4 / std::pow(7, 1.5);
+  ASSERT_LT(made, around);
+  EXPECT_TRUE(stretched.judge(0, 1, {.least_shape = made - 1e-9}).accepted());
+  const Verdict v = stretched.judge(0, 1, {.least_shape = made + 1e-9});
+  EXPECT_EQ(v.reason, Reason::Shape);
+  EXPECT_EQ(v.entity, EntityRef(Region(1)));
+}
+
+TEST(RegionCollapseTest, AnEdgeThatIsTooLongMayBecomeShorter) {
+  Stored s(octahedron(1, -3));
+  const Column<Vertex, double> size(7, 1);
+  const VolumeRules rules{.overshoot = 2, .size = &size};
+  EXPECT_TRUE(
+      s.collapser().judge(s.mesh, {Vertex(0), Vertex(1), {-0.5, 0, 0}}, rules, s.plan).accepted());
+  const Verdict v = s.judge(0, 1, rules);
+  EXPECT_EQ(v.reason, Reason::Overshoot);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(2)));
+  EXPECT_DOUBLE_EQ(v.number(), 4);
+}
+
+TEST(RegionCollapseTest, OfTheSizesOfBothEndsTheLargerCounts) {
+  Stored s(octahedron(1, -3));
+  Column<Vertex, double> size(7, 1);
+  size[Vertex(1)] = 2.5;
+  EXPECT_TRUE(s.judge(0, 1, {.overshoot = 2, .size = &size}).accepted());
+}
+
+// Beyond the side 1 3 5 stands a tetrahedron with 7, which the vertex that stays must not cross.
+TEST(RegionCollapseTest, TheVertexThatStaysTurnsNothingInsideOut) {
+  MeshData data = octahedron(1, -1);
+  data.positions.push_back({2, 2, 2});
+  data.regions.add(Shape::Tetrahedron, {1, 3, 5, 7}, inside);
+  data.vertex_classes.push_back(inside);
+  Stored s(data);
+  const auto to = [&](double x) {
+    return s.collapser().judge(s.mesh, {Vertex(0), Vertex(1), {x, 0, 0}}, {}, s.plan);
+  };
+  EXPECT_TRUE(to(-0.5).accepted());
+  const Verdict v = to(-0.9);
+  EXPECT_EQ(v.reason, Reason::Inverted);
+  EXPECT_EQ(v.entity, EntityRef(Region(8)));
 }
 
 TEST(RegionCollapseTest, ACrowdWaits) {
