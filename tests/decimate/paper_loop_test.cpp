@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <random>
 
 #include "core/decimate/decimation.h"
 #include "core/model/classify.h"
 #include "core/samples/samples.h"
+#include "tests/support/zoo.h"
 
 namespace aomd {
 namespace {
@@ -47,6 +49,45 @@ TEST(PaperLoopTest, KeptVerticesAndTheFacesBetweenThemStay) {
     if (!options.kept(t[0], t[1], t[2])) continue;
     ASSERT_TRUE(mesh.alive(f));
     EXPECT_EQ(mesh.triangle(f), t);
+  }
+}
+
+//        2
+//     /     \         swapped, 2-3 is shorter than 0-1
+//   0---------1
+//     \     /
+//        3
+TEST(PaperLoopTest, AFaceBetweenKeptVerticesIsNotSwapped) {
+  const MeshData rhombus =
+      zoo::make({{-2, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}});
+  for (const bool whole : {true, false})
+    for (const std::uint32_t apex : {2u, 3u}) {
+      Mesh mesh(rhombus);
+      classify(mesh);
+      Column<Vertex, std::uint8_t> keep(4, std::uint8_t{0});
+      for (const std::uint32_t v : {0u, 1u, apex}) keep[Vertex(v)] = whole || v != apex;
+      DecimationOptions options;
+      options.keep = std::make_shared<Column<Vertex, std::uint8_t>>(keep);
+      Decimation decimation(mesh, options);
+      EXPECT_EQ(decimation.swap_pass(), whole ? 0u : 1u) << apex;
+    }
+}
+
+// What a collapse changes around it is judged again, at the border too, where the faces around a
+// vertex form no ring.
+TEST(PaperLoopTest, AtTheEndNoEdgeMayGo) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    MeshData data = zoo::grid(10);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> shift(-0.3, 0.3);
+    for (glm::dvec3& p : data.positions) p += glm::dvec3(shift(random), shift(random), 0);
+    Mesh mesh(data);
+    classify(mesh);
+    Decimation decimation(mesh, {.coarsest = true, .swap = false, .smooth = false});
+    decimation.run();
+    Vertex deleted;
+    for (const Edge e : mesh.edges())
+      EXPECT_FALSE(decimation.judge(e, deleted).accepted()) << seed << ' ' << e.index;
   }
 }
 
