@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <random>
 
 #include "core/decimate/decimation.h"
 #include "core/model/classify.h"
@@ -73,21 +72,38 @@ TEST(PaperLoopTest, AFaceBetweenKeptVerticesIsNotSwapped) {
     }
 }
 
-// What a collapse changes around it is judged again, at the border too, where the faces around a
-// vertex form no ring.
-TEST(PaperLoopTest, AtTheEndNoEdgeMayGo) {
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    MeshData data = zoo::grid(10);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> shift(-0.3, 0.3);
-    for (glm::dvec3& p : data.positions) p += glm::dvec3(shift(random), shift(random), 0);
+//  0 - - 1
+//   \      \           2 goes into 3 only after 1 has gone into 2: before, the border would turn
+//    \       2 - 3     by more than 45 degrees. Lengths let no other edge go.
+//     \      |  /
+//       - -  4
+TEST(PaperLoopTest, AnEdgeOfTheBorderIsJudgedAgainWhenTheNextOneIsGone) {
+  const ModelRef rim(1, 1), left(1, 2), right(1, 3), inside(2, 1);
+  MeshData data;
+  data.positions = {{-8.66, 5, 0}, {-0.5, 0.866, 0}, {0, 0, 0}, {6, 0, 0}, {0, -10, 0}};
+  data.vertex_classes = {{0, 1}, rim, rim, {0, 2}, {0, 3}};
+  data.edges.add(Shape::Line, {2, 3}, rim);
+  data.edges.add(Shape::Line, {1, 2}, rim);
+  data.edges.add(Shape::Line, {0, 1}, rim);
+  data.edges.add(Shape::Line, {0, 4}, left);
+  data.edges.add(Shape::Line, {3, 4}, right);
+  for (const auto& [a, b] : {std::array{1u, 0u}, std::array{2u, 1u}, std::array{3u, 2u}})
+    data.faces.add(Shape::Triangle, {4, a, b}, inside);
+  for (const bool turned : {false, true}) {
+    for (std::size_t f = 0; turned && f < 3; ++f)
+      std::swap(data.faces.vertices[3 * f + 1], data.faces.vertices[3 * f + 2]);
     Mesh mesh(data);
-    classify(mesh);
-    Decimation decimation(mesh, {.coarsest = true, .swap = false, .smooth = false});
+    DecimationOptions options{.swap = false, .smooth = false};
+    const auto spacing = std::make_shared<Column<Vertex, double>>(5);
+    (*spacing)[Vertex(1)] = 4, (*spacing)[Vertex(2)] = 16;
+    options.spacing = spacing;
+    Decimation decimation(mesh, options);
+    EXPECT_EQ(decimation.sweep(), 1u);
+    EXPECT_EQ(decimation.last_refusal(Edge(0)), Reason::Angle);
+    EXPECT_FALSE(mesh.alive(Vertex(1)));
     decimation.run();
-    Vertex deleted;
-    for (const Edge e : mesh.edges())
-      EXPECT_FALSE(decimation.judge(e, deleted).accepted()) << seed << ' ' << e.index;
+    EXPECT_FALSE(mesh.alive(Vertex(2))) << turned;
+    EXPECT_EQ(mesh.count(2), 1u);
   }
 }
 

@@ -207,6 +207,60 @@ TEST(RegionCollapseTest, TheVertexThatStaysTurnsNothingInsideOut) {
   EXPECT_EQ(v.entity, EntityRef(Region(8)));
 }
 
+// A pyramid far off stands with its apex on one end of the edge.
+TEST(RegionCollapseTest, AnEndOfAnotherShapeStays) {
+  for (const std::uint32_t end : {0u, 4u}) {
+    MeshData data = corner_with_a_point();
+    data.positions.insert(data.positions.end(), {{8, 0, 9}, {9, 0, 9}, {9, 1, 9}, {8, 1, 9}});
+    data.regions.add(Shape::Pyramid, {5, 6, 7, 8, end}, inside);
+    data.vertex_classes.resize(9, inside);
+    Stored s(data);
+    const Verdict v = s.judge(4, 0);
+    EXPECT_EQ(v.reason, Reason::Kept) << end;
+    EXPECT_EQ(v.entity, EntityRef(Region(4))) << end;
+  }
+}
+
+// An edge that is listed, and of which no tetrahedron has both ends.
+TEST(RegionCollapseTest, AnEdgeBetweenTwoPiecesStays) {
+  MeshData data = octahedron(1, -1);
+  data.positions.insert(data.positions.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}});
+  data.regions.add(Shape::Tetrahedron, {7, 8, 9, 10}, inside);
+  data.edges.add(Shape::Line, {0, 7}, inside);
+  data.vertex_classes.resize(11, inside);
+  Stored s(data);
+  const Verdict v = s.collapser().judge(s.mesh, Edge(0), {true, true}, {}, s.plan);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(0)));
+}
+
+// A tetrahedron elsewhere joins 1 and 2, which 0 lies between.
+TEST(RegionCollapseTest, WhatBothEndsShareStandsBesideTheEdge) {
+  MeshData data = octahedron(1, -1);
+  data.positions.insert(data.positions.end(), {{0, 5, 5}, {0, 5, 6}});
+  data.regions.add(Shape::Tetrahedron, {1, 2, 7, 8}, inside);
+  data.vertex_classes.resize(9, inside);
+  Stored s(data);
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(2)));
+}
+
+// Three tetrahedra around the edge 0-1, and both ends with the triangle 2 3 4 that goes around it.
+TEST(RegionCollapseTest, TwoTetrahedraDoNotFallTogether) {
+  MeshData data;
+  data.positions = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}};
+  for (const auto& [a, b] : {std::array{2u, 3u}, std::array{3u, 4u}, std::array{4u, 2u}})
+    data.regions.add(Shape::Tetrahedron, {0, 1, b, a}, inside);
+  for (const std::uint32_t end : {1u, 0u})
+    data.regions.add(Shape::Tetrahedron, {end, 2, 3, 4}, inside);
+  data.vertex_classes.assign(5, inside);
+  Stored s(data);
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Region(3)));
+}
+
 TEST(RegionCollapseTest, ACrowdWaits) {
   MeshData data;
   const std::uint32_t n = largest_ball + 1;
