@@ -95,6 +95,18 @@ TEST(ListedLevelTest, UndoRestoresIt) {
   mesh.attach(nullptr);
 }
 
+TEST(ListedLevelTest, IsNotCompletedUnderAHistoryThatWouldNotKnowIt) {
+  Mesh mesh(two_tets_and_two_faces());
+  Journal journal;
+  mesh.attach(&journal);
+  mesh.move(Vertex(4), {0, 0, -2});
+  EXPECT_EQ(test::message([&] { mesh.set(3, 2); }),
+            "the faces that this relation needs would not be part of the journal's history: "
+            "request it before the first edit, or clear the journal");
+  EXPECT_EQ(mesh.count(2), 2u);
+  mesh.attach(nullptr);
+}
+
 TEST(ListedLevelTest, FacesInsideRegionsAreLetGoOf) {
   MeshData data = two_tets_and_two_faces();
   data.faces.classes[0] = ModelRef(3, 1);

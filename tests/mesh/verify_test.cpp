@@ -103,9 +103,24 @@ TEST(VerifyTest, TheFirstThatIsMisclassifiedIsFoundFromVerticesAlone) {
 }
 
 TEST(VerifyTest, CoordinateThatIsNoNumber) {
+  for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    for (int axis = 0; axis < 3; ++axis) {
+      Mesh mesh(zoo::square());
+      glm::dvec3 p(0.0);
+      p[axis] = none;
+      mesh.move(Vertex(3), p);
+      EXPECT_TRUE(found(verify(mesh), "not finite", Vertex(3))) << none << ' ' << axis;
+    }
+}
+
+TEST(VerifyTest, ClassListsThatMissAFace) {
   Mesh mesh(zoo::square());
-  mesh.move(Vertex(3), {0, std::nan(""), 0});
-  EXPECT_TRUE(found(verify(mesh), "not finite", Vertex(3)));
+  mesh.set_classification(Face(1), ModelRef(2, 1));
+  mesh.keep_class_lists(true);
+  EXPECT_TRUE(verify(mesh).empty());
+  const_cast<ClassLists*>(mesh.class_lists())->erase(2, 1, ModelRef(2, 1));
+  EXPECT_TRUE(found(verify(mesh), "class list", EntityRef(2, no_index)));
+  EXPECT_EQ(verify(mesh).size(), 1u);
 }
 
 TEST(VerifyTest, LeakInTheIdStack) {

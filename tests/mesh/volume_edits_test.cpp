@@ -197,6 +197,27 @@ TEST(VolumeTest, UndoBringsNothingWithoutSidesToACompleteLevel) {
   EXPECT_TRUE(verify(mesh).empty());
 }
 
+// A tetrahedron leaves its sides for others that are there: what tells of it follows, though its
+// vertices are all that it stores itself.
+TEST(VolumeTest, WhatTellsOfARegionFollowsWhenItStretches) {
+  for (const int level : {1, 2, 3}) {
+    Mesh mesh(zoo::one_tet());
+    if (level == 3)
+      mesh.build_hash(3);
+    else
+      mesh.set(level, 3);
+    ASSERT_FALSE(mesh.stored(3, 1) || mesh.stored(3, 2));
+    const Vertex far = mesh.create_vertex({0, 0, -1});
+    for (const std::uint32_t a : {1u, 2u, 3u}) {
+      if (mesh.complete(1)) mesh.create_edge(far, Vertex(a));
+      if (mesh.complete(2)) mesh.create_face(std::array{far, Vertex(a), Vertex(a % 3 + 1)});
+    }
+    mesh.rebind(std::array{Rebinding{Region(0), 0, Vertex(0), far}});
+    EXPECT_EQ(mesh.tetrahedron(Region(0))[0], far);
+    EXPECT_TRUE(verify(mesh).empty()) << level << ": " << verify(mesh)[0].text;
+  }
+}
+
 TEST(VolumeTest, AnEmptiedLevelHasRoomForRegionsAgain) {
   Mesh mesh(zoo::hybrid());
   for (const Region r : mesh.regions()) mesh.destroy(r);

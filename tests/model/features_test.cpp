@@ -105,6 +105,7 @@ TEST(Features, AreNoneWhereNeighboursLookToOppositeSides) {
   const FeatureCount count = features_of(data).count;
   EXPECT_EQ(count.sharp, 0u);
   EXPECT_EQ(count.rough, 0u);
+  EXPECT_EQ(count.steps, 0u);
 }
 
 // A ridge in the middle of a sheet, of so many edges, which are the only ones past 70 degrees.

@@ -146,42 +146,120 @@ TEST(RegionCollapseTest, AnEdgeThatWouldBeTooLongIsNamedByItsEnd) {
   EXPECT_TRUE(s.judge(4, 0, {.overshoot = 2.1, .size = &size}).accepted());
 }
 
-// In a grid all tetrahedra are of one shape; a collapse stretches some.
-TEST(RegionCollapseTest, AShapeBelowTheLeastAndBelowAllAroundIsRefused) {
-  MeshData data = zoo::tet_grid({3, 3, 3}, [](const zoo::Cell&) { return 1; });
-  Mesh classified(data);
-  classify(classified);
-  data = to_data(classified);
-  Stored s(data);
-  const auto at = [&](const glm::dvec3& p) {
-    return static_cast<std::uint32_t>(std::find(data.positions.begin(), data.positions.end(), p) -
-                                      data.positions.begin());
-  };
-  const std::uint32_t deleted = at({1, 1, 1}), kept = at({2, 1, 1});
-  ASSERT_TRUE(s.judge(deleted, kept).accepted());
-  ASSERT_EQ(s.plan.balls[0].size(), 24u);
-  const auto shape = [&](const BallRegion& r, Vertex centre) {
-    return tet_shape(s.mesh.position(centre), s.mesh.position(r.others[0]),
-                     s.mesh.position(r.others[1]), s.mesh.position(r.others[2]));
-  };
-  double before = 1, after = 1;
-  for (const BallRegion& r : s.plan.balls[0]) {
-    before = std::min(before, shape(r, Vertex(deleted)));
-    if (!r.uses(Vertex(kept))) after = std::min(after, shape(r, Vertex(kept)));
+// Vertex 0 among the corners 1 to 6 of an octahedron, of which the first two stand at these x.
+MeshData octahedron(double first, double second) {
+  MeshData data;
+  data.positions = {{0, 0, 0},  {first, 0, 0}, {second, 0, 0}, {0, 1, 0},
+                    {0, -1, 0}, {0, 0, 1},     {0, 0, -1}};
+  for (const auto& [y, z] :
+       {std::array{3u, 5u}, std::array{5u, 4u}, std::array{4u, 6u}, std::array{6u, 3u}}) {
+    data.regions.add(Shape::Tetrahedron, {0, 1, y, z}, inside);
+    data.regions.add(Shape::Tetrahedron, {0, 2, z, y}, inside);
   }
-  ASSERT_LT(after, before);
-  const Verdict v = s.judge(deleted, kept, {.least_shape = 0.5 * (after + before)});
+  data.vertex_classes.assign(data.positions.size(), inside);
+  return data;
+}
+
+TEST(RegionCollapseTest, AShapeBelowTheLeastNeedsOneAsBadAround) {
+  Stored s(corner_with_a_point());
+  EXPECT_TRUE(s.judge(4, 0, {.least_shape = 0.99}).accepted()) << "those around were worse";
+  Stored stretched(octahedron(3, -1));
+  const double around = std::sqrt(2) * 3 / std::pow(5.5, 1.5),
+               made = std::sqrt(2) * 4 / std::pow(7, 1.5);
+  ASSERT_LT(made, around);
+  EXPECT_TRUE(stretched.judge(0, 1, {.least_shape = made - 1e-9}).accepted());
+  const Verdict v = stretched.judge(0, 1, {.least_shape = made + 1e-9});
   EXPECT_EQ(v.reason, Reason::Shape);
-  ASSERT_EQ(v.entity.dimension, 3);
-  EXPECT_TRUE(s.judge(deleted, kept, {.least_shape = after}).accepted());
-  // Beside a vertex that has one as bad it does not matter.
-  RegionCollapser& collapser = s.collapser();
-  const glm::dvec3 place = s.mesh.position(Vertex(deleted));
-  s.mesh.move(Vertex(deleted), place + glm::dvec3(-0.9, 0, 0));
-  EXPECT_TRUE(collapser
-                  .judge(s.mesh, {Vertex(deleted), Vertex(kept), s.mesh.position(Vertex(kept))},
-                         {.least_shape = 0.5 * (after + before)}, s.plan)
-                  .accepted());
+  EXPECT_EQ(v.entity, EntityRef(Region(1)));
+}
+
+TEST(RegionCollapseTest, AnEdgeThatIsTooLongMayBecomeShorter) {
+  Stored s(octahedron(1, -3));
+  const Column<Vertex, double> size(7, 1);
+  const VolumeRules rules{.overshoot = 2, .size = &size};
+  EXPECT_TRUE(
+      s.collapser().judge(s.mesh, {Vertex(0), Vertex(1), {-0.5, 0, 0}}, rules, s.plan).accepted());
+  const Verdict v = s.judge(0, 1, rules);
+  EXPECT_EQ(v.reason, Reason::Overshoot);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(2)));
+  EXPECT_DOUBLE_EQ(v.number(), 4);
+}
+
+TEST(RegionCollapseTest, OfTheSizesOfBothEndsTheLargerCounts) {
+  Stored s(octahedron(1, -3));
+  Column<Vertex, double> size(7, 1);
+  size[Vertex(1)] = 2.5;
+  EXPECT_TRUE(s.judge(0, 1, {.overshoot = 2, .size = &size}).accepted());
+}
+
+// Beyond the side 1 3 5 stands a tetrahedron with 7, which the vertex that stays must not cross.
+TEST(RegionCollapseTest, TheVertexThatStaysTurnsNothingInsideOut) {
+  MeshData data = octahedron(1, -1);
+  data.positions.push_back({2, 2, 2});
+  data.regions.add(Shape::Tetrahedron, {1, 3, 5, 7}, inside);
+  data.vertex_classes.push_back(inside);
+  Stored s(data);
+  const auto to = [&](double x) {
+    return s.collapser().judge(s.mesh, {Vertex(0), Vertex(1), {x, 0, 0}}, {}, s.plan);
+  };
+  EXPECT_TRUE(to(-0.5).accepted());
+  const Verdict v = to(-0.9);
+  EXPECT_EQ(v.reason, Reason::Inverted);
+  EXPECT_EQ(v.entity, EntityRef(Region(8)));
+}
+
+// A pyramid far off stands with its apex on one end of the edge.
+TEST(RegionCollapseTest, AnEndOfAnotherShapeStays) {
+  for (const std::uint32_t end : {0u, 4u}) {
+    MeshData data = corner_with_a_point();
+    data.positions.insert(data.positions.end(), {{8, 0, 9}, {9, 0, 9}, {9, 1, 9}, {8, 1, 9}});
+    data.regions.add(Shape::Pyramid, {5, 6, 7, 8, end}, inside);
+    data.vertex_classes.resize(9, inside);
+    Stored s(data);
+    const Verdict v = s.judge(4, 0);
+    EXPECT_EQ(v.reason, Reason::Kept) << end;
+    EXPECT_EQ(v.entity, EntityRef(Region(4))) << end;
+  }
+}
+
+// An edge that is listed, and of which no tetrahedron has both ends.
+TEST(RegionCollapseTest, AnEdgeBetweenTwoPiecesStays) {
+  MeshData data = octahedron(1, -1);
+  data.positions.insert(data.positions.end(), {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}});
+  data.regions.add(Shape::Tetrahedron, {7, 8, 9, 10}, inside);
+  data.edges.add(Shape::Line, {0, 7}, inside);
+  data.vertex_classes.resize(11, inside);
+  Stored s(data);
+  const Verdict v = s.collapser().judge(s.mesh, Edge(0), {true, true}, {}, s.plan);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(0)));
+}
+
+// A tetrahedron elsewhere joins 1 and 2, which 0 lies between.
+TEST(RegionCollapseTest, WhatBothEndsShareStandsBesideTheEdge) {
+  MeshData data = octahedron(1, -1);
+  data.positions.insert(data.positions.end(), {{0, 5, 5}, {0, 5, 6}});
+  data.regions.add(Shape::Tetrahedron, {1, 2, 7, 8}, inside);
+  data.vertex_classes.resize(9, inside);
+  Stored s(data);
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Vertex(2)));
+}
+
+// Three tetrahedra around the edge 0-1, and both ends with the triangle 2 3 4 that goes around it.
+TEST(RegionCollapseTest, TwoTetrahedraDoNotFallTogether) {
+  MeshData data;
+  data.positions = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}};
+  for (const auto& [a, b] : {std::array{2u, 3u}, std::array{3u, 4u}, std::array{4u, 2u}})
+    data.regions.add(Shape::Tetrahedron, {0, 1, b, a}, inside);
+  for (const std::uint32_t end : {1u, 0u})
+    data.regions.add(Shape::Tetrahedron, {end, 2, 3, 4}, inside);
+  data.vertex_classes.assign(5, inside);
+  Stored s(data);
+  const Verdict v = s.judge(0, 1);
+  EXPECT_EQ(v.reason, Reason::Topology);
+  EXPECT_EQ(v.entity, EntityRef(Region(3)));
 }
 
 TEST(RegionCollapseTest, ACrowdWaits) {

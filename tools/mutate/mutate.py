@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Breaks one line of the sources at a time and sees whether a test goes red.
 
-tools/mutate/mutate.py [--build FOLDER] [--only TEXT] [--list] [--seconds N]
+tools/mutate/mutate.py [--build FOLDER] [--only TEXT] [--list | --check] [--seconds N]
 
 Reads tools/mutate/mutations.txt. An entry is a paragraph of lines:
 
@@ -97,6 +97,18 @@ class Build:
         return None
 
 
+def misfits(mutations):
+    """What is wrong with entries, without building anything: lines that stand elsewhere or not at
+    all, test programs that are none."""
+    programs = {f.stem for f in (ROOT / "tests").rglob("*_test.cpp")}
+    for m in mutations:
+        path = ROOT / m.file
+        times = path.read_text().count(m.old) if path.exists() else 0
+        if times != 1:
+            yield f"{m.file}: {m.name}: stands {times} times"
+        yield from (f"{m.name}: no test program {t}" for t in m.tests if t not in programs)
+
+
 def try_out(mutation, build, seconds):
     """What became of a mutation: 'killed', 'survived' or 'unfit', and by what or why."""
     path = build.sources / mutation.file
@@ -119,6 +131,8 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "mutate")
     parser.add_argument("--only", default="", help="mutations whose name or file holds this text")
     parser.add_argument("--list", action="store_true", help="names them and ends")
+    parser.add_argument("--check", action="store_true",
+                        help="whether every entry fits a line, and ends; builds nothing")
     parser.add_argument("--seconds", type=int, default=120, help="for each test program")
     options = parser.parse_args()
     mutations = [m for m in read_list(ROOT / "tools" / "mutate" / "mutations.txt")
@@ -126,6 +140,10 @@ def main():
     if options.list:
         print("\n".join(f"{m.file}: {m.name}" for m in mutations))
         return 0
+    if options.check:
+        found = list(misfits(mutations))
+        print("\n".join([*found, f"{len(mutations)} mutations, {len(found)} misfits"]))
+        return 1 if found else 0
 
     build = Build(options.build.resolve())
     tests = sorted({t for m in mutations for t in m.tests})
