@@ -81,7 +81,7 @@ class BoxTree {
   static std::size_t split(std::span<Item> items);
   static void build(std::span<Item> items, std::uint32_t begin, int threads,
                     std::vector<Node>& nodes);
-  [[nodiscard]] Box box_below(std::uint32_t node) const;
+  [[nodiscard]] Box box_below(std::uint32_t id) const;
   template <typename Visit>
   void pairs_between(std::uint32_t a, const BoxTree& other, std::uint32_t b, Visit& visit) const;
 

@@ -10,7 +10,7 @@
 namespace aomd::io::detail {
 
 [[nodiscard]] ReadResult read_obj(const Source& source);
-[[nodiscard]] ReadResult read_ply(const Source& source);
+[[nodiscard]] ReadResult read_ply(const Source& file);
 [[nodiscard]] ReadResult read_off(const Source& source);
 /// `binary` as is_binary_stl() says, or as the caller knows better.
 [[nodiscard]] ReadResult read_stl(const Source& source, bool binary);

@@ -108,6 +108,7 @@ std::vector<RegionChange> compare_regions(const Volume& original, const Volume& 
   for (const RegionFacts& facts : original.complex.regions) changes[facts.model].before = facts;
   for (const RegionFacts& facts : result.complex.regions) changes[facts.model].after = facts;
   std::vector<RegionChange> list;
+  list.reserve(changes.size());
   for (const auto& [model, change] : changes) list.push_back(change);
   return list;
 }

@@ -131,7 +131,7 @@ class Assembler {
     }
     connect(regions);
     find_repeated(regions);
-    if (regions.size() > 2) result_.crowded.push_back(Region(regions[0].id));
+    if (regions.size() > 2) result_.crowded.emplace_back(regions[0].id);
     if (regions.size() == 2 && regions[0].forward == regions[1].forward)
       result_.folded.push_back({Region(regions[0].id), Region(regions[1].id)});
     take_skin(regions, model_face(faces));
@@ -161,7 +161,7 @@ class Assembler {
     }
     std::sort(sets.begin(), sets.end());
     for (std::size_t i = 1; i < sets.size(); ++i)
-      if (sets[i].first == sets[i - 1].first) result_.repeated.push_back(Region(sets[i].second));
+      if (sets[i].first == sets[i - 1].first) result_.repeated.emplace_back(sets[i].second);
   }
 
   [[nodiscard]] ModelRef model_face(std::span<const Use> faces) const {
@@ -173,7 +173,7 @@ class Assembler {
 
   void take_skin(std::span<const Use> regions, ModelRef face) {
     const bool boundary = regions.size() == 1;
-    const Use *low = &regions[0], *high = &regions[boundary ? 0 : 1];
+    const Use *low = regions.data(), *high = &regions[boundary ? 0 : 1];
     if (model_of_[Region(high->id)] < model_of_[Region(low->id)]) std::swap(low, high);
     const ModelRef first = mesh_.classification(Region(low->id)),
                    second = mesh_.classification(Region(high->id));

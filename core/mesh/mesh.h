@@ -280,6 +280,9 @@ class Mesh {
   [[nodiscard]] DownRows compact_rows(int i, int j,
                                       const std::array<std::vector<std::uint32_t>, 4>& maps) const;
   [[nodiscard]] std::vector<std::uint8_t> entities_to_keep(int dim);
+  void close_up_level(int dim, std::span<const std::uint32_t> new_index, std::uint32_t count);
+  [[nodiscard]] std::vector<std::pair<int, int>> compact_relations(
+      const std::array<std::vector<std::uint32_t>, 4>& maps);
   void keep_model_entities_only(int dim);
   /// What release_derived() let go of.
   struct Derived {

@@ -38,14 +38,36 @@ std::vector<std::uint32_t> consecutive(const IdPool& ids) {
 
 }  // namespace
 
+// Takes the new ids into all that is known of a level but its relations.
+void Mesh::close_up_level(int dim, std::span<const std::uint32_t> new_index, std::uint32_t count) {
+  close_up(level(dim).classes, new_index, count);
+  close_up(level(dim).shapes, new_index, count);
+  attached_.compact(dim, new_index, count);
+  level(dim).ids = IdPool();
+  level(dim).ids.create_many(count);
+  hash_of(dim).release();
+}
+
 std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
   if (journal_)
     throw std::logic_error("a journal is attached, and its records name the present ids");
   ++revision_;
   std::array<std::vector<std::uint32_t>, 4> maps;
   for (int dim = 0; dim < 4; ++dim) maps[static_cast<std::size_t>(dim)] = consecutive(ids(dim));
+  const auto upward = compact_relations(maps);
+  close_up(positions_, maps[0], count(0));
+  for (int dim = 0; dim < 4; ++dim)
+    close_up_level(dim, maps[static_cast<std::size_t>(dim)], count(dim));
+  for (const auto& [i, j] : upward) build_up(i, j);
+  if (class_lists_) keep_class_lists(true);
+  return maps;
+}
+
+// Renumbers the downward relations and returns the upward ones, which are to be built again.
+std::vector<std::pair<int, int>> Mesh::compact_relations(
+    const std::array<std::vector<std::uint32_t>, 4>& maps) {
   Representation compacted;
-  std::array<bool, 16> upward{};
+  std::vector<std::pair<int, int>> upward;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       if (i == j) continue;
@@ -53,27 +75,12 @@ std::array<std::vector<std::uint32_t>, 4> Mesh::compact() {
       compacted.record(i, j) = representation_.record(i, j);
       if (!stored(i, j)) continue;
       if (i < j)
-        upward[static_cast<std::size_t>(4 * i + j)] = true;
+        upward.emplace_back(i, j);
       else
         compacted.down(i, j) = compact_rows(i, j, maps);
     }
   representation_ = std::move(compacted);
-  for (int dim = 0; dim < 4; ++dim) {
-    const auto& map = maps[static_cast<std::size_t>(dim)];
-    const std::uint32_t n = count(dim);
-    if (dim == 0) close_up(positions_, map, n);
-    close_up(level(dim).classes, map, n);
-    close_up(level(dim).shapes, map, n);
-    attached_.compact(dim, map, n);
-    level(dim).ids = IdPool();
-    level(dim).ids.create_many(n);
-    hash_of(dim).release();
-  }
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j)
-      if (upward[static_cast<std::size_t>(4 * i + j)]) build_up(i, j);
-  if (class_lists_) keep_class_lists(true);
-  return maps;
+  return upward;
 }
 
 // Those on model entities of no higher dimension, and of the unclassified ones those that nothing
@@ -122,13 +129,8 @@ void Mesh::keep_model_entities_only(int dim) {
   for (std::uint32_t id = 0; id < new_index.size(); ++id)
     if (stays[id] != 0) new_index[id] = kept++;
   if (stored(dim, 0)) close_up_rows(representation_.down(dim, 0), new_index, kept);
-  close_up(level(dim).classes, new_index, kept);
-  close_up(level(dim).shapes, new_index, kept);
-  attached_.compact(dim, new_index, kept);
-  level(dim).ids = IdPool();
-  level(dim).ids.create_many(kept);
+  close_up_level(dim, new_index, kept);
   level(dim).complete = false;
-  hash_of(dim).release();
   if (class_lists_) keep_class_lists(true);
 }
 

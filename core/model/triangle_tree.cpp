@@ -130,13 +130,13 @@ TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t h
 }
 
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c, glm::dvec3& at) {
+                           const glm::dvec3& c, glm::dvec3& barycentric) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp),
                d4 = glm::dot(ac, bp);
   const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
   const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  double y, z;  // of b and c
+  double y = 0, z = 0;  // of b and c
   if (va > 0 && vb > 0 && vc > 0) {
     const double sum = va + vb + vc;
     y = vb / sum, z = vc / sum;
@@ -153,7 +153,7 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
   } else {
     z = (d4 - d3) / ((d4 - d3) + (d5 - d6)), y = 1 - z;
   }
-  at = {z == 1 || y == 1 || y + z == 1 ? 0.0 : 1 - y - z, y, z};
+  barycentric = {z == 1 || y == 1 || y + z == 1 ? 0.0 : 1 - y - z, y, z};
   const glm::dvec3 d = ap - y * ab - z * ac;
   return glm::dot(d, d);
 }

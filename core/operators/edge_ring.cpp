@@ -16,7 +16,7 @@ struct Link {
 };
 
 struct Links {
-  std::array<Link, 2 * largest_ring> items;
+  std::array<Link, std::size_t{2} * largest_ring> items;
   std::uint32_t count = 0;
   [[nodiscard]] std::span<const Link> all() const { return {items.data(), count}; }
   [[nodiscard]] const Link* from(Vertex v) const {

@@ -7,16 +7,16 @@
 namespace aomd {
 namespace {
 
-using Corners = std::array<glm::dvec3, 3>;
+using Base = std::array<glm::dvec3, 3>;
 
-Corners corners_of(const Mesh& mesh, const BallRegion& r) {
+Base corners_of(const Mesh& mesh, const BallRegion& r) {
   return {mesh.position(r.others[0]), mesh.position(r.others[1]), mesh.position(r.others[2])};
 }
 
 double worst_shape(const Mesh& mesh, const Ball& ball, const glm::dvec3& centre) {
   double worst = 1;
   for (const BallRegion& r : ball) {
-    const Corners c = corners_of(mesh, r);
+    const Base c = corners_of(mesh, r);
     worst = std::min(worst, tet_shape(centre, c[0], c[1], c[2]));
   }
   return worst;
@@ -47,7 +47,7 @@ Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
   double worst = -1;  // around the end, once it is asked for
   for (const BallRegion& r : ball) {
     if (r.uses(move.other)) continue;
-    const Corners c = corners_of(mesh, r);
+    const Base c = corners_of(mesh, r);
     if (!is_upright(move.to, c[0], c[1], c[2])) return {Reason::Inverted, r.region};
     if (rules.overshoot > 0)
       if (const Verdict v = judge_lengths(mesh, r, move, rules); !v.accepted()) return v;

@@ -20,7 +20,7 @@ namespace aomd::sample {
 [[nodiscard]] MeshData make_tet_drilled(int cells);
 [[nodiscard]] MeshData make_tet_ball(int layers);
 [[nodiscard]] MeshData make_ball_in_box(int layers);
-[[nodiscard]] MeshData make_tet_bracket(int cells);
-[[nodiscard]] MeshData make_layered_beam(int cells);
+[[nodiscard]] MeshData make_tet_bracket(int n);
+[[nodiscard]] MeshData make_layered_beam(int n);
 
 }  // namespace aomd::sample

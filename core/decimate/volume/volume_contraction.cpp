@@ -178,7 +178,7 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
 }
 
 // Another place is worth it as long as nothing else in the queue costs less.
-float VolumeQualityLoop::worst_cost(float best) const { return 2 * best + 0.25f; }
+float VolumeQualityLoop::worst_cost(float best) { return 2 * best + 0.25f; }
 
 Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan) {
   find_places(v, w, scratch);

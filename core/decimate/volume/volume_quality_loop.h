@@ -106,7 +106,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] double worst_shape(const Contraction& c, const Scratch& scratch,
                                    double enough) const;
   void keep_best_shape(Scratch& scratch) const;
-  [[nodiscard]] float worst_cost(float best) const;
+  [[nodiscard]] static float worst_cost(float best);
   [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan);
   bool collapse(Vertex v, Vertex w);
   void note_refusal(Vertex v, Vertex w, const Verdict& verdict);
