@@ -24,6 +24,8 @@ Verdict VolumeQualityLoop::judge(Vertex a, Vertex b) {
 }
 
 Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan) {
+  for (const Vertex v : {a, b})
+    if (!among_tets(v)) return {Reason::Kept, v};
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
   if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
     return {Reason::Spacing, a, length};

@@ -206,7 +206,7 @@ int VolumeQualityLoop::rounds() const {
 
 // A target that shape and length keep out of reach is worth poorer tetrahedra, to a point.
 bool VolumeQualityLoop::relax() {
-  constexpr double poorest = 0.15;
+  constexpr double poorest = 0.2;
   if (target_ == 0 || reached() || rules_.least_shape <= poorest) return false;
   rules_.least_shape = std::max(poorest, 0.7 * rules_.least_shape);
   rules_.overshoot *= 1.25;
