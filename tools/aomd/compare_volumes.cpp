@@ -21,8 +21,8 @@ using measure::RegionChange;
 constexpr std::size_t most_lines = 20, bins = 18;
 
 /// One of the two meshes, by itself.
-struct Side {
-  Side(const std::string& name, const Mesh& mesh, int threads)
+struct VolumeSide {
+  VolumeSide(const std::string& name, const Mesh& mesh, int threads)
       : file(name),
         volume(mesh, threads),
         counts(measure::count_entities(mesh)),
@@ -41,7 +41,7 @@ struct Side {
 };
 
 struct Compared {
-  Side original, result;
+  VolumeSide original, result;
   measure::VolumeComparison changes;
   std::size_t flips = 0;
 
@@ -63,9 +63,9 @@ Compared compared(const CompareArguments& options, const Mesh& original, const M
   const int threads = thread_count(options.threads);
   Progress progress(false);
   progress.show("measuring " + options.original);
-  Side before(options.original, original, threads);
+  VolumeSide before(options.original, original, threads);
   progress.show("measuring " + options.result);
-  Side after(options.result, result, threads);
+  VolumeSide after(options.result, result, threads);
   progress.show("measuring distances");
   Compared c{std::move(before), std::move(after), {}, 0};
   c.changes =
@@ -171,7 +171,7 @@ Json vertices_json(const measure::ModelVertexChange& v) {
           {"lost", lost}};
 }
 
-Json side_json(const Side& side) {
+Json side_json(const VolumeSide& side) {
   Json json = counts_json(side.file, side.counts);
   json["self_intersections"] = side.self_intersections;
   json["volume"] = volume_json(side.volume.complex, side.quality);
@@ -208,7 +208,7 @@ Json comparison_json(const Compared& c, const std::vector<std::string>& objectio
 // text --
 
 template <typename... Values>
-void row(const std::string& label, const Values&... values) {
+void columns(const std::string& label, const Values&... values) {
   std::cout << "  " << std::left << std::setw(24) << label << std::right;
   ((std::cout << ' ' << std::setw(15) << values), ...) << '\n';
 }
@@ -232,22 +232,22 @@ void print_rest(std::size_t shown, std::size_t all) {
 }
 
 void print_regions(const Compared& c) {
-  row("model region", "volume", "change, %", "regions", "Euler number", "parts");
+  columns("model region", "volume", "change, %", "regions", "Euler number", "parts");
   const std::size_t shown = std::min(c.changes.regions.size(), most_lines);
   for (std::size_t i = 0; i < shown; ++i) {
     const RegionChange& r = c.changes.regions[i];
     std::cout << std::defaultfloat << std::setprecision(6);
-    row("  " + region_name(r.model()), r.before ? r.before->volume : r.after->volume,
-        r.volume_percent(), both(r.before, r.after, [](const auto& f) { return f.regions; }),
-        both(r.before, r.after, [](const auto& f) { return f.euler; }),
-        both(r.before, r.after, [](const auto& f) { return f.parts; }));
+    columns("  " + region_name(r.model()), r.before ? r.before->volume : r.after->volume,
+            r.volume_percent(), both(r.before, r.after, [](const auto& f) { return f.regions; }),
+            both(r.before, r.after, [](const auto& f) { return f.euler; }),
+            both(r.before, r.after, [](const auto& f) { return f.parts; }));
   }
   print_rest(shown, c.changes.regions.size());
 }
 
 void print_total(const Compared& c, const char* label, bool boundary) {
   if (const auto d = measure::distance_over(c.changes.surfaces(), boundary))
-    row(label, c.percent(d->rms), c.percent(d->max));
+    columns(label, c.percent(d->rms), c.percent(d->max));
 }
 
 // The farthest first, after what one of the two lacks.
@@ -263,18 +263,18 @@ void print_interface(const Compared& c, const InterfaceChange& i) {
   const std::string euler = both(i.before, i.after, [](const auto& f) { return f.euler; });
   const std::string faces = both(i.before, i.after, [](const auto& f) { return f.faces; });
   const std::string name = "  " + interface_name(i.on);
-  if (!i.measured()) return row(name, i.before ? "lost" : "new", "", faces, euler);
-  row(name, c.percent(i.distance().rms), c.percent(i.distance().max), faces, euler);
+  if (!i.measured()) return columns(name, i.before ? "lost" : "new", "", faces, euler);
+  columns(name, c.percent(i.distance().rms), c.percent(i.distance().max), faces, euler);
 }
 
 void print_surfaces(const Compared& c) {
   std::cout << std::fixed << std::setprecision(4);
-  row("distance, % of diagonal", "rms", "max", "faces", "Euler number");
+  columns("distance, % of diagonal", "rms", "max", "faces", "Euler number");
   print_total(c, "  boundary", true);
   print_total(c, "  interfaces", false);
   if (c.changes.curves.edges_before > 0 && c.changes.curves.edges_after > 0)
-    row("  model edges", c.percent(c.changes.curves.both.rms),
-        c.percent(c.changes.curves.both.max));
+    columns("  model edges", c.percent(c.changes.curves.both.rms),
+            c.percent(c.changes.curves.both.max));
   const std::vector<InterfaceChange> list = worst_first(c.changes.surfaces());
   const std::size_t shown = std::min(list.size(), most_lines);
   for (std::size_t i = 0; i < shown; ++i) print_interface(c, list[i]);
@@ -284,33 +284,35 @@ void print_surfaces(const Compared& c) {
 /// One line of the part that shows both meshes.
 template <typename Value>
 void sides(const char* label, const Compared& c, Value&& value) {
-  row(label, value(c.original), value(c.result));
+  columns(label, value(c.original), value(c.result));
 }
 
 void print_sides(const Compared& c) {
   std::cout << std::setprecision(2);
-  row("", "original", "result");
-  sides("regions", c, [](const Side& s) { return s.counts.regions; });
+  columns("", "original", "result");
+  sides("regions", c, [](const VolumeSide& s) { return s.counts.regions; });
   sides("vertices in use", c,
-        [](const Side& s) { return s.counts.vertices - s.counts.unused_vertices; });
-  sides("Euler number", c, [](const Side& s) { return s.counts.euler; });
-  row("model edges", c.changes.curves.edges_before, c.changes.curves.edges_after);
-  row("model vertices", c.changes.vertices.before, c.changes.vertices.after);
-  row("  kept where they were", "", c.changes.vertices.kept);
-  sides("smallest dihedral", c, [](const Side& s) { return s.quality.min_dihedral_deg; });
-  sides("  5 % are below", c, [](const Side& s) { return s.quality.p5_dihedral_deg; });
-  sides("  mean", c, [](const Side& s) { return s.quality.mean_dihedral_deg; });
+        [](const VolumeSide& s) { return s.counts.vertices - s.counts.unused_vertices; });
+  sides("Euler number", c, [](const VolumeSide& s) { return s.counts.euler; });
+  columns("model edges", c.changes.curves.edges_before, c.changes.curves.edges_after);
+  columns("model vertices", c.changes.vertices.before, c.changes.vertices.after);
+  columns("  kept where they were", "", c.changes.vertices.kept);
+  sides("smallest dihedral", c, [](const VolumeSide& s) { return s.quality.min_dihedral_deg; });
+  sides("  5 % are below", c, [](const VolumeSide& s) { return s.quality.p5_dihedral_deg; });
+  sides("  mean", c, [](const VolumeSide& s) { return s.quality.mean_dihedral_deg; });
   sides("% regions below 10 deg", c,
-        [](const Side& s) { return s.quality.regions_below_10deg_pct; });
-  sides("inverted regions", c, [](const Side& s) { return s.quality.inverted.size(); });
-  sides("repeated regions", c, [](const Side& s) { return s.volume.complex.repeated.size(); });
-  sides("non-conforming faces", c, [](const Side& s) { return s.volume.complex.crowded.size(); });
-  sides("folded faces", c, [](const Side& s) { return s.volume.complex.folded.size(); });
-  sides("self-intersections", c, [](const Side& s) { return s.self_intersections; });
+        [](const VolumeSide& s) { return s.quality.regions_below_10deg_pct; });
+  sides("inverted regions", c, [](const VolumeSide& s) { return s.quality.inverted.size(); });
+  sides("repeated regions", c,
+        [](const VolumeSide& s) { return s.volume.complex.repeated.size(); });
+  sides("non-conforming faces", c,
+        [](const VolumeSide& s) { return s.volume.complex.crowded.size(); });
+  sides("folded faces", c, [](const VolumeSide& s) { return s.volume.complex.folded.size(); });
+  sides("self-intersections", c, [](const VolumeSide& s) { return s.self_intersections; });
 }
 
 void print_histograms(const Compared& c) {
-  row("smallest dihedral, deg", "original, %", "result, %");
+  columns("smallest dihedral, deg", "original, %", "result, %");
   const measure::Histogram &a = c.original.dihedrals, &b = c.result.dihedrals;
   const auto share = [](const measure::Histogram& h, std::size_t bin) {
     return 100 * static_cast<double>(h.counts[bin]) / static_cast<double>(h.total);
@@ -318,7 +320,8 @@ void print_histograms(const Compared& c) {
   for (std::size_t bin = 0; bin < bins; ++bin) {
     if (a.counts[bin] == 0 && b.counts[bin] == 0) continue;
     const int low = static_cast<int>(a.bound(bin)), high = static_cast<int>(a.bound(bin + 1));
-    row("  " + std::to_string(low) + " to " + std::to_string(high), share(a, bin), share(b, bin));
+    columns("  " + std::to_string(low) + " to " + std::to_string(high), share(a, bin),
+            share(b, bin));
   }
 }
 
