@@ -205,7 +205,12 @@ TEST(CollapseTest, TheLinkConditionKeepsATriangularHole) {
   for (const std::uint32_t v : {5u, 6u, 10u}) b.mesh.set_classification(Vertex(v), ModelRef(1, 99));
   for (const auto& [x, y] : {std::pair{5u, 6u}, {6u, 10u}, {10u, 5u}})
     b.mesh.set_classification(b.edge(x, y), ModelRef(1, 99));
-  EXPECT_EQ(b.judge_collapse(5, 6, 179).reason, Reason::Topology);
+  for (const auto& [x, y, third] :
+       {std::array{5u, 6u, 10u}, std::array{6u, 10u, 5u}, std::array{10u, 5u, 6u}}) {
+    const Verdict v = b.judge_collapse(x, y, 179);
+    EXPECT_EQ(v.reason, Reason::Topology);
+    EXPECT_EQ(v.entity, EntityRef(Vertex(third)));
+  }
 }
 
 TEST(CollapseTest, ALoneTriangleIsNotFoldedAway) {
