@@ -156,6 +156,16 @@ TEST(Su2, InThePlane) {
   test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
 }
 
+TEST(Su2, MarkersAreWrittenInTheOrderOfTheirTags) {
+  const MeshData mesh =
+      io::read_bytes("a.su2", plane +
+                                  "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n3 0 1\n"
+                                  "MARKER_TAG= inlet\nMARKER_ELEMS= 1\n3 1 2\n")
+          .mesh;
+  EXPECT_EQ(mesh.model.groups, (std::vector<PhysicalGroup>{{1, 1, "wall"}, {1, 2, "inlet"}}));
+  test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
+}
+
 /// What stands third is z, unless it counts the points.
 TEST(Su2, PointsInThePlaneMayHaveThreeCoordinates) {
   const auto read = [](const std::string& points) {

@@ -255,6 +255,17 @@ TEST(ClassListsTest, FollowEveryEdit) {
   EXPECT_TRUE(verify(mesh).empty());
 }
 
+TEST(MeshTest, OfAnEdgeThatIsListedTwiceTheLastClassCounts) {
+  MeshData data = zoo::square();
+  data.edges.add(Shape::Line, {0, 1}, ModelRef(1, 1));
+  data.edges.add(Shape::Line, {1, 0}, ModelRef(1, 2));
+  data.edges.add(Shape::Line, {0, 1}, ModelRef());
+  Mesh mesh(data);
+  mesh.set(1, 0);
+  EXPECT_EQ(mesh.count(1), 5u);
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))), ModelRef(1, 2));
+}
+
 TEST(MeshTest, IterationSurvivesDeletionAndCreation) {
   Mesh mesh(zoo::grid(4));
   int visited = 0;
