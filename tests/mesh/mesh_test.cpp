@@ -287,5 +287,18 @@ TEST(MeshTest, ToDataMakesIdsConsecutiveAndKeepsUnusedVertices) {
   EXPECT_EQ(data.faces.vertices, (Ids{0, 2, 3}));
 }
 
+TEST(MeshTest, ToDataListsNoEdgeThatFacesImply) {
+  Mesh mesh(zoo::square());
+  mesh.set(1, 0);
+  const Vertex far = mesh.create_vertex({9, 9, 9});
+  mesh.create_edge(Vertex(3), far);
+  mesh.set_classification(mesh.find_edge(Vertex(0), Vertex(1)), ModelRef(1, 7));
+  EXPECT_EQ(mesh.count(1), 6u);
+  const MeshData data = to_data(mesh);
+  EXPECT_EQ(data.edges.classes, (std::vector<ModelRef>{ModelRef(1, 7), ModelRef()}));
+  EXPECT_EQ((Ids{data.edges.vertices.end() - 2, data.edges.vertices.end()}), (Ids{3, 4}))
+      << "one that no face uses is";
+}
+
 }  // namespace
 }  // namespace aomd
