@@ -1,5 +1,6 @@
 // Medit and SU2 on tiny inputs.
 
+#include "tests/support/message.h"
 #include "tests/support/volume_helpers.h"
 
 namespace aomd {
@@ -164,6 +165,19 @@ TEST(Su2, MarkersAreWrittenInTheOrderOfTheirTags) {
           .mesh;
   EXPECT_EQ(mesh.model.groups, (std::vector<PhysicalGroup>{{1, 1, "wall"}, {1, 2, "inlet"}}));
   test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
+}
+
+TEST(Su2, ASurfaceInSpaceIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const double z : {0.5, -0.5}) {
+    MeshData mesh = io::read_bytes("a.su2", plane).mesh;
+    mesh.positions[3].z = z;
+    const std::string said = test::message([&] { io::write(folder / "a.su2", mesh); });
+    EXPECT_NE(said.find("faces in the plane z = 0, and the mesh is a surface in space"),
+              std::string::npos)
+        << said;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.su2"));
+  }
 }
 
 /// What stands third is z, unless it counts the points.
