@@ -1,5 +1,6 @@
 // Medit and SU2 on tiny inputs.
 
+#include "tests/support/message.h"
 #include "tests/support/volume_helpers.h"
 
 namespace aomd {
@@ -154,6 +155,29 @@ TEST(Su2, InThePlane) {
   EXPECT_EQ(mesh.model.entities[1].groups, std::vector<std::int32_t>{2});
   EXPECT_EQ(result.notes, std::vector<std::string>{"passed over: FFD_NBOX, FFD_CORNER_POINTS"});
   test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
+}
+
+TEST(Su2, MarkersAreWrittenInTheOrderOfTheirTags) {
+  const MeshData mesh =
+      io::read_bytes("a.su2", plane +
+                                  "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n3 0 1\n"
+                                  "MARKER_TAG= inlet\nMARKER_ELEMS= 1\n3 1 2\n")
+          .mesh;
+  EXPECT_EQ(mesh.model.groups, (std::vector<PhysicalGroup>{{1, 1, "wall"}, {1, 2, "inlet"}}));
+  test::expect_same(test::written_and_read("a.su2", mesh).mesh, mesh);
+}
+
+TEST(Su2, ASurfaceInSpaceIsRefused) {
+  const test::TemporaryFolder folder;
+  for (const double z : {0.5, -0.5}) {
+    MeshData mesh = io::read_bytes("a.su2", plane).mesh;
+    mesh.positions[3].z = z;
+    const std::string said = test::message([&] { io::write(folder / "a.su2", mesh); });
+    EXPECT_NE(said.find("faces in the plane z = 0, and the mesh is a surface in space"),
+              std::string::npos)
+        << said;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.su2"));
+  }
 }
 
 /// What stands third is z, unless it counts the points.

@@ -255,6 +255,17 @@ TEST(ClassListsTest, FollowEveryEdit) {
   EXPECT_TRUE(verify(mesh).empty());
 }
 
+TEST(MeshTest, OfAnEdgeThatIsListedTwiceTheLastClassCounts) {
+  MeshData data = zoo::square();
+  data.edges.add(Shape::Line, {0, 1}, ModelRef(1, 1));
+  data.edges.add(Shape::Line, {1, 0}, ModelRef(1, 2));
+  data.edges.add(Shape::Line, {0, 1}, ModelRef());
+  Mesh mesh(data);
+  mesh.set(1, 0);
+  EXPECT_EQ(mesh.count(1), 5u);
+  EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))), ModelRef(1, 2));
+}
+
 TEST(MeshTest, IterationSurvivesDeletionAndCreation) {
   Mesh mesh(zoo::grid(4));
   int visited = 0;
@@ -274,6 +285,19 @@ TEST(MeshTest, ToDataMakesIdsConsecutiveAndKeepsUnusedVertices) {
   const MeshData data = to_data(mesh);
   EXPECT_EQ(data.positions.size(), 5u);
   EXPECT_EQ(data.faces.vertices, (Ids{0, 2, 3}));
+}
+
+TEST(MeshTest, ToDataListsNoEdgeThatFacesImply) {
+  Mesh mesh(zoo::square());
+  mesh.set(1, 0);
+  const Vertex far = mesh.create_vertex({9, 9, 9});
+  mesh.create_edge(Vertex(3), far);
+  mesh.set_classification(mesh.find_edge(Vertex(0), Vertex(1)), ModelRef(1, 7));
+  EXPECT_EQ(mesh.count(1), 6u);
+  const MeshData data = to_data(mesh);
+  EXPECT_EQ(data.edges.classes, (std::vector<ModelRef>{ModelRef(1, 7), ModelRef()}));
+  EXPECT_EQ((Ids{data.edges.vertices.end() - 2, data.edges.vertices.end()}), (Ids{3, 4}))
+      << "one that no face uses is";
 }
 
 }  // namespace

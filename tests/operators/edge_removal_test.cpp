@@ -279,6 +279,51 @@ TEST(EdgeRemovalTest, AnEdgeOfTwoModelRegionsWithoutAFaceBetweenIsNone) {
   EXPECT_EQ(judged(b.mesh, 0, 1).verdict.reason, Reason::Classification);
 }
 
+TEST(EdgeRemovalTest, AnEdgeWhereAModelFaceEndsIsNone) {
+  VolumeBench b(interface_ring(), Levels::Listed);
+  const Face stays = b.mesh.find_face(vertices({0, 1, 2}));
+  b.mesh.destroy_unused(b.mesh.find_face(vertices({0, 1, 4})));
+  const EdgeRemoval plan = judged(b.mesh, 0, 1);
+  EXPECT_EQ(plan.verdict.reason, Reason::Classification);
+  EXPECT_EQ(plan.verdict.entity, EntityRef(stays));
+}
+
+// A second ring goes around the edge outside the first one, and through it.
+TEST(EdgeRemovalTest, AnEdgeOfTwoRingsIsNone) {
+  MeshData data = ring_around_an_edge(circle(3), {0, 0, -1}, {0, 0, 1});
+  for (const glm::dvec3& p : circle(3)) data.positions.push_back(2.0 * p);
+  for (const std::uint32_t i : {0u, 1u, 2u})
+    data.regions.add(Shape::Tetrahedron, {0, 1, 5 + i, 5 + (i + 1) % 3});
+  for (const Levels levels : both_levels) {
+    VolumeBench b(data, levels);
+    EXPECT_EQ(judged(b.mesh, 0, 1).verdict.reason, Reason::Topology) << name(levels);
+  }
+}
+
+TEST(EdgeRemovalTest, AFaceThatHangsOnTheEdgeHoldsIt) {
+  VolumeBench b(ring_around_an_edge(circle(3), {0, 0, -1}, {0, 0, 1}), Levels::Complete);
+  const Vertex far = b.mesh.create_vertex({9, 9, 0});
+  const ModelRef inside = b.mesh.classification(Region(0));
+  const Face hanging = b.mesh.create_face(std::array{Vertex(0), Vertex(1), far}, inside);
+  const EdgeRemoval plan = judged(b.mesh, 0, 1);
+  EXPECT_EQ(plan.verdict.reason, Reason::Topology);
+  EXPECT_EQ(plan.verdict.entity, EntityRef(hanging));
+}
+
+// A tetrahedron joins the ends of what would be the new diagonal of a model face.
+TEST(EdgeRemovalTest, NoEdgeOfAModelFaceComesTwice) {
+  MeshData data = half_ring({{0, 1, 0}});
+  data.positions.insert(data.positions.end(), {{0, -9, 0}, {0, -9, 1}});
+  data.regions.add(Shape::Tetrahedron, {2, 4, 5, 6});
+  for (const Levels levels : both_levels) {
+    VolumeBench b(data, levels);
+    const EdgeRemoval plan = judged(b.mesh, 0, 1);
+    ASSERT_TRUE(plan.ring.on_model_face());
+    EXPECT_EQ(plan.verdict.reason, Reason::Topology) << name(levels);
+    EXPECT_EQ(plan.verdict.entity, EntityRef(plan.ring.apexes[0]));
+  }
+}
+
 // A tetrahedron far off that joins the ring's 2 and 4, which the new diagonal would do again.
 TEST(EdgeRemovalTest, NothingIsJoinedTwice) {
   for (const Levels levels : both_levels) {

@@ -89,6 +89,16 @@ TEST(FaceRemovalTest, WhatIsRefused) {
   }
 }
 
+TEST(FaceRemovalTest, TwoModelRegionsWithoutAFaceBetweenStay) {
+  MeshData two = two_flat();
+  two.regions.classes[1] = ModelRef(3, 2);
+  VolumeBench b(two, Levels::Listed);
+  b.mesh.destroy_unused(b.mesh.find_face(vertices({0, 1, 2})));
+  const FaceRemoval plan = judged(b.mesh, 0, 3);
+  EXPECT_EQ(plan.verdict.reason, Reason::Classification);
+  EXPECT_EQ(plan.verdict.entity, EntityRef(Region(1)));
+}
+
 TEST(FaceRemovalTest, TheApexesMustNotBeJoined) {
   MeshData data = two_flat();
   data.positions.insert(data.positions.end(), {{0, 9, 0}, {1, 9, 0}});

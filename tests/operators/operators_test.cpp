@@ -195,17 +195,29 @@ TEST(CollapseTest, TheLinkConditionKeepsAStripWide) {
       Reason::Topology);
 }
 
-// A triangular hole: collapsing one of its edges would close it.
+// A triangular hole: collapsing one of its edges, whichever way it runs, would close it.
 TEST(CollapseTest, TheLinkConditionKeepsATriangularHole) {
   MeshData data = zoo::grid(3);
   data.faces.shapes.erase(data.faces.shapes.begin() + 8);
   data.faces.vertices.erase(data.faces.vertices.begin() + 24,
                             data.faces.vertices.begin() + 27);  // 5, 6, 10
-  Bench b(data);
-  for (const std::uint32_t v : {5u, 6u, 10u}) b.mesh.set_classification(Vertex(v), ModelRef(1, 99));
-  for (const auto& [x, y] : {std::pair{5u, 6u}, {6u, 10u}, {10u, 5u}})
-    b.mesh.set_classification(b.edge(x, y), ModelRef(1, 99));
-  EXPECT_EQ(b.judge_collapse(5, 6, 179).reason, Reason::Topology);
+  const std::array<std::array<std::uint32_t, 3>, 3> sides{{{5, 6, 10}, {6, 10, 5}, {10, 5, 6}}};
+  for (const bool along : {true, false}) {
+    data.edges = {};
+    for (const auto& [x, y, third] : sides)
+      data.edges.add(Shape::Line, {along ? x : y, along ? y : x}, ModelRef(1, 99));
+    Bench b(data);
+    for (const auto& [x, y, third] : sides) {
+      b.mesh.set_classification(Vertex(x), ModelRef(1, 99));
+      b.mesh.set_classification(b.edge(x, y), ModelRef(1, 99));
+    }
+    for (const auto& [x, y, third] : sides) {
+      ASSERT_EQ(b.mesh.edge_vertices(b.edge(x, y))[0], Vertex(along ? x : y));
+      const Verdict v = b.judge_collapse(x, y, 179);
+      EXPECT_EQ(v.reason, Reason::Topology);
+      EXPECT_EQ(v.entity, EntityRef(Vertex(third)));
+    }
+  }
 }
 
 TEST(CollapseTest, ALoneTriangleIsNotFoldedAway) {

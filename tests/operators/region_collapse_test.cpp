@@ -208,6 +208,33 @@ TEST(RegionCollapseTest, TheVertexThatStaysTurnsNothingInsideOut) {
   EXPECT_EQ(v.entity, EntityRef(Region(8)));
 }
 
+// The skin of an octahedron is one model face, on which 1 goes into 3.
+TEST(RegionCollapseTest, TheStarsAreThoseOfTheEndsThatGoAndStay) {
+  const ModelRef skin(2, 1);
+  for (const bool second : {false, true}) {
+    MeshData data = octahedron(1, -1);
+    data.positions[3].x = 0.5;
+    for (const auto& [y, z] :
+         {std::array{3u, 5u}, std::array{5u, 4u}, std::array{4u, 6u}, std::array{6u, 3u}}) {
+      data.faces.add(Shape::Triangle, {1, y, z}, skin);
+      data.faces.add(Shape::Triangle, {2, z, y}, skin);
+    }
+    data.edges.add(Shape::Line, {second ? 3u : 1u, second ? 1u : 3u}, skin);
+    data.vertex_classes.assign(7, skin);
+    data.vertex_classes[0] = inside;
+    Stored s(data);
+    VolumeRules rules;
+    rules.faces.max_turn = TurnLimit(179);
+    ASSERT_TRUE(s.collapser().judge(s.mesh, Edge(0), {!second, second}, rules, s.plan).accepted());
+    ASSERT_EQ(s.plan.contraction.deleted, Vertex(1));
+    for (std::size_t i = 0; i < 2; ++i) {
+      ASSERT_EQ(s.plan.stars[i].size(), 4u);
+      for (const StarFace& f : s.plan.stars[i])
+        EXPECT_EQ(s.mesh.triangle(f.face)[f.slot], Vertex(i == 0 ? 1 : 3)) << second;
+    }
+  }
+}
+
 // A pyramid far off stands with its apex on one end of the edge.
 TEST(RegionCollapseTest, AnEndOfAnotherShapeStays) {
   for (const std::uint32_t end : {0u, 4u}) {

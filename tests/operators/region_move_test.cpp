@@ -83,6 +83,13 @@ double best_on_a_grid(const Mesh& mesh, const RegionMove& plan) {
   return best;
 }
 
+void shake(MeshData& data, std::mt19937& random) {
+  for (std::size_t v = 1; v < 7; ++v) {
+    data.positions[v] *= 0.15 + double(random() % 1000) / 600;
+    for (int k = 0; k < 3; ++k) data.positions[v][k] += 0.3 * (double(random() % 1000) / 500 - 1);
+  }
+}
+
 // Corners at random distances: the average may be no good place, and the worst is still found good
 // enough, or as good as there is.
 TEST(RegionMoveTest, ThePoorClimb) {
@@ -90,17 +97,16 @@ TEST(RegionMoveTest, ThePoorClimb) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     std::mt19937 random(seed);
     MeshData data = octahedron_around({0, 0, 0});
-    for (std::size_t v = 1; v < 7; ++v) {
-      data.positions[v] *= 0.15 + double(random() % 1000) / 600;
-      for (int k = 0; k < 3; ++k) data.positions[v][k] += 0.3 * (double(random() % 1000) / 500 - 1);
-    }
+    shake(data, random);
     VolumeBench b(data, Levels::Listed, smooth_skin);
     const RegionMove plan = judged(b.mesh, 0);
     ASSERT_NEAR(plan.before, worst_at(b.mesh, plan, {0, 0, 0}), 1e-14);
     ASSERT_NEAR(plan.after, worst_at(b.mesh, plan, plan.target), 1e-14);
     if (plan.before < 0 || plan.before >= 0.3) continue;
     ++climbed;
-    EXPECT_GE(plan.after, std::min(0.3, 0.9 * best_on_a_grid(b.mesh, plan))) << seed;
+    const double best = best_on_a_grid(b.mesh, plan);
+    EXPECT_GE(plan.after, std::min(0.3, 0.9 * best)) << seed;
+    EXPECT_GE(judged(b.mesh, 0, {.poor = 1}).after, 0.97 * best) << seed;
   }
   EXPECT_GT(climbed, 10);
 }
@@ -111,10 +117,10 @@ TEST(RegionMoveTest, WhereNoneIsPoorTheSumDoesNotFall) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);
     MeshData data = octahedron_around({0, 0, 0});
-    for (std::size_t v = 1; v < 7; ++v) data.positions[v] *= 0.4 + double(random() % 1000) / 800;
+    shake(data, random);
     VolumeBench b(data, Levels::Listed, smooth_skin);
-    const RegionMove plan = judged(b.mesh, 0);
-    if (!plan.verdict.accepted() || plan.before < 0.3) continue;
+    const RegionMove plan = judged(b.mesh, 0, {.poor = 0});
+    if (!plan.verdict.accepted() || plan.before < 0) continue;
     ++moved;
     double gain = 0;
     for (const BallRegion& r : plan.ball) {
@@ -149,6 +155,14 @@ TEST(RegionMoveTest, OnAFlatModelFaceItStaysOnIt) {
     EXPECT_NEAR(plan.target.y, 0, 1e-15);
     EXPECT_EQ(plan.target.z, 0);
   }
+}
+
+TEST(RegionMoveTest, AtTheEndOfAModelFaceItStays) {
+  VolumeBench b(half_octahedron({0.4, 0.3, 0}), Levels::Listed);
+  b.mesh.destroy_unused(b.mesh.find_face(vertices({0, 1, 3})));
+  const RegionMove plan = judged(b.mesh, 0);
+  EXPECT_EQ(plan.verdict.reason, Reason::Classification);
+  EXPECT_EQ(plan.verdict.entity, EntityRef(Vertex(0)));
 }
 
 TEST(RegionMoveTest, OnACurvedModelFaceTheVolumesStay) {
@@ -237,6 +251,15 @@ TEST(RegionMoveTest, ClimbingLeavesNeitherEdgeNorFace) {
   EXPECT_GT(on_face, 50);
 }
 
+TEST(RegionMoveTest, BeyondTheEndOfItsModelEdgeItStays) {
+  VolumeBench b(on_a_model_edge({0.5, 0, 0}), Levels::Listed);
+  b.mesh.move(Vertex(0), {1.5, 0, 0});
+  const RegionMove plan = judged(b.mesh, 0);
+  EXPECT_EQ(plan.verdict.reason, Reason::Angle);
+  EXPECT_EQ(plan.verdict.entity.dimension, 1);
+  EXPECT_NEAR(plan.verdict.number(), 180, 1e-9);
+}
+
 TEST(RegionMoveTest, ABentModelEdgeStays) {
   for (const Levels levels : both_levels) {
     VolumeBench b(on_a_model_edge({0.5, -0.01, -0.01}), levels, {.corner_angle_deg = 60});
@@ -257,6 +280,23 @@ TEST(RegionMoveTest, AModelEdgeBesideACurvedModelFaceStays) {
   data.regions.vertices[6] = 5;
   data.regions.add(Shape::Tetrahedron, {0, 5, 3, 4}, ModelRef(3, 1));
   VolumeBench b(data, Levels::Listed, {.feature_angle_deg = 40});
+  ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 1);
+  const RegionMove plan = judged(b.mesh, 0);
+  EXPECT_EQ(plan.verdict.reason, Reason::Angle);
+  EXPECT_EQ(plan.verdict.entity.dimension, 2);
+}
+
+// Two model faces meet in the edge, each bent so that moving along it would change the volume
+// beside it, though not that of both.
+TEST(RegionMoveTest, EachModelFaceBesideTheEdgeHasItsSay) {
+  MeshData data;
+  data.positions = {{0, 0, 0},     {-1, 0, 0},  {1, 0, 0},     {-0.3, 1, 0},
+                    {0.3, 1, 0.2}, {0.3, 0, 1}, {-0.3, 0.2, 1}};
+  for (const auto& [x, y, z] : {std::array{1u, 3u, 6u}, std::array{3u, 5u, 6u},
+                                std::array{3u, 4u, 5u}, std::array{4u, 2u, 5u}})
+    data.regions.add(Shape::Tetrahedron, {0, x, z, y}, ModelRef(3, 1));
+  VolumeBench b(data, Levels::Listed, {.feature_angle_deg = 40});
+  ASSERT_EQ(volume_oracle(to_data(b.mesh)).inverted, 0);
   ASSERT_EQ(b.mesh.classification(Vertex(0)).dimension(), 1);
   const RegionMove plan = judged(b.mesh, 0);
   EXPECT_EQ(plan.verdict.reason, Reason::Angle);
