@@ -36,12 +36,11 @@ TEST(Runs, ThatEndAreKeptWithWhatTheyCameTo) {
   EXPECT_EQ(now.strategy, "paper");
   EXPECT_EQ(now.aim, "factor 4");
   EXPECT_EQ(now.angle_deg, 30);
-  EXPECT_EQ(now.faces, s.document().mesh().count(2));
-  EXPECT_EQ(now.angles.min_angle_mean_deg,
-            measure::measure_quality(s.document().mesh()).min_angle_mean_deg);
+  EXPECT_EQ(now.cells, s.document().mesh().count(2));
+  EXPECT_EQ(now.mean_angle_deg, measure::measure_quality(s.document().mesh()).min_angle_mean_deg);
   EXPECT_TRUE(now.seconds.has_value());
   EXPECT_EQ(s.sheet().runs.rows()[0].angle_deg, 5);
-  EXPECT_GT(s.sheet().runs.rows()[0].faces, now.faces);
+  EXPECT_GT(s.sheet().runs.rows()[0].cells, now.cells);
 }
 
 TEST(Runs, SayWhereTheyBegan) {

@@ -76,7 +76,7 @@ std::string known(const Sheet& sheet) {
       << (inquiry.facts() != nullptr) << " verdict " << (inquiry.verdict() != nullptr)
       << " neighbours " << (inquiry.neighbours() != nullptr) << " model entity "
       << (inquiry.model_entity() != nullptr) << " storage " << (sheet.storage() != nullptr)
-      << " reference " << sheet.reference_name() << ' ' << sheet.reference_faces() << '\n';
+      << " reference " << sheet.reference_name() << ' ' << sheet.reference_size() << '\n';
   if (sheet.verdicts() != nullptr)
     for (const std::int64_t count : sheet.verdicts()->counts()) out << count << ' ';
   if (sheet.field() != nullptr)
@@ -97,7 +97,7 @@ std::string seen(Session& s) {
   for (const char* table : {"counts", "legend", "adjacency", "hashes", "ids", "sweeps"})
     text += table_text(s, table);
   for (const KeptRun& run : sheet.runs.rows())
-    text += run.name + ' ' + std::to_string(run.faces) + ' ' +
+    text += run.name + ' ' + std::to_string(run.cells) + ' ' +
             std::to_string(run.distance.has_value()) + '\n';
   text += "reference " + std::to_string(sheet.shows_reference()) + '\n';
   if (SurfaceDrawing* reference = sheet.reference_drawing()) text += drawn(reference->drawable());

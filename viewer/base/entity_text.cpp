@@ -1,8 +1,13 @@
 #include "viewer/base/entity_text.h"
 
 #include "core/mesh/names.h"
+#include "viewer/base/text.h"
 
 namespace aomd::scene {
+
+std::string size_words(const Mesh& mesh) {
+  return mesh.count(3) > 0 ? counted(mesh.count(3), "region") : counted(mesh.count(2), "face");
+}
 
 std::optional<int> level_named(std::string_view word) {
   for (int level = 0; level < 4; ++level)

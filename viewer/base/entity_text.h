@@ -5,9 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "core/mesh/model_ref.h"
+#include "core/mesh/mesh.h"
 
 namespace aomd::scene {
+
+/// How large a mesh is: "7,160 faces", of a volume "165,295 regions".
+[[nodiscard]] std::string size_words(const Mesh& mesh);
 
 /// "vertex", "edge", "face" or "region" as 0 to 3.
 [[nodiscard]] std::optional<int> level_named(std::string_view word);

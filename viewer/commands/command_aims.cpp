@@ -127,7 +127,8 @@ std::vector<Command> aim_commands() {
        {}},
       {"target-faces",
        "N|off",
-       "Goes down to this many faces, or as far as the limits let it. Ends other aims.",
+       "Goes down to this many faces, of a volume tetrahedra, or as far as the limits let it. Ends "
+       "other aims.",
        CommandGroup::Options,
        target_faces,
        {}},

@@ -1,5 +1,6 @@
 #include <string>
 
+#include "viewer/base/entity_text.h"
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
 #include "viewer/document/history_places.h"
@@ -15,11 +16,11 @@ std::size_t count_or_one(Arguments& arguments, std::string_view what) {
 }
 
 void say(Session& session, const std::string& name, std::size_t made) {
-  const std::string faces = counted(session.document().mesh().count(2), "face");
+  const std::string size = size_words(session.document().mesh());
   if (made == 0)
-    session.status = name + ": nothing left to do with these settings, " + faces;
+    session.status = name + ": nothing left to do with these settings, " + size;
   else
-    session.status = name + ": " + counted(made, "operation") + ", " + faces;
+    session.status = name + ": " + counted(made, "operation") + ", " + size;
 }
 
 void start_edit(Session& session, Arguments& arguments) {

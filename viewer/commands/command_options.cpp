@@ -56,6 +56,8 @@ void feature_angle(Session& session, Arguments& arguments) {
 void topology(Session& session, Arguments& arguments) {
   const std::string text = arguments.one_of({"safe", "paper"});
   arguments.end();
+  if (text == "paper" && !session.document().empty() && session.document().content().volume())
+    throw CommandError("tetrahedra always keep the topology: topology paper is for surfaces");
   DecimationOptions options = session.document().options();
   options.topology = text == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
   session.document().set_options(options);

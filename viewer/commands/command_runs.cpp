@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viewer/base/text.h"
+#include "viewer/base/entity_text.h"
 #include "viewer/commands/command_groups.h"
 
 namespace aomd::scene {
@@ -14,7 +14,7 @@ void go_to(Session& session, const KeptRun& run, Arguments& arguments) {
     session.document().seek(0);
   else if (!session.document().go_to_place(run.number))
     arguments.fail("the branch of " + run.name + " is gone");
-  session.status = run.name + ": " + counted(run.faces, "face");
+  session.status = run.name + ": " + size_words(session.document().mesh());
 }
 
 void remove(Session& session, Arguments& arguments) {

@@ -64,6 +64,8 @@ void strategies(Session& session, Arguments& arguments) {
     return show(session, session.view.sections.strategies, arguments);
   again.end();
   need_decimable(session);
+  if (session.document().content().volume())
+    throw CommandError("what T(0,2) costs is compared on surfaces, and this mesh is a volume");
   session.start_comparison();
 }
 

@@ -139,7 +139,9 @@ std::string refusals(const Session& session) {
 }
 
 std::string sweeps(const Session& session) {
-  std::string text = "Sweep\tCollapses\tSwaps\tSmooths\tFaces";
+  const bool volume = session.sheet().loaded_facts().regions > 0;
+  std::string text =
+      std::string("Sweep\tCollapses\tSwaps\tSmooths\t") + (volume ? "Regions" : "Faces");
   for (std::size_t r = 1; r < reason_count; ++r)
     text += std::string("\t") + reason_name(static_cast<Reason>(r));
   text += '\n';
@@ -148,14 +150,16 @@ std::string sweeps(const Session& session) {
   std::size_t number = 0;
   for (const SweepStatistics& s : decimation->sweeps()) {
     text += std::to_string(++number) + '\t' + plain(s.collapses) + '\t' + plain(s.swaps) + '\t' +
-            plain(s.smooths) + '\t' + plain(s.faces);
+            plain(s.smooths) + '\t' + plain(volume ? s.regions : s.faces);
     for (std::size_t r = 1; r < reason_count; ++r) text += '\t' + plain(s.refused[r]);
     text += '\n';
   }
   return text;
 }
 
-std::string runs(const Session& session) { return runs_table(session.sheet().runs); }
+std::string runs(const Session& session) {
+  return return runs_table(session.sheet().runs, session.sheet().loaded_facts().regions > 0);
+}
 
 /// As `select` takes them.
 std::string selection(const Session& session) {

@@ -16,7 +16,7 @@ class AsLoaded {
   /// Of a mesh that is at the start of its history. O(size).
   explicit AsLoaded(const Mesh& mesh);
 
-  /// Stores T(2,0), T(0,1), T(0,2).
+  /// Of a surface it stores T(2,0), T(0,1), T(0,2).
   [[nodiscard]] const Mesh& mesh() const { return copy_.mesh(); }
   /// Whether a face of a later state is still the one of this id here.
   [[nodiscard]] bool has(const Mesh& mesh, Face face) const;

@@ -5,13 +5,13 @@
 
 namespace aomd::scene {
 
-/// A copy that can be drawn and counted: it stores T(2,0), T(0,1), T(0,2) and lists what lies on
-/// each model entity. Not movable.
+/// A copy that can be drawn and counted: it lists what lies on each model entity, and a surface
+/// stores T(2,0), T(0,1), T(0,2). Not movable.
 class BesideMesh {
  public:
   /// O(size).
   explicit BesideMesh(const MeshData& data) : mesh_(data) {
-    needs_ = request_for_drawing(mesh_);
+    if (mesh_.count(3) == 0) needs_ = request_for_drawing(mesh_);
     mesh_.keep_class_lists(true);
   }
   BesideMesh(const BesideMesh&) = delete;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 
 #include "core/decimate/spacing/spacing.h"
 #include "core/mesh/journal_scope.h"
@@ -27,12 +28,7 @@ void Document::mark_saved(std::filesystem::path file) {
   tree_.set_saved(journal().cursor());
 }
 
-std::string_view Document::hindrance() const {
-  if (!loaded_ || !loaded_->skin) return {};
-  if (loaded_->mesh.count(3) > 0) return "Decimating volumes is not part of this version.";
-  const char* obstacle = decimation_obstacle(loaded_->mesh);
-  return obstacle ? obstacle : "";
-}
+std::string_view Document::hindrance() const { return loaded_ ? loaded_->obstacle : ""; }
 
 Column<Vertex, double> Document::wanted_lengths() const {
   if (options().spacing) return *options().spacing;
@@ -58,6 +54,7 @@ Document::Document(DocumentOptions& options, std::unique_ptr<LoadedMesh> loaded)
     : loaded_(std::move(loaded)), options_(options) {
   if (!loaded_) return;
   loaded_->journal.keep_cut(true);
+  skin_place_ = place();
   mark_saved({});
 }
 
@@ -75,7 +72,17 @@ void Document::restore(const SavedWork& work) {
 
 /// What it shows depends on which entities there are and on what they lie.
 void Document::renew_skin() {
-  if (loaded_->skin) loaded_->skin.emplace(loaded_->mesh);
+  if (!loaded_->skin || skin_place_ == place()) return;
+  loaded_->skin.emplace(loaded_->mesh);
+  skin_place_ = place();
+}
+
+void Document::prepare() {
+  if (loaded_->prepared || !loaded_->volume() || !hindrance().empty()) return;
+  prepare_volume(*loaded_);
+  as_loaded_.reset();
+  ++creations_;
+  skin_place_ = place();
 }
 
 const AdjacencyChange& Document::set_adjacency(int i, int j, bool on) {
@@ -83,10 +90,7 @@ const AdjacencyChange& Document::set_adjacency(int i, int j, bool on) {
   const auto entities = [&] { return std::array{mesh.count(1), mesh.count(2), mesh.count(3)}; };
   const auto before = entities();
   adjacency_change_ = change_adjacency(mesh, i, j, on);
-  if (entities() != before) {
-    ++creations_;
-    renew_skin();
-  }
+  if (entities() != before) ++creations_;
   return *adjacency_change_;
 }
 
@@ -126,17 +130,27 @@ void Document::begin_strategy() {
   strategy_from_ = classified_start();
   visit(*strategy_from_, [&] {
     loaded_->decimation.reset();
-    loaded_->decimation.emplace(loaded_->mesh, options());
+    loaded_->decimation.emplace(loaded_->mesh, options_for_mesh());
   });
+}
+
+/// Tetrahedra always keep the topology, and the regions that stay are no part of the aim.
+DecimationOptions Document::options_for_mesh() const {
+  DecimationOptions options = this->options();
+  if (!loaded_->volume()) return options;
+  options.topology = TopologyRule::Safe;
+  if (options.target_faces > 0) options.target_faces += loaded_->stays;
+  return options;
 }
 
 /// The decimation, made at the first need and told what it has missed.
 Decimation& Document::build_decimation() {
+  prepare();
   const bool other = !decimation() || !keeps_to_original();
   const std::size_t start = classified_start();
   if (other || (stale_ && (journal().cursor() == start || strategy_from_ != start)))
     begin_strategy();
-  DecimationOptions options = this->options();
+  DecimationOptions options = options_for_mesh();
   options.model = model_to_snap_to();
   if (stale_) loaded_->decimation->invalidate();
   stale_ = false;
@@ -152,11 +166,16 @@ bool Document::keeps_to_original() const {
 }
 
 Decimation* Document::build_decimation_to_judge() {
-  return loaded_ && hindrance().empty() ? &build_decimation() : nullptr;
+  if (!loaded_ || !hindrance().empty()) return nullptr;
+  try {
+    return &build_decimation();
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
 }
 
 bool Document::judges_at_once() const {
-  if (!loaded_ || !hindrance().empty()) return false;
+  if (!loaded_ || !hindrance().empty() || (loaded_->volume() && !loaded_->prepared)) return false;
   const bool ready = decimation() && !stale_ && keeps_to_original();
   return ready || options().strategy == Strategy::Paper;
 }
@@ -164,6 +183,7 @@ bool Document::judges_at_once() const {
 void Document::set_spacing(const std::string& source) {
   cancel_run();
   const SpacingSource parsed = parse_spacing(source);
+  prepare();
   visit(0, [&] {
     options_.set_spacing(
         std::make_shared<const Column<Vertex, double>>(evaluate_spacing(loaded_->mesh, parsed)),
@@ -197,6 +217,7 @@ std::size_t Document::close_mark() {
 std::size_t Document::record(std::string label, const std::function<void()>& edit) {
   cancel_run();
   end_trial();
+  prepare();
   focused_ = false;
   open_mark(std::move(label));
   try {
@@ -205,7 +226,6 @@ std::size_t Document::record(std::string label, const std::function<void()>& edi
     close_mark();
     throw;
   }
-  renew_skin();
   return close_mark();
 }
 
@@ -323,7 +343,7 @@ void Document::move_to(std::size_t step, bool single) {
   if (strategy_from_ && step < *strategy_from_) strategy_from_.reset();
   stale_ = stale_ || (journal().cursor() != before && loaded_->decimation);
   focused_ = single;
-  if (journal().cursor() != before) end_trial(), renew_skin();
+  if (journal().cursor() != before) end_trial();
 }
 
 bool Document::undo() {

@@ -83,7 +83,7 @@ class Document {
     return adjacency_change_ ? &*adjacency_change_ : nullptr;
   }
   /// The present mesh at the start of its history, made at the first need: O(steps + entities), and
-  /// where steps are applied nothing may be running. A mesh of triangles must be there.
+  /// where steps are applied nothing may be running. A mesh must be there.
   [[nodiscard]] AsLoaded& copy_mesh_as_loaded();
   /// Whether that copy can be had now.
   [[nodiscard]] bool can_look_back() const { return as_loaded_ || !running_; }
@@ -140,10 +140,16 @@ class Document {
 
   /// The decimation as it would go on now, for asking what it says about an edge; made where it is
   /// not there yet, which takes the quality strategy a second for a million faces. Null where the
-  /// mesh cannot be decimated. Changes neither mesh nor history.
+  /// mesh cannot be decimated, or not with these options. Changes neither mesh nor history, but
+  /// prepares a volume.
   [[nodiscard]] Decimation* build_decimation_to_judge();
   /// Whether that costs next to nothing.
   [[nodiscard]] bool judges_at_once() const;
+  /// Before the first operation among tetrahedra, or the first question about one: prepare_volume()
+  /// once. Nothing for other meshes.
+  void prepare();
+  /// Brings the skin, where there is one, up to the mesh. O(size) where that has changed.
+  void renew_skin();
 
   void start_run();
   void cancel_run();
@@ -178,6 +184,7 @@ class Document {
  private:
   Decimation& build_decimation();
   [[nodiscard]] bool keeps_to_original() const;
+  [[nodiscard]] DecimationOptions options_for_mesh() const;
   void begin_strategy();
   void visit(std::size_t step, const std::function<void()>& look);
   std::size_t operate(std::string label, const std::function<void()>& edit);
@@ -192,7 +199,6 @@ class Document {
   void open_mark(std::string label);
   std::size_t close_mark();
   void restore_file_classes();
-  void renew_skin();
   void move_to(std::size_t step, bool single);
   std::size_t end_run();
   void note_sweeps();
@@ -215,6 +221,7 @@ class Document {
   std::size_t mark_begin_ = 0;
   std::uint64_t epoch_at_mark_ = 0;
   std::uint64_t creations_ = 0;
+  HistoryPlace skin_place_;   ///< of the mesh that the skin is of
   std::size_t last_cut_ = 0;  ///< by the commands before the last
   bool running_ = false;
   bool stale_ = false;  ///< the decimation does not know yet that the history was moved

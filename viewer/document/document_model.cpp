@@ -47,6 +47,7 @@ bool Document::lies_on_model() const {
 
 /// Undo, or a feature angle, may have taken the mesh off the model since it was given.
 void Document::fit_to(GivenModel& given) {
+  prepare();
   if (given.fits_from == classified_at()) return;
   Mesh& mesh = loaded_->mesh;
   try {

@@ -2,16 +2,31 @@
 
 #include <algorithm>
 
+#include "core/measure/statistics.h"
+#include "core/measure/volume_statistics.h"
 #include "core/mesh/mesh.h"
 #include "viewer/base/text.h"
 
 namespace aomd::scene {
 namespace {
 
+void measure_cells(const Mesh& mesh, KeptRun& run) {
+  if (mesh.count(3) > 0) {
+    const measure::VolumeQuality quality = measure::measure_volume(mesh);
+    run.cells = mesh.count(3);
+    run.worst_angle_deg = quality.min_dihedral_deg;
+    run.mean_angle_deg = quality.mean_dihedral_deg;
+  } else {
+    const measure::Quality quality = measure::measure_quality(mesh);
+    run.cells = mesh.count(2);
+    run.worst_angle_deg = quality.min_angle_worst_deg;
+    run.mean_angle_deg = quality.min_angle_mean_deg;
+  }
+}
+
 KeptRun copy_of(const Mesh& mesh) {
   KeptRun run;
-  run.faces = mesh.count(2);
-  run.angles = measure::measure_quality(mesh);
+  measure_cells(mesh, run);
   run.data = std::make_shared<const MeshData>(to_data(mesh));
   run.vertices = std::make_shared<const std::vector<Vertex>>(mesh.vertices().list());
   return run;
@@ -36,10 +51,10 @@ std::string row_text(const KeptRun& run) {
                            : run.from.empty() ? "the mesh as loaded"
                                               : run.from;
   return run.name + '\t' + from + '\t' + run.strategy + '\t' + run.aim + '\t' +
-         optional_text(run.angle_deg) + '\t' + std::to_string(run.faces) + '\t' +
-         std::to_string(run.angles.min_angle_worst_deg) + '\t' +
-         std::to_string(run.angles.min_angle_mean_deg) + '\t' + distance(&RunDistance::rms_pct) +
-         '\t' + distance(&RunDistance::max_pct) + '\t' + optional_text(run.seconds) + '\n';
+         optional_text(run.angle_deg) + '\t' + std::to_string(run.cells) + '\t' +
+         std::to_string(run.worst_angle_deg) + '\t' + std::to_string(run.mean_angle_deg) + '\t' +
+         distance(&RunDistance::rms_pct) + '\t' + distance(&RunDistance::max_pct) + '\t' +
+         optional_text(run.seconds) + '\n';
 }
 
 }  // namespace
@@ -48,7 +63,8 @@ std::string aim_words(const Document& document) {
   const DecimationOptions& options = document.options();
   if (options.spacing) return "spacing " + std::string(document.spacing_source());
   if (options.coarsest) return "coarsest";
-  if (options.target_faces > 0) return counted(options.target_faces, "face");
+  if (options.target_faces > 0)
+    return counted(options.target_faces, document.content().volume() ? "tetrahedron" : "face");
   return "factor " + short_number(options.factor, 2);
 }
 
@@ -88,8 +104,7 @@ void KeptRuns::keep_original(Document& document) {
   KeptRun row;
   const Mesh& mesh = document.copy_mesh_as_loaded().mesh();
   row.name = "As loaded";
-  row.faces = mesh.count(2);
-  row.angles = measure::measure_quality(mesh);
+  measure_cells(mesh, row);
   rows_.insert(rows_.begin(), std::move(row));
 }
 
@@ -128,12 +143,12 @@ void KeptRuns::set_distance(unsigned number, const RunDistance& distance) {
     if (run.number == number) run.distance = distance;
 }
 
-std::string runs_table(const KeptRuns& runs) {
-  std::string text =
-      "Run\tFrom\tStrategy\tAim\tAngle, degrees\tFaces\tSmallest angle, degrees\tMean smallest "
-      "angle, "
-      "degrees\t"
-      "RMS distance, % of the diagonal\tLargest distance, % of the diagonal\tSeconds\n";
+std::string runs_table(const KeptRuns& runs, bool volume) {
+  std::string text = "Run\tFrom\tStrategy\tAim\tAngle, degrees\t";
+  text += volume
+              ? "Regions\tSmallest dihedral angle, degrees\tMean smallest dihedral angle, degrees\t"
+              : "Faces\tSmallest angle, degrees\tMean smallest angle, degrees\t";
+  text += "RMS distance, % of the diagonal\tLargest distance, % of the diagonal\tSeconds\n";
   for (const KeptRun& run : runs.rows()) text += row_text(run);
   return text;
 }

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/decimate/options.h"
-#include "core/measure/statistics.h"
 #include "core/mesh/column.h"
 #include "core/mesh/mesh_data.h"
 #include "viewer/document/document.h"
@@ -27,8 +26,9 @@ struct KeptRun {
   std::string strategy;  ///< "paper"; this and the next two are empty for the mesh as loaded
   std::string aim;       ///< "factor 4"
   std::optional<double> angle_deg;
-  std::int64_t faces = 0;
-  measure::Quality angles;
+  std::int64_t cells = 0;               ///< faces, of a volume regions
+  double worst_angle_deg = 0;           ///< the smallest in any face, of a volume between two faces
+  double mean_angle_deg = 0;            ///< of the smallest of each face or region
   std::optional<double> seconds;        ///< that the run took; none for what was kept by hand
   std::optional<RunDistance> distance;  ///< none: not measured
   std::shared_ptr<const MeshData> data;
@@ -81,7 +81,7 @@ class KeptRuns {
   unsigned reference_ = 0;
 };
 
-/// A line of titles and one a row; columns separated by tabs.
-[[nodiscard]] std::string runs_table(const KeptRuns& runs);
+/// A line of titles and one a row; columns separated by tabs. `volume`: of regions.
+[[nodiscard]] std::string runs_table(const KeptRuns& runs, bool volume);
 
 }  // namespace aomd::scene

@@ -47,6 +47,19 @@ bool needs_skin(const Mesh& mesh) {
   return false;
 }
 
+void find_obstacle(LoadedMesh& loaded) {
+  if (const char* why = decimation_obstacle(loaded.mesh)) loaded.obstacle = why;
+  for (const Region r : loaded.mesh.regions())
+    loaded.stays += loaded.mesh.shape(r) != Shape::Tetrahedron;
+}
+
+/// Among the first `listed` ids, those that the file brought.
+bool has_inner_faces(const Mesh& mesh, std::uint32_t listed) {
+  for (std::uint32_t id = 0; id < listed; ++id)
+    if (mesh.alive(Face(id)) && mesh.classification(Face(id)).dimension() == 3) return true;
+  return false;
+}
+
 void prepare_surface(LoadedMesh& loaded) {
   loaded.classified = classify(loaded.mesh, loaded.classify_options);
   loaded.needs = request_for_drawing(loaded.mesh);
@@ -65,7 +78,10 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   if (!loaded->volume()) prepare_surface(*loaded);
   // Going through a volume takes its time and all its faces: only where the file says nothing.
   if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
-  if (needs_skin(mesh)) loaded->skin.emplace(mesh);
+  if (needs_skin(mesh)) {
+    loaded->skin.emplace(mesh);
+    find_obstacle(*loaded);
+  }
   if (!loaded->skin) loaded->edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   mesh.keep_class_lists(true);
   loaded->bounds = loaded->skin ? loaded->skin->bounds() : box_of(mesh);
@@ -93,6 +109,7 @@ std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
 /// Puts the history, nothing of it applied, into a mesh that has just been loaded from the work's
 /// source. Throws io::ReadError when the mesh is not the one that the history starts from.
 void restore_history(LoadedMesh& loaded, const SavedWork& work) {
+  if (loaded.volume()) prepare_volume(loaded);
   io::JournalFile file = io::read_journal(work.journal);
   io::check_journal(file, work.journal.string(), loaded.mesh);
   if (file.journal.size() != work.steps)
@@ -104,6 +121,22 @@ void restore_history(LoadedMesh& loaded, const SavedWork& work) {
 }
 
 }  // namespace
+
+// The journal is attached again at once: it holds nothing, so that it follows from here on.
+void prepare_volume(LoadedMesh& loaded) {
+  Mesh& mesh = loaded.mesh;
+  const bool whole = mesh.complete(2);
+  const std::uint32_t listed = mesh.capacity(2);
+  mesh.attach(nullptr);
+  ClassifyOptions options = loaded.classify_options;
+  options.keep_present = true;
+  if (loaded.classified_by_file()) loaded.classified = classify(mesh, options);
+  if (!whole && !has_inner_faces(mesh, listed)) mesh.keep_model_faces_only();
+  mesh.attach(&loaded.journal);
+  if (loaded.source.recoverable) loaded.start = io::fingerprint(mesh);
+  if (loaded.skin) loaded.skin.emplace(mesh);
+  loaded.prepared = true;
+}
 
 std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {
   auto loaded = load_source(request);

@@ -61,19 +61,32 @@ struct LoadedMesh {
   /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they
   /// are.
   std::optional<Skin> skin;
-  DrawingNeeds needs;  ///< a volume has none: it stores what its file lists and nothing else
+  DrawingNeeds needs;         ///< a volume has none: it stores what its file lists and nothing else
+  std::string_view obstacle;  ///< why it cannot be decimated, as a sentence; empty where it can
+  std::uint32_t stays = 0;    ///< regions that are no tetrahedra, which decimation leaves
+  bool prepared = false;      ///< what prepare_volume() does has been done
   std::optional<GivenModel> model;          ///< none until one is given
   std::optional<FacetedOriginal> original;  ///< none until smoothing is to keep to it
   std::optional<Decimation> decimation;     ///< last: it points at the mesh and a model
 
   [[nodiscard]] bool classified_by_file() const { return !file_classes[0].empty(); }
   [[nodiscard]] bool volume() const { return mesh.count(3) > 0; }
+  /// What a decimation counts down: faces, of a volume tetrahedra.
+  [[nodiscard]] std::uint32_t cells() const {
+    return volume() ? mesh.count(3) - stays : mesh.count(2);
+  }
 };
 
 /// Reads or generates, builds the mesh and classifies it. Takes as long as it takes: about a second
 /// for a million faces. Throws what io::read and make_sample throw, and io::ReadError for a file
 /// without faces and regions, and for work that does not fit it.
 [[nodiscard]] std::unique_ptr<LoadedMesh> load(const LoadRequest& request);
+
+/// Gives a volume with tetrahedra what decimating it takes and no history may hold: the
+/// classification of all that its file leaves out, all edges as entities, and the faces on model
+/// faces. Faces that its file lists inside of regions stay; then all others are entities too. Only
+/// while nothing is recorded. Takes about a second for a million regions.
+void prepare_volume(LoadedMesh& loaded);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.
 [[nodiscard]] std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,

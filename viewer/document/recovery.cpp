@@ -74,8 +74,7 @@ bool RecoveryKeeper::due(const Document& document, const HistoryPlace& now) cons
   const bool same = now == place_ && document.tree().version() == bookmarks_;
   if (same || Clock::now() < not_before_) return false;
   const LoadedMesh& content = document.content();
-  return !content.skin && content.start &&
-         (!content.source.file.empty() || !content.source.sample.empty());
+  return content.start && (!content.source.file.empty() || !content.source.sample.empty());
 }
 
 void RecoveryKeeper::update(const Document& document) {

@@ -94,8 +94,9 @@ bool HistogramKeeper::update(Document& document, const KeptRun* reference, bool 
 }
 
 void HistogramKeeper::measure_before(Document& document, const KeptRun* reference) {
-  const bool skin = document.content().skin.has_value();
-  const Mesh& mesh = skin ? document.mesh() : document.copy_mesh_as_loaded().mesh();
+  const bool unchanged = document.content().skin &&
+                         (document.journal().cursor() == 0 || !document.hindrance().empty());
+  const Mesh& mesh = unchanged ? document.mesh() : document.copy_mesh_as_loaded().mesh();
   lengths_ = document.wanted_lengths();
   histograms_->wanted_lengths = some_wanted(mesh, lengths_);
   if (!histograms_->wanted_lengths) lengths_.assign(mesh.capacity(0), mean_length(mesh));

@@ -8,6 +8,7 @@
 #include "viewer/document/document.h"
 #include "viewer/document/kept_runs.h"
 #include "viewer/drawing/field_keeper.h"
+#include "viewer/drawing/skin_keeper.h"
 #include "viewer/drawing/surface_drawing.h"
 #include "viewer/drawing/view.h"
 
@@ -26,10 +27,14 @@ class ReferenceDrawing {
 
  private:
   [[nodiscard]] const Mesh& mesh_of(Document& document, const KeptRun* reference);
+  const Mesh& draw_skin(const Mesh& mesh, const Box& bounds, const View& view,
+                        SurfaceChanges& changes);
 
   bool shown_ = false;
   std::optional<unsigned> drawn_;  ///< number of the state that is drawn; 0: the mesh as loaded
   std::unique_ptr<BesideMesh> beside_;  ///< where that is a kept state
+  std::optional<Skin> skin_;            ///< of a volume
+  std::optional<SkinKeeper> skin_keeper_;
   FieldKeeper fields_;
   SurfaceDrawing drawing_;
 };

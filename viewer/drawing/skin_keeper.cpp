@@ -20,47 +20,46 @@ SkinStyle skin_style(const View& view) {
 
 }  // namespace
 
-SkinKeeper::Changes SkinKeeper::update(const Document& document, const View& view) {
-  const LoadedMesh& content = document.content();
-  const CellStyle cells = cell_style(view, content.bounds);
+SkinKeeper::Changes SkinKeeper::update(const SkinSource& source, const View& view) {
+  const CellStyle cells = cell_style(view, source.bounds);
   Changes changes;
-  changes.mesh = !surface_ || document.place() != place_;
+  changes.mesh = !current(source.place);
   changes.inside = changes.mesh || cells_ != cells;
   cells_ = cells;
   const auto plane = cells.whole_plane();
   const SkinStyle style = skin_style(view);
   changes.surface = changes.mesh || plane != plane_ || style != style_;
   if (!changes.surface) return changes;
-  cut(document, plane, changes.mesh);
+  cut(source, plane, changes.mesh);
   style_ = style;
-  place_ = document.place();
-  surface_.emplace(make_skin_surface(content.mesh, skin(document), style));
+  place_ = source.place;
+  surface_.emplace(make_skin_surface(source.mesh, skin(source), style));
   return changes;
 }
 
-void SkinKeeper::cut(const Document& document, const std::optional<glm::dvec4>& plane, bool anew) {
+void SkinKeeper::cut(const SkinSource& source, const std::optional<glm::dvec4>& plane, bool anew) {
   if (anew) cutter_.reset();
   if (anew || plane != plane_) clipped_.reset();
   plane_ = plane;
   if (!plane) return;
-  if (!cutter_) cutter_ = std::make_unique<SkinCutter>(document.mesh());
+  if (!cutter_) cutter_ = std::make_unique<SkinCutter>(source.mesh);
   if (!clipped_) clipped_.emplace(cutter_->before(*plane));
 }
 
-const Skin& SkinKeeper::skin(const Document& document) const {
-  return clipped_ ? *clipped_ : *document.content().skin;
+const Skin& SkinKeeper::skin(const SkinSource& source) const {
+  return clipped_ ? *clipped_ : source.skin;
 }
 
-void SkinKeeper::draw_inside(const Document& document, SurfaceDrawing& drawing) {
-  const Mesh& mesh = document.mesh();
-  const glm::dvec3 origin = document.content().bounds.center();
+void SkinKeeper::draw_inside(const SkinSource& source, SurfaceDrawing& drawing) {
+  const Mesh& mesh = source.mesh;
+  const glm::dvec3 origin = source.bounds.center();
   CellFaces faces;
-  if (cells_->shrink > 0) faces = draw_shrunken(mesh, skin(document), *cells_, origin);
+  if (cells_->shrink > 0) faces = draw_shrunken(mesh, skin(source), *cells_, origin);
   if (cells_->sections()) faces.append(draw_sections(mesh, *cells_, origin));
   drawing.set_cells(std::move(faces.corners));
   cell_regions_ = std::move(faces.regions);
   drawing.set_interior_edges(cells_->interior_edges
-                                 ? draw_interior_edges(mesh, skin(document), *cells_, origin)
+                                 ? draw_interior_edges(mesh, skin(source), *cells_, origin)
                                  : std::vector<Segment>());
 }
 

@@ -13,7 +13,21 @@
 
 namespace aomd::scene {
 
-/// Of one document that has a skin.
+/// What a skin is drawn of, which must stay where it is from one update to the next.
+struct SkinSource {
+  const Mesh& mesh;
+  const Skin& skin;   ///< the whole one
+  const Box& bounds;  ///< what planes stand in
+  HistoryPlace place;
+};
+
+/// That of a document that has a skin.
+[[nodiscard]] inline SkinSource skin_source(const Document& document) {
+  const LoadedMesh& content = document.content();
+  return {content.mesh, *content.skin, content.bounds, document.place()};
+}
+
+/// Of one mesh.
 class SkinKeeper {
  public:
   /// What is not as it was before an update.
@@ -23,18 +37,22 @@ class SkinKeeper {
     bool inside = false;   ///< sections, shrunken regions and interior edges
   };
   /// O(1) where nothing has changed, else O(entities).
-  Changes update(const Document& document, const View& view);
+  Changes update(const SkinSource& source, const View& view);
   /// Draws what lies inside anew.
-  void draw_inside(const Document& document, SurfaceDrawing& drawing);
+  void draw_inside(const SkinSource& source, SurfaceDrawing& drawing);
 
   /// Null before the first update.
   [[nodiscard]] const SkinSurface* surface() const { return surface_ ? &*surface_ : nullptr; }
+  /// Whether it is that of the mesh at this place.
+  [[nodiscard]] bool current(const HistoryPlace& place) const {
+    return surface_ && place == place_;
+  }
   /// Of each triangle of the drawing's cells.
   [[nodiscard]] const std::vector<Region>& cell_regions() const { return cell_regions_; }
 
  private:
-  [[nodiscard]] const Skin& skin(const Document& document) const;
-  void cut(const Document& document, const std::optional<glm::dvec4>& plane, bool anew);
+  [[nodiscard]] const Skin& skin(const SkinSource& source) const;
+  void cut(const SkinSource& source, const std::optional<glm::dvec4>& plane, bool anew);
 
   std::unique_ptr<SkinCutter> cutter_;  ///< once a plane was there
   std::optional<Skin> clipped_;  ///< of the regions before the plane, where it takes whole ones

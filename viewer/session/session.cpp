@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/samples/samples.h"
+#include "viewer/base/entity_text.h"
 #include "viewer/base/text.h"
 #include "viewer/document/history_places.h"
 
@@ -11,11 +12,6 @@ namespace aomd::scene {
 namespace {
 
 constexpr std::chrono::milliseconds slice_of_kept_run{50};
-
-/// "7,160 faces", "165,295 regions"
-std::string size_words(const MeshFacts& facts) {
-  return facts.regions > 0 ? counted(facts.regions, "region") : counted(facts.faces, "face");
-}
 
 }  // namespace
 
@@ -65,7 +61,7 @@ void Session::take_loaded(Loader::Result result) {
   view.camera.up_axis = content.up;
   view.camera.turn_to(StandardView::Iso);
   view.camera.fit(content.bounds, view.aspect);
-  status = content.name + ": " + size_words(sheet_->facts());
+  status = content.name + ": " + size_words(content.mesh);
   for (const std::string& note : content.notes) status += ", " + note;
   if (const auto work = content.source.work) restore(*work);
 }
@@ -77,7 +73,7 @@ void Session::restore(const SavedWork& work) {
   if (recovery) recovery->take_over(shared);
   document().restore(work);
   status = "Restored " + work.name() + ": " + counted(work.cursor, "operation") + ", " +
-           counted(document().mesh().count(2), "face");
+           size_words(document().mesh());
 }
 
 void Session::leave_lesson(bool reload) {
@@ -128,7 +124,7 @@ void Session::run_on(std::optional<std::chrono::microseconds> budget) {
   document().tick(budget);
   run_time_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (document().running()) return;
-  status = "Run finished: " + counted(document().mesh().count(2), "face");
+  status = "Run finished: " + size_words(document().mesh());
   if (document().journal().cursor() > 0) sheet_->runs.keep(document(), {}, run_time_s_);
 }
 

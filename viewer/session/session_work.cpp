@@ -1,13 +1,13 @@
 // What takes its time on the present sheet: comparing, measuring, series of pictures.
 
-#include "viewer/base/text.h"
+#include "viewer/base/entity_text.h"
 #include "viewer/session/session.h"
 
 namespace aomd::scene {
 
 void Session::keep_run(const std::string& name) {
   const KeptRun& run = sheet_->runs.keep(document(), name, {});
-  status = "Kept as " + run.name + ": " + counted(run.faces, "face");
+  status = "Kept as " + run.name + ": " + size_words(document().mesh());
 }
 
 void Session::start_comparison() {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "viewer/base/text.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -27,14 +29,40 @@ void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> b
     refresh_skin();
   else
     refresh_surface();
-  const bool can_keep = !document.content().skin && document.can_look_back();
+  const bool can_keep = document.hindrance().empty() && document.can_look_back();
   if (view_.panels.runs && can_keep) runs.keep_original(document);
   reference_.update(document, runs.reference(), view_, fields_, still() && coloured());
 }
 
+/// Edges of tetrahedra are judged, and states compared, once all is there that decimation takes.
+bool Sheet::asks() const {
+  const EntityRef e = selection.single();
+  return view_.coloring == Coloring::Verdict || view_.original || view_.side_by_side ||
+         (e.valid() && e.dimension < 2);
+}
+
+/// All of it is made anew: while the mesh is on its way no more often than takes a fifth of the
+/// time.
 void Sheet::refresh_skin() {
+  using Clock = std::chrono::steady_clock;
+  constexpr int rest = 4;
+  const auto start = Clock::now();
+  if (document.running() && start < skin_due_) {
+    selection.drop_dead(document.mesh());
+    inquiry_.point_at_nothing();
+    return;
+  }
+  if (asks()) document.prepare();
+  document.renew_skin();
+  draw_skin();
+  const auto end = Clock::now();
+  skin_due_ = end + rest * (end - start);
+}
+
+void Sheet::draw_skin() {
   const LoadedMesh& content = document.content();
-  const SkinKeeper::Changes found = skin_.update(document, view_);
+  const SkinSource source = skin_source(document);
+  const SkinKeeper::Changes found = skin_.update(source, view_);
   SurfaceChanges changes;
   changes.everything = found.surface;
   if (found.mesh && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
@@ -44,13 +72,16 @@ void Sheet::refresh_skin() {
     drawing_.set_face_flags(skin_.surface()->flags);
   }
   if (found.inside) {
-    skin_.draw_inside(document, drawing_);
+    skin_.draw_inside(source, drawing_);
     picker_.forget_cells();
   }
   drawing_.set_whole_faces(false);
   const Mesh& drawn = skin_.surface()->mesh;
   refresh_field(drawn, changes);
-  verdicts_.update(document, view_, changes, busy(), drawing_);
+  SurfaceChanges of_mesh;
+  of_mesh.everything = found.mesh;
+  verdicts_.note(document, view_, of_mesh, busy());
+  verdicts_.judge_skin(document, *skin_.surface(), budget_, busy(), drawing_, found.surface);
   drawing_.update(drawn, view_, changes);
   const bool marks = refresh_marked_cells();
   refresh_selection(changes.everything, found.inside || marks);
@@ -120,9 +151,11 @@ std::string Sheet::reference_name() const {
   return run == nullptr ? "as loaded" : run->name;
 }
 
-std::int64_t Sheet::reference_faces() const {
+std::string Sheet::reference_size() const {
   const KeptRun* run = runs.reference();
-  return run == nullptr ? loaded_facts_.faces : run->faces;
+  const bool volume = loaded_facts_.regions > 0;
+  const std::int64_t loaded = volume ? loaded_facts_.regions : loaded_facts_.faces;
+  return counted(run == nullptr ? loaded : run->cells, volume ? "region" : "face");
 }
 
 }  // namespace aomd::scene

@@ -86,14 +86,15 @@ class Sheet {
   /// What the present mesh is compared with, in the same colours; null where it is not shown.
   [[nodiscard]] SurfaceDrawing* reference_drawing() { return reference_.drawing(); }
   [[nodiscard]] bool shows_reference() const { return reference_.shown(); }
-  /// The reference has the left half of the picture, the present one the right. Volumes stay as
-  /// loaded.
+  /// The reference has the left half of the picture, the present one the right. What cannot be
+  /// decimated stays as loaded.
   [[nodiscard]] bool side_by_side() const {
-    return view_.side_by_side && !document.empty() && !document.content().skin;
+    return view_.side_by_side && !document.empty() && document.hindrance().empty();
   }
   /// "as loaded", "Run 1"
   [[nodiscard]] std::string reference_name() const;
-  [[nodiscard]] std::int64_t reference_faces() const;
+  /// "7,160 faces", of a volume "165,295 regions"
+  [[nodiscard]] std::string reference_size() const;
 
   // What lies under a place of the picture (-1..1), or in a rectangle, as it was refreshed last
   // (sheet_picking.cpp). A mesh must be there.
@@ -112,6 +113,8 @@ class Sheet {
   [[nodiscard]] bool still() const { return undisturbed_ && at_rest(); }
   void refresh_surface();
   void refresh_skin();
+  void draw_skin();
+  [[nodiscard]] bool asks() const;
   void refresh_field(const Mesh& shown, SurfaceChanges& changes);
   void refresh_marks(bool changed);
   [[nodiscard]] bool refresh_marked_cells();
@@ -135,6 +138,7 @@ class Sheet {
   MeshFacts loaded_facts_;
   SurfaceDrawing drawing_;
   SkinKeeper skin_;
+  std::chrono::steady_clock::time_point skin_due_{};  ///< while the mesh is on its way
   ReferenceDrawing reference_;
   FieldKeeper fields_;
   HistogramKeeper histograms_;

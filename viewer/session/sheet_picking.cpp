@@ -18,9 +18,14 @@ Shown Sheet::shown() const {
   return {document.mesh(), document.mesh(), nullptr, document.content().bounds};
 }
 
-EntityRef Sheet::pick(glm::dvec2 ndc) { return picker_.at(shown(), view_, ndc); }
+/// Nothing while the mesh is on its way and its skin is not the one that is drawn.
+EntityRef Sheet::pick(glm::dvec2 ndc) {
+  if (skin_.surface() != nullptr && !skin_.current(document.place())) return {};
+  return picker_.at(shown(), view_, ndc);
+}
 
 std::vector<EntityRef> Sheet::pick(glm::dvec2 low, glm::dvec2 high) {
+  if (skin_.surface() != nullptr && !skin_.current(document.place())) return {};
   return picker_.within(shown(), view_, low, high);
 }
 

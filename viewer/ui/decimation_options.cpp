@@ -38,6 +38,8 @@ constexpr const char* factor_help =
     "where "
     "the angle does not bind.";
 constexpr const char* faces_help = "Stops at this many faces, or where nothing more may go.";
+constexpr const char* tetrahedra_help =
+    "Stops at this many tetrahedra, or where nothing more may go.";
 constexpr const char* angle_help =
     "How far the normal of a face may turn in one operation, in degrees.";
 constexpr const char* feature_help =
@@ -77,10 +79,17 @@ Aim aim_of(const DecimationOptions& options) {
   return options.coarsest ? Aim::Coarsest : Aim::Factor;
 }
 
-/// Faces as opened: the upper end of the slider.
-std::int64_t faces_at_most(const Frame& frame) {
-  return frame.has_mesh() ? std::max<std::int64_t>(frame.session.sheet().loaded_facts().faces, 8)
-                          : 100'000;
+bool is_volume(const Frame& frame) {
+  return frame.has_mesh() && frame.document().content().volume();
+}
+
+/// Faces, or tetrahedra, as opened: the upper end of the slider.
+std::int64_t cells_at_most(const Frame& frame) {
+  if (!frame.has_mesh()) return 100'000;
+  const scene::MeshFacts& facts = frame.session.sheet().loaded_facts();
+  const std::int64_t cells =
+      is_volume(frame) ? facts.shapes[static_cast<std::size_t>(Shape::Tetrahedron)] : facts.faces;
+  return std::max<std::int64_t>(cells, 8);
 }
 
 void take_aim(Frame& frame, Aim aim) {
@@ -90,7 +99,7 @@ void take_aim(Frame& frame, Aim aim) {
       return frame.emit("factor " + short_number(options.factor));
     case Aim::Faces:
       return frame.emit("target-faces " +
-                        std::to_string(std::max<std::int64_t>(faces_at_most(frame) / 10, 4)));
+                        std::to_string(std::max<std::int64_t>(cells_at_most(frame) / 10, 4)));
     case Aim::Lengths:
       return frame.emit("spacing curvature");
     case Aim::Coarsest:
@@ -108,8 +117,9 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
     }
     case Aim::Faces: {
       double faces = options.target_faces;
-      const auto most = static_cast<double>(faces_at_most(frame));
-      if (number_control("faces", faces, {4, most, "%.0f", true, faces_help}))
+      const auto most = static_cast<double>(cells_at_most(frame));
+      const char* help = is_volume(frame) ? tetrahedra_help : faces_help;
+      if (number_control("faces", faces, {4, most, "%.0f", true, help}))
         frame.emit("target-faces " + std::to_string(std::llround(faces)));
       return;
     }
@@ -131,7 +141,8 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
 void aim_control(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
   const Choice choices[] = {
       {"Spacing factor", factor_help},
-      {"Number of faces", faces_help},
+      is_volume(frame) ? Choice{"Number of tetrahedra", tetrahedra_help}
+                       : Choice{"Number of faces", faces_help},
       {"Spacing", spacing_help, frame.can_decimate()},
       {"Coarsest", "No spacing: only the angle and the model stop a collapse."}};
   label(frame, "Aim at",
@@ -211,12 +222,14 @@ void topology_control(Frame& frame, const DecimationOptions& options) {
     ImGui::SameLine(6.2f * em());
   else
     ImGui::SameLine(0, 0.4f * em());
-  const bool safe = options.topology == TopologyRule::Safe;
+  ImGui::BeginDisabled(is_volume(frame));
+  const bool safe = options.topology == TopologyRule::Safe || is_volume(frame);
   if (ImGui::RadioButton("Safe", safe)) frame.emit("topology safe");
   tooltip("A collapse must keep the topology: link condition, so the Euler number stays.");
   ImGui::SameLine();
   if (ImGui::RadioButton("Paper", !safe)) frame.emit("topology paper");
   tooltip("As printed in the paper, without that check: thin parts may fuse or vanish.");
+  ImGui::EndDisabled();
 }
 
 void regularity_control(Frame& frame, const DecimationOptions& options) {

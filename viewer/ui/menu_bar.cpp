@@ -147,7 +147,6 @@ void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
   const bool volume = frame.has_mesh() && frame.document().content().volume();
-  const bool surface = frame.has_mesh() && !frame.document().content().skin;
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   command_item(frame, "Show what is selected", "fit selection", false,
                !frame.session.sheet().selection.empty());
@@ -155,8 +154,10 @@ void view_menu(Frame& frame) {
   color_menu(frame);
   clip_menu(frame);
   ImGui::Separator();
-  command_item(frame, "Original over it", "show original toggle", view.original, surface);
-  command_item(frame, "Original beside it", "compare toggle", view.side_by_side, surface);
+  command_item(frame, "Original over it", "show original toggle", view.original,
+               frame.can_decimate());
+  command_item(frame, "Original beside it", "compare toggle", view.side_by_side,
+               frame.can_decimate());
   ImGui::Separator();
   command_item(frame, "Surface", "show surface toggle", view.surface);
   command_item(frame, "Edges", "show edges toggle", view.edges);

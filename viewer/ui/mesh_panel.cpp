@@ -114,25 +114,26 @@ void level_row(const Frame& frame, int dim, const char* complete, const char* li
   const bool whole = frame.document().mesh().complete(dim);
   value_row(frame, whole ? complete : listed, grouped(count),
             whole ? "All that the regions have, each counted once"
-                  : "Only those that the file lists: the level is not complete. Storing a relation "
-                    "that needs "
-                    "the others creates them (panel Adjacencies).");
+                  : "Only those that the file lists, or that lie on model faces: the level is not "
+                    "complete. Storing a relation that needs the others creates them (panel "
+                    "Adjacencies).");
 }
 
 void volume_rows(const Frame& frame) {
   const scene::MeshFacts& facts = frame.session.sheet().facts();
+  const scene::MeshFacts& then = frame.session.sheet().loaded_facts();
   const auto only = only_shape(facts);
-  value_row(frame, only ? shape_words(*only).c_str() : "Regions", grouped(facts.regions),
-            "What fills the volume");
+  const std::string name = only ? shape_words(*only) : "Regions";
+  count_row(frame, {name.c_str(), facts.regions, then.regions, "What fills the volume"});
   shape_rows(frame);
-  value_row(frame, "Outer faces", grouped(facts.outer_faces),
-            "Sides with one region, and faces with none: what is drawn");
+  count_row(frame, {"Outer faces", facts.outer_faces, then.outer_faces,
+                    "Sides with one region, and faces with none: what is drawn"});
   level_row(frame, 2, "Faces", "Faces, listed", facts.faces);
   level_row(frame, 1, "Edges", "Edges, listed", facts.edges);
-  value_row(frame, "Vertices", grouped(facts.vertices),
-            "All vertices, also those that nothing uses");
-  value_row(frame, "Unused vertices", grouped(facts.unused),
-            "Vertices that nothing uses; they are kept");
+  count_row(frame, {"Vertices", facts.vertices, then.vertices,
+                    "All vertices, also those that nothing uses"});
+  count_row(frame, {"Unused vertices", facts.unused, then.unused,
+                    "Vertices that nothing uses; they are kept"});
 }
 
 void surface_rows(const Frame& frame) {
@@ -173,8 +174,10 @@ void mesh_panel(Frame& frame) {
   gap(0.1f);
   // Where it is narrow, or nothing has changed, the names need the room more than the changes do.
   const bool volume = frame.document().content().volume();
+  const scene::MeshFacts& facts = frame.session.sheet().facts();
+  const scene::MeshFacts& then = frame.session.sheet().loaded_facts();
   const bool changed =
-      !volume && !(frame.session.sheet().facts() == frame.session.sheet().loaded_facts());
+      volume ? facts.regions != then.regions || facts.vertices != then.vertices : !(facts == then);
   const int columns = changed && ImGui::GetContentRegionAvail().x > 15 * em() ? 3 : 2;
   if (!begin_values("counts", columns)) return;
   volume ? volume_rows(frame) : surface_rows(frame);

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "viewer/base/text.h"
+#include "viewer/base/entity_text.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -26,10 +26,10 @@ void label(const Frame& frame, const Area& area, const std::string& words) {
 
 void picture_labels(const Frame& frame, const Area& viewport) {
   if (!frame.session.sheet().shows_reference()) return;
-  const std::string before = frame.session.sheet().reference_name() + ": " +
-                             scene::counted(frame.session.sheet().reference_faces(), "face");
-  const std::string now = "now: " + scene::counted(frame.session.sheet().facts().faces, "face");
-  if (!frame.session.sheet().side_by_side()) {
+  const scene::Sheet& sheet = frame.session.sheet();
+  const std::string before = sheet.reference_name() + ": " + sheet.reference_size();
+  const std::string now = "now: " + scene::size_words(sheet.document.mesh());
+  if (!sheet.side_by_side()) {
     label(frame, viewport, now + "; glass: " + before);
     return;
   }

@@ -24,13 +24,16 @@ constexpr std::array<Column, 9> run_columns = {
      {"Strategy", 3.8f, "The strategy that it was made with."},
      {"Aim", 6.2f, "How far it was to go."},
      {"Angle", 3.0f, "How far the normal of a face could turn in one operation, degrees."},
-     {"Faces", 4.0f, "How many are left."},
+     {"Faces", 4.0f, "How many are left: faces, of a volume regions."},
      {"Angles", 5.6f,
-      "The smallest angle of all faces, and the mean of the smallest angles of each, degrees."},
+      "The smallest angle of all faces, and the mean of the smallest angles of each, degrees. Of a "
+      "volume dihedral angles, of the regions."},
      {"Distance %", 6.4f,
       "To the mesh as loaded: root mean square, and the largest; percent of the diagonal of its "
       "box."},
      {"Time", 3.4f, "That the run took."}}};
+
+constexpr std::size_t cells_column = 5;
 
 std::string degrees_text(double deg) { return short_number(deg, 1) + "\u00b0"; }
 
@@ -49,10 +52,11 @@ void header(const Frame& frame) {
   for (std::size_t i = 0; i < run_columns.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.text_muted);
+    const bool cells = i == cells_column && frame.has_mesh() && frame.document().content().volume();
     if (i < 4)
       text(run_columns[i].title);
     else
-      text_right(run_columns[i].title);
+      text_right(cells ? "Regions" : run_columns[i].title);
     ImGui::PopStyleColor();
     tooltip(run_columns[i].help);
   }
@@ -103,9 +107,8 @@ void run_row(Frame& frame, const KeptRun& run, bool here) {
   text(fitted(run.aim, ImGui::GetContentRegionAvail().x));
   tooltip(run.aim);
   cell(run.angle_deg ? degrees_text(*run.angle_deg) : "");
-  cell(scene::grouped(run.faces));
-  cell(degrees_text(run.angles.min_angle_worst_deg) + ", " +
-       degrees_text(run.angles.min_angle_mean_deg));
+  cell(scene::grouped(run.cells));
+  cell(degrees_text(run.worst_angle_deg) + ", " + degrees_text(run.mean_angle_deg));
   cell(run.distance ? scene::significant(run.distance->rms_pct) + ", " +
                           scene::significant(run.distance->max_pct)
                     : "");

@@ -33,13 +33,16 @@ void status_bar(Frame& frame) {
   std::string right;
   if (frame.has_mesh()) {
     const scene::MeshFacts& facts = frame.session.sheet().facts();
-    right = facts.regions > 0 ? scene::counted(facts.regions, "region")
-                              : scene::counted(facts.faces, "face");
-    const auto loaded = static_cast<double>(frame.session.sheet().loaded_facts().faces);
-    if (facts.regions == 0 && facts.faces != frame.session.sheet().loaded_facts().faces &&
-        loaded > 0)
+    const scene::MeshFacts& then = frame.session.sheet().loaded_facts();
+    const bool volume = then.regions > 0;
+    const std::int64_t cells = volume ? facts.regions : facts.faces;
+    const std::int64_t loaded = volume ? then.regions : then.faces;
+    right = scene::counted(cells, volume ? "region" : "face");
+    if (cells != loaded && loaded > 0)
       right +=
-          " (" + scene::short_number(100.0 * static_cast<double>(facts.faces) / loaded, 1) + " %)";
+          " (" +
+          scene::short_number(100.0 * static_cast<double>(cells) / static_cast<double>(loaded), 1) +
+          " %)";
   }
   lessons_link(frame);
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;

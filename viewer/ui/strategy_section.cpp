@@ -67,8 +67,11 @@ void strategy_section(Frame& frame) {
     command_button(frame, "Cancel", "cancel", -1);
     return;
   }
-  const std::string hindrance(frame.document().hindrance());
-  command_button(frame, "Compare on this mesh", "strategies run", -1, frame.can_decimate());
+  const bool volume = frame.has_mesh() && frame.document().content().volume();
+  const std::string hindrance(volume ? "This mesh is a volume: surfaces are compared."
+                                     : frame.document().hindrance());
+  command_button(frame, "Compare on this mesh", "strategies run", -1,
+                 frame.can_decimate() && !volume);
   if (!hindrance.empty()) wrapped(frame, hindrance);
   if (frame.session.sheet().storage()) result(frame, *frame.session.sheet().storage());
 }

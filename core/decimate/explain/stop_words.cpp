@@ -90,9 +90,9 @@ std::string words_of_edges_left(const EdgesByReason& edges, const DecimationOpti
 }
 
 std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
-                       std::int64_t faces, const char* one) {
-  const std::string target = grouped_count(options.target_faces, one);
-  if (options.target_faces > 0 && faces <= options.target_faces)
+                       std::int64_t cells, const char* cell) {
+  const std::string target = grouped_count(options.target_faces, cell);
+  if (options.target_faces > 0 && cells <= options.target_faces)
     return "Stopped at the aim of " + target + ".";
   std::string text = options.target_faces > 0 ? "Stopped above the aim of " + target : "Stopped";
   if (const auto counts = by_number(edges); !counts.empty()) {

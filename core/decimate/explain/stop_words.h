@@ -23,9 +23,9 @@ struct ReasonCount {
                                               const DecimationOptions& options);
 
 /// "Stopped, mostly by length: of 9,210 edges left, 7,030 are long enough for the spacing, ...";
-/// "Stopped at the aim of 2,000 faces." `faces` is how many there are now, `one`
-/// what one of them is called.
+/// "Stopped at the aim of 2,000 faces." `cells` is how many there are now: faces, or what `cell`
+/// names.
 [[nodiscard]] std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
-                                     std::int64_t faces, const char* one = "face");
+                                     std::int64_t cells, const char* cell = "face");
 
 }  // namespace aomd
