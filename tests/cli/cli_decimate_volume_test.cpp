@@ -50,6 +50,36 @@ TEST_F(DecimateVolume, ByQualityToo) {
   EXPECT_EQ(text("o.msh"), text("again.msh"));
 }
 
+TEST_F(DecimateVolume, TheSameFromTheJournalWhereAModelLooksOn) {
+  for (const std::string strategy : {"quality", "paper"}) {
+    ASSERT_EQ(
+        aomd("decimate v.msh o.msh --target-tets 30% --snap model --journal j.bin --strategy " +
+             strategy)
+            .code,
+        0);
+    const Outcome run = aomd("replay v.msh j.bin again.msh");
+    ASSERT_EQ(run.code, 0) << strategy << ": " << run.err;
+    EXPECT_EQ(text("o.msh"), text("again.msh")) << strategy;
+  }
+}
+
+// The share of the diagonal is that of what regions use: no face need be listed.
+TEST_F(DecimateVolume, TheDistanceHoldsWhereNoFaceIsListed) {
+  ASSERT_EQ(aomd("sample tet-ball b.msh --size 5").code, 0);
+  MeshData ball = io::read(at("b.msh")).mesh;
+  ball.faces = ball.edges = {};
+  ball.vertex_classes.clear();
+  io::write(at("b.mesh"), ball);
+  ASSERT_EQ(aomd("decimate b.mesh free.mesh --target-tets 5%").code, 0);
+  ASSERT_EQ(
+      aomd("decimate b.mesh near.mesh --target-tets 5% --max-distance 0.5 --report r.json").code,
+      0);
+  EXPECT_GT(json("r.json")["output"]["regions"], io::read(at("free.mesh")).mesh.regions.size());
+  EXPECT_GT(json("r.json")["stopped"]["refused"]["Distance"], 0);
+  EXPECT_EQ(aomd("compare b.mesh near.mesh --max-distance 0.5").code, 0);
+  EXPECT_EQ(aomd("compare b.mesh free.mesh --max-distance 0.5").code, 1);
+}
+
 TEST_F(DecimateVolume, TargetsAreOfTheirKind) {
   expect_failure("decimate v.msh o.msh --strategy paper --target-faces 10%", 2,
                  "--target-faces is for surfaces");

@@ -22,8 +22,8 @@ constexpr std::size_t most_lines = 20, bins = 18;
 
 /// One of the two meshes, by itself.
 struct VolumeSide {
-  VolumeSide(const std::string& name, const Mesh& mesh, int threads)
-      : file(name),
+  VolumeSide(std::string name, const Mesh& mesh, int threads)
+      : file(std::move(name)),
         volume(mesh, threads),
         counts(measure::count_entities(mesh)),
         quality(measure::measure_volume(mesh, threads)),

@@ -22,9 +22,9 @@ MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
   SplitToTets split = split_to_tets(mesh);
   std::vector<std::string> notes;
   if (const std::string text = split.text(); !text.empty())
-    notes.push_back("cut " + text);
+    notes.emplace_back("cut " + text);
   else
-    notes.push_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
+    notes.emplace_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
   if (split.turned > 0)
     notes.push_back(counted(split.turned, "region") + " inside out, turned as they were cut");
   if (split.inverted > 0)

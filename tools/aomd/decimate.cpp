@@ -126,9 +126,10 @@ class Run {
   void classify_mesh() {
     progress_.show("classifying");
     classify_by_angle();
-    if (volume()) mesh_.keep_model_faces_only();
-    if (!options_.paper() && !model_ && !options_.snaps())
-      keep_edges_for_quality(mesh_);  // models look at all edges
+    if (!model_ && !options_.snaps()) {  // models look at all edges, and faces of a volume
+      if (volume()) mesh_.keep_model_faces_only();
+      if (!options_.paper()) keep_edges_for_quality(mesh_);
+    }
     if (!options_.journal.empty()) {
       record_.classify = how_;
       record_.start = io::fingerprint(mesh_);

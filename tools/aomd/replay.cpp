@@ -53,7 +53,8 @@ int run(const ReplayArguments& options) {
   mend(options, read.mesh);
   Mesh mesh(read.mesh);
   classify(mesh, file.classify);
-  if (mesh.count(3) > 0) mesh.keep_model_faces_only();  // as volumes are recorded
+  if (mesh.count(3) > 0 && file.start.counts[2] < mesh.count(2))
+    mesh.keep_model_faces_only();  // as volumes are recorded where no model looks at them
   if (file.start.counts[1] < mesh.count(1))
     keep_edges_for_quality(mesh);  // as the strategy quality records it
   io::check_journal(file, options.journal, mesh);

@@ -20,7 +20,8 @@ std::optional<double> number_of(std::string text) {
 
 double diagonal_of(const MeshData& mesh) {
   Box box;
-  for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
+  for (const EntityList* list : {&mesh.faces, &mesh.regions})
+    for (const std::uint32_t v : list->vertices) box.add(mesh.positions[v]);
   return box.diagonal();
 }
 
