@@ -223,6 +223,19 @@ TEST(AttachedTest, OneColumnGoesAndTheOthersStay) {
   EXPECT_EQ(mesh.attached(0)[0]->name(), "mass");
 }
 
+TEST(AttachedTest, ValuesGoWithTheirEntitiesWhenIdsAreClosedUp) {
+  Mesh mesh(zoo::square());
+  auto& heat = mesh.attached<Vertex, double>("heat", 0.0);
+  for (const Vertex v : mesh.vertices()) heat[v] = 10.0 + v.index;
+  mesh.destroy(Face(0));
+  mesh.destroy(Vertex(1));
+  (void)mesh.compact();
+  ASSERT_EQ(mesh.capacity(0), 3u);
+  EXPECT_EQ(heat[Vertex(0)], 10);
+  EXPECT_EQ(heat[Vertex(1)], 12);
+  EXPECT_EQ(heat[Vertex(2)], 13);
+}
+
 TEST(EntityHashTest, CountsWhatIsLeft) {
   EntityHash set;
   set.build(61);
