@@ -279,6 +279,28 @@ TEST(MeshTest, OfAnEdgeThatIsListedTwiceTheLastClassCounts) {
   EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))), ModelRef(1, 2));
 }
 
+TEST(MeshTest, NothingTellsOfADeletedFace) {
+  Mesh mesh(zoo::square());
+  mesh.set(0, 2);
+  mesh.build_hash(2);
+  mesh.destroy(Face(0));
+  for (const std::uint32_t v : {0u, 2u, 3u}) EXPECT_EQ(ids(mesh.row<2>(Vertex(v))), (Ids{1}));
+  EXPECT_TRUE(mesh.row<2>(Vertex(1)).empty());
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
+TEST(MeshTest, ACompactedMeshKeepsItsRelations) {
+  Mesh mesh(zoo::two_tets());
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (i != j) mesh.set(i, j);
+  (void)mesh.compact();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (i != j) EXPECT_TRUE(mesh.stored(i, j)) << i << ' ' << j;
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
 TEST(MeshTest, IterationSurvivesDeletionAndCreation) {
   Mesh mesh(zoo::grid(4));
   int visited = 0;
