@@ -289,6 +289,27 @@ TEST(MeshTest, NothingTellsOfADeletedFace) {
   EXPECT_TRUE(verify(mesh).empty());
 }
 
+TEST(MeshTest, RowsThatAreBuiltNameNoDeletedFace) {
+  Mesh mesh(zoo::square());
+  mesh.destroy(Face(0));
+  mesh.set(0, 2);
+  EXPECT_EQ(ids(mesh.row<2>(Vertex(0))), (Ids{1}));
+  EXPECT_TRUE(mesh.row<2>(Vertex(1)).empty());
+}
+
+// The new sides run the other way than those that they replace.
+TEST(MeshTest, AFaceThatStretchesUsesItsNewSidesAsTheyRun) {
+  Mesh mesh(zoo::triangle());
+  mesh.set(2, 1);
+  ASSERT_TRUE(mesh.use_direction(Face(0), mesh.find_edge(Vertex(0), Vertex(1))));
+  const Vertex far = mesh.create_vertex({2, 0, 0});
+  const Edge from = mesh.create_edge(far, Vertex(0)), to = mesh.create_edge(Vertex(2), far);
+  mesh.rebind(std::array{Rebinding{Face(0), 1, Vertex(1), far}});
+  EXPECT_FALSE(mesh.use_direction(Face(0), from));
+  EXPECT_FALSE(mesh.use_direction(Face(0), to));
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
 TEST(MeshTest, ACompactedMeshKeepsItsRelations) {
   Mesh mesh(zoo::two_tets());
   for (int i = 0; i < 4; ++i)
