@@ -223,6 +223,19 @@ TEST(AttachedTest, OneColumnGoesAndTheOthersStay) {
   EXPECT_EQ(mesh.attached(0)[0]->name(), "mass");
 }
 
+TEST(AttachedTest, ValuesGoWithTheirEntitiesWhenIdsAreClosedUp) {
+  Mesh mesh(zoo::square());
+  auto& heat = mesh.attached<Vertex, double>("heat", 0.0);
+  for (const Vertex v : mesh.vertices()) heat[v] = 10.0 + v.index;
+  mesh.destroy(Face(0));
+  mesh.destroy(Vertex(1));
+  (void)mesh.compact();
+  ASSERT_EQ(mesh.capacity(0), 3u);
+  EXPECT_EQ(heat[Vertex(0)], 10);
+  EXPECT_EQ(heat[Vertex(1)], 12);
+  EXPECT_EQ(heat[Vertex(2)], 13);
+}
+
 TEST(EntityHashTest, CountsWhatIsLeft) {
   EntityHash set;
   set.build(61);
@@ -264,6 +277,49 @@ TEST(MeshTest, OfAnEdgeThatIsListedTwiceTheLastClassCounts) {
   mesh.set(1, 0);
   EXPECT_EQ(mesh.count(1), 5u);
   EXPECT_EQ(mesh.classification(mesh.find_edge(Vertex(0), Vertex(1))), ModelRef(1, 2));
+}
+
+TEST(MeshTest, NothingTellsOfADeletedFace) {
+  Mesh mesh(zoo::square());
+  mesh.set(0, 2);
+  mesh.build_hash(2);
+  mesh.destroy(Face(0));
+  for (const std::uint32_t v : {0u, 2u, 3u}) EXPECT_EQ(ids(mesh.row<2>(Vertex(v))), (Ids{1}));
+  EXPECT_TRUE(mesh.row<2>(Vertex(1)).empty());
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
+TEST(MeshTest, RowsThatAreBuiltNameNoDeletedFace) {
+  Mesh mesh(zoo::square());
+  mesh.destroy(Face(0));
+  mesh.set(0, 2);
+  EXPECT_EQ(ids(mesh.row<2>(Vertex(0))), (Ids{1}));
+  EXPECT_TRUE(mesh.row<2>(Vertex(1)).empty());
+}
+
+// The new sides run the other way than those that they replace.
+TEST(MeshTest, AFaceThatStretchesUsesItsNewSidesAsTheyRun) {
+  Mesh mesh(zoo::triangle());
+  mesh.set(2, 1);
+  ASSERT_TRUE(mesh.use_direction(Face(0), mesh.find_edge(Vertex(0), Vertex(1))));
+  const Vertex far = mesh.create_vertex({2, 0, 0});
+  const Edge from = mesh.create_edge(far, Vertex(0)), to = mesh.create_edge(Vertex(2), far);
+  mesh.rebind(std::array{Rebinding{Face(0), 1, Vertex(1), far}});
+  EXPECT_FALSE(mesh.use_direction(Face(0), from));
+  EXPECT_FALSE(mesh.use_direction(Face(0), to));
+  EXPECT_TRUE(verify(mesh).empty());
+}
+
+TEST(MeshTest, ACompactedMeshKeepsItsRelations) {
+  Mesh mesh(zoo::two_tets());
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (i != j) mesh.set(i, j);
+  (void)mesh.compact();
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      if (i != j) EXPECT_TRUE(mesh.stored(i, j)) << i << ' ' << j;
+  EXPECT_TRUE(verify(mesh).empty());
 }
 
 TEST(MeshTest, IterationSurvivesDeletionAndCreation) {
