@@ -132,7 +132,7 @@ TEST(Runs, StandInThePlaceOfTheMeshAsLoaded) {
   const auto count = [&] {
     return s.sheet().reference_drawing()->drawable().corners.values().size() / 3;
   };
-  EXPECT_EQ(count(), static_cast<std::size_t>(s.sheet().runs.find(1)->faces));
+  EXPECT_EQ(count(), static_cast<std::size_t>(s.sheet().runs.find(1)->cells));
   const measure::Histogram kept = s.sheet().histograms()->of(HistogramKind::Angle).before;
   const measure::Histogram lengths = s.sheet().histograms()->of(HistogramKind::Length).before;
   drive(s, {"compare with original"});

@@ -92,11 +92,11 @@ TEST(Selecting, SectionsAndShrunkenRegionsGiveTheirRegions) {
   EXPECT_TRUE(s.sheet().selection.empty());
 }
 
-TEST(Selecting, NothingIsSaidOfTheEdgesOfAVolume) {
+TEST(Selecting, NothingIsSaidOfTheEdgesOfHexahedra) {
   Session s;
   drive(s, {"sample sphere 8", "color verdict"});
   EXPECT_NE(s.sheet().verdicts(), nullptr);
-  drive(s, {"sample tet-box"});
+  drive(s, {"sample hex-box"});
   EXPECT_EQ(s.sheet().verdicts(), nullptr);
 }
 
@@ -284,8 +284,8 @@ TEST(Selecting, WhatIsCopiedNamesFactsAndNeighbours) {
   EXPECT_NE(text.find("Faces " + std::to_string(faces) + ":"), std::string::npos) << text;
   drive(s, {"sample tet-box", "select region 0", "why"});
   EXPECT_NE(s.log->find("Vertices 4:"), std::string::npos) << *s.log;
-  EXPECT_EQ(s.sheet().inquiry().verdict(), nullptr) << "volumes are not decimated";
-  drive(s, {"select vertex 0", "why"});
+  EXPECT_EQ(s.sheet().inquiry().verdict(), nullptr) << "nothing is said of regions";
+  drive(s, {"sample hex-box", "select vertex 0", "why"});
   EXPECT_NE(s.log->find("Regions ("), std::string::npos) << "nothing stored leads up: " << *s.log;
 }
 

@@ -151,11 +151,11 @@ TEST(VolumeDecimation, EveryEdgeThatIsDrawnHasAVerdict) {
     return true;
   };
   EXPECT_TRUE(coded());
-  drive(s, {"step", "clip x 0.4 cells"});
-  EXPECT_TRUE(coded());
   drive(s, {"select edge 0"});
   ASSERT_NE(s.sheet().inquiry().verdict(), nullptr);
   EXPECT_FALSE(short_words(*s.sheet().inquiry().verdict()).empty());
+  drive(s, {"step", "clip x 0.4 cells"});
+  EXPECT_TRUE(coded());
 }
 
 TEST(VolumeDecimation, WhatIsForSurfacesAloneIsRefusedWithASentence) {

@@ -158,7 +158,7 @@ std::string sweeps(const Session& session) {
 }
 
 std::string runs(const Session& session) {
-  return return runs_table(session.sheet().runs, session.sheet().loaded_facts().regions > 0);
+  return runs_table(session.sheet().runs, session.sheet().loaded_facts().regions > 0);
 }
 
 /// As `select` takes them.
