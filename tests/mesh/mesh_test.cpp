@@ -318,7 +318,7 @@ TEST(MeshTest, ACompactedMeshKeepsItsRelations) {
   (void)mesh.compact();
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
-      if (i != j) EXPECT_TRUE(mesh.stored(i, j)) << i << ' ' << j;
+      EXPECT_EQ(mesh.stored(i, j), i != j) << i << ' ' << j;
   EXPECT_TRUE(verify(mesh).empty());
 }
 
