@@ -317,8 +317,7 @@ TEST(MeshTest, ACompactedMeshKeepsItsRelations) {
       if (i != j) mesh.set(i, j);
   (void)mesh.compact();
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      EXPECT_EQ(mesh.stored(i, j), i != j) << i << ' ' << j;
+    for (int j = 0; j < 4; ++j) EXPECT_EQ(mesh.stored(i, j), i != j) << i << ' ' << j;
   EXPECT_TRUE(verify(mesh).empty());
 }
 
