@@ -45,3 +45,12 @@ select edge 4759
 fit selection
 wait-idle
 END
+
+picture tetrahedra light <<'END'
+sample ball-in-box
+clip x 0.5 cells
+strategy quality
+target-faces 5000
+run
+wait-idle
+END
