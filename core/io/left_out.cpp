@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "core/io/formats.h"
 #include "core/io/medit.h"
 #include "core/io/notes.h"
+#include "core/io/vtk_dataset.h"
 
 namespace aomd::io {
 namespace {
@@ -85,6 +88,39 @@ bool unmark_moved(const MeshData& original, const MeshData& result, Attribute& m
   return moved;
 }
 
+bool is_label(const Attribute& a) {
+  const auto& names = detail::label_names;
+  return a.dimension > 0 && a.integer && a.components == 1 &&
+         std::find(names.begin(), names.end(), a.name) != names.end();
+}
+
+using LabelOfClass = std::map<ModelRef, double>;
+
+/// Nothing where entities of one class have different labels, or some have no class.
+std::optional<LabelOfClass> label_of_class(const EntityList& list, const Attribute& labels) {
+  LabelOfClass result;
+  for (std::size_t i = 0; i < list.classes.size(); ++i) {
+    const ModelRef m = list.classes[i];
+    if (!m.valid() || result.try_emplace(m, labels.values[i]).first->second != labels.values[i])
+      return {};
+  }
+  return result;
+}
+
+/// What says no more of entities than their class, as the materials of VTK, follows it.
+void follow_classes(const MeshData& original, const Attribute& labels, MeshData& result) {
+  const auto label = label_of_class(original.list(labels.dimension), labels);
+  const EntityList& list = result.list(labels.dimension);
+  if (!label || list.classes.empty()) return;
+  Attribute followed{labels.name, labels.dimension, 1, true, {}};
+  for (const ModelRef m : list.classes) {
+    const auto found = label->find(m);
+    if (found == label->end()) return;
+    followed.values.push_back(found->second);
+  }
+  result.attributes.push_back(std::move(followed));
+}
+
 /// Gives back what a Mesh does not hold.
 void restore(const MeshData& original, MeshData& result) {
   const Held held(result);
@@ -105,6 +141,8 @@ std::vector<std::string> leave_out_unfollowed(const MeshData& original, MeshData
     for (Attribute& a : result.attributes)
       if (a.name == detail::medit_required && unmark_moved(original, result, a))
         gone.add(shown(a.name));
+    for (const Attribute& a : original.attributes)
+      if (is_label(a)) follow_classes(original, a, result);
     if (!original.periodic.empty()) gone.add("periodic links");
   }
   const Held held(result);

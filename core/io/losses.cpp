@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/notes.h"
+#include "core/mesh/names.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -27,7 +28,7 @@ Holds what_holds(Format format) {
       return {false, false, false};
     case Format::Ply:
     case Format::Medit:
-    case Format::Su2:  // as markers, as far as it has them
+    case Format::Su2:  // its own losses are add_what_markers_lack()
       return {true, true, false};
     case Format::Msh:
     case Format::Vtk:
@@ -45,6 +46,27 @@ std::size_t unused_vertices(const MeshData& mesh) {
   std::vector<bool> used(mesh.positions.size());
   for (const std::uint32_t v : mesh.faces.vertices) used[v] = true;
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+}
+
+/// SU2 has elements, and markers: what lies on model entities of one dimension less. Elements have
+/// no classes, and what bounds markers has none but theirs.
+void add_what_markers_lack(const MeshData& mesh, ItemList& left_out) {
+  const int dim = mesh.regions.empty() ? 2 : 3;
+  const EntityList& sides = mesh.list(dim - 1);
+  std::size_t unmarked = 0;
+  for_each_entity(sides, [&](auto, ModelRef m) { unmarked += m.dimension() != dim - 1; });
+  if (dim == 3 && !mesh.edges.empty()) left_out.add(counted(mesh.edges.size(), "edge"));
+  if (unmarked > 0)
+    left_out.add(counted(unmarked, entity_name(dim - 1)) + " on no model " + entity_name(dim - 1));
+  if (std::any_of(mesh.vertex_classes.begin(), mesh.vertex_classes.end(),
+                  [&](ModelRef m) { return m.valid() && m.dimension() < dim - 1; }))
+    left_out.add("classification of vertices");
+  if (classified(mesh.list(dim).classes))
+    left_out.add(std::string("classification of ") + entity_plural(dim));
+  if (std::any_of(mesh.model.groups.begin(), mesh.model.groups.end(), [&](const PhysicalGroup& g) {
+        return g.dimension != dim - 1 && !g.name.empty();
+      }))
+    left_out.add("names of physical groups");
 }
 
 /// How many different points there are among a few.
@@ -86,6 +108,7 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
   const Holds holds = what_holds(format);
   const bool faces_lose = format == Format::Off || (format == Format::Stl && binary);
   ItemList left_out;
+  if (format == Format::Su2) add_what_markers_lack(mesh, left_out);
   if (!holds.edges && !mesh.edges.empty()) left_out.add(counted(mesh.edges.size(), "edge"));
   if (format == Format::Stl) {
     const std::size_t unused = unused_vertices(mesh);

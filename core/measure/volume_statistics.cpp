@@ -121,15 +121,18 @@ double smallest_dihedral_deg(const Mesh& mesh, Region r) {
   const auto v = mesh.vertices_of(r, buffer);
   const ShapeTemplate& shape = shape_template(mesh.shape(r));
   double smallest = 180;
+  bool measured = false;
   for (int e = 0; e < shape.edge_count; ++e) {
     std::array<glm::dvec3, 2> normals{};
     std::size_t found = 0;
     for (int f = 0; f < shape.face_count && found < 2; ++f)
       if (has_edge(shape.sub(2, f), shape.sub(1, e)))
         normals[found++] = polygon_normal(mesh, SideVertices(shape.sub(2, f), v.data()));
-    if (found == 2) smallest = std::min(smallest, 180 - angle_between_deg(normals[0], normals[1]));
+    if (found < 2 || normals[0] == glm::dvec3(0.0) || normals[1] == glm::dvec3(0.0)) continue;
+    smallest = std::min(smallest, 180 - angle_between_deg(normals[0], normals[1]));
+    measured = true;
   }
-  return smallest;
+  return measured ? smallest : 0;
 }
 
 double tetrahedron_shape(const Mesh& mesh, Region r) {

@@ -17,7 +17,8 @@ void count_volume_faces(const Mesh& mesh, Counts& counts);
 /// Quads count as the fan of triangles from their first vertex. O(1).
 [[nodiscard]] double signed_volume(const Mesh& mesh, Region r);
 
-/// Smallest angle between two faces of a region that share an edge, in degrees. O(1).
+/// Smallest angle between two faces of a region that share an edge, in degrees; 0 where no two of
+/// them have any area. O(1).
 [[nodiscard]] double smallest_dihedral_deg(const Mesh& mesh, Region r);
 
 /// 6 sqrt(2) V / l^3 of a tetrahedron, where l is the root mean square of its six edges: 1 for the

@@ -100,9 +100,16 @@ class Splitter {
     });
   }
 
+  void add_tetrahedron(Corners v) {
+    const bool turn = volume(from_, v) < 0;
+    if (turn) std::swap(v[0], v[1]);
+    result_.turned += turn;
+    add_piece(3, Shape::Tetrahedron, v);
+  }
+
   // The pieces of a region that the file turned inside out are turned back.
   void add_region(Shape shape, Vertices v) {
-    if (shape == Shape::Tetrahedron) return add_piece(3, shape, v);
+    if (shape == Shape::Tetrahedron) return add_tetrahedron({v[0], v[1], v[2], v[3]});
     pieces_.clear();
     double whole = 0;
     each_tetrahedron(shape_template(shape), v, [&](const Corners& corners) {

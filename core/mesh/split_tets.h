@@ -26,8 +26,8 @@ struct SplitToTets {
 /// agree, and a region becomes the tetrahedra between its smallest vertex and the triangles of the
 /// sides that do not have it ("pulling"; J. Dompierre, P. Labbe, M.-G. Vallet, R. Camarero, How to
 /// subdivide pyramids, prisms and hexahedra into tetrahedra, 8th Meshing Roundtable, 1999). Pieces
-/// stand where the whole stood, with its class and its attributes. A mesh without
-/// regions stays as it is. O(size).
+/// stand where the whole stood, with its class and its attributes. Tetrahedra that are inside out
+/// are turned. A mesh without regions stays as it is. O(size).
 [[nodiscard]] SplitToTets split_to_tets(const MeshData& mesh);
 
 }  // namespace aomd

@@ -83,8 +83,7 @@ class Classifier {
 
   // What the file classifies wins: then the angle has no say.
   void find_features() {
-    const bool given = faces_given_ || edges_given_;
-    const auto angle = given ? std::nullopt : options_.feature_angle_deg;
+    const auto angle = given() ? std::nullopt : options_.feature_angle_deg;
     features_ = aomd::find_features(mesh_, {angle, options_.nonmanifold_edges}, feature_);
   }
 
@@ -241,8 +240,10 @@ class Classifier {
 
   ClassifyResult count() const {
     return {distinct(mesh_.vertices(), 0), distinct(mesh_.edges(), 1), distinct(mesh_.faces(), 2),
-            features_};
+            features_, given()};
   }
+
+  [[nodiscard]] bool given() const { return faces_given_ || edges_given_; }
 
   Mesh& mesh_;
   ClassifyOptions options_;

@@ -25,8 +25,7 @@ MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
     notes.emplace_back("cut " + text);
   else
     notes.emplace_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
-  if (split.turned > 0)
-    notes.push_back(counted(split.turned, "region") + " inside out, turned as they were cut");
+  if (split.turned > 0) notes.push_back(counted(split.turned, "region") + " inside out, turned");
   if (split.inverted > 0)
     notes.push_back(counted(split.inverted, "tetrahedron") +
                     " of regions that are not convex without positive volume");

@@ -76,13 +76,14 @@ class Run {
     original_ = std::move(read.mesh);
     seconds_["read"] = watch_.lap();
     if (options_.triangulate) cut_quads();
-    if (options_.repair && original_.regions.empty()) repair_mesh();
+    if (options_.repair) repair_mesh();
     mesh_ = Mesh(original_);
     if (volume() && !has_tetrahedra(mesh_))
       throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
     count_cells();
+    if (volume() && !options_.quiet) tell_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
   }
@@ -99,6 +100,15 @@ class Run {
     steps_.target_faces = target_ > 0 ? target_ + others_ : 0;
   }
 
+  // Where some are upright the others may be folded, which turning does not mend.
+  void tell_inside_out() const {
+    for (const Region r : mesh_.regions())
+      if (!(measure::signed_volume(mesh_, r) < 0)) return;
+    print_notes(options_.input, {std::string("all ") + (others_ == 0 ? "tetrahedra" : "regions") +
+                                 " (" + grouped(mesh_.count(3)) +
+                                 ") stand inside out: aomd convert --split-to-tets turns them"});
+  }
+
   /// Faces, or tetrahedra.
   [[nodiscard]] std::uint32_t cells() const {
     return volume() ? mesh_.count(3) - others_ : mesh_.count(2);
@@ -111,6 +121,7 @@ class Run {
   }
 
   void repair_mesh() {
+    check_mendable(options_.input, original_);
     progress_.show("repairing");
     RepairOptions how;
     options_.weld.apply(how, original_);
@@ -157,6 +168,9 @@ class Run {
   // What the angle finds is classified without edges that would cost too much of the target.
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
+    if (found.given && options_.feature_angle_given && !options_.quiet)
+      print_notes(options_.input,
+                  {"the file classifies faces or edges: --feature-angle has no say"});
     const bool free =
         !volume() && !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;

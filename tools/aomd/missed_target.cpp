@@ -10,6 +10,9 @@
 namespace aomd::cli {
 namespace {
 
+// What keeps a smaller share of the edges is not worth loosening.
+constexpr std::int64_t least_share = 20;
+
 /// Looks for what loosens one reason.
 class Help {
  public:
@@ -37,8 +40,8 @@ class Help {
       case Reason::Shape:
         return steps_.min_angle_deg > 0 ? "a smaller --min-angle" : "";
       case Reason::Kept:
-        if (given_.keep.empty() && volume) return "aomd convert --split-to-tets";
-        return "fewer vertices in --keep";
+        if (!given_.keep.empty()) return "fewer vertices in --keep";
+        return has_other_shapes() ? "aomd convert --split-to-tets" : "";
       case Reason::Distance:
         return "--max-distance " + number_text(2 * given_.max_distance_pct);
       case Reason::Intersection:
@@ -61,13 +64,21 @@ class Help {
   }
 
  private:
-  /// Borders that should be none, and edges of many faces, are model edges as features are.
+  /// Borders that should be none, and edges of many faces, are model edges as features are. Those
+  /// of a volume are mostly its interfaces, which no option takes away.
   [[nodiscard]] std::string against_classification() const {
-    const bool volume = !original_.regions.empty();
-    if (std::string mending = volume ? "" : by_mending(); !mending.empty()) return mending;
+    if (!original_.regions.empty()) return "";
+    if (std::string mending = by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     return given_.feature_angle != "off" ? "--feature-angle off" : "";
+  }
+
+  /// Vertices of regions that are no tetrahedra stay.
+  [[nodiscard]] bool has_other_shapes() const {
+    const std::vector<Shape>& shapes = original_.regions.shapes;
+    return std::any_of(shapes.begin(), shapes.end(),
+                       [](Shape shape) { return shape != Shape::Tetrahedron; });
   }
 
   [[nodiscard]] std::string by_mending() const {
@@ -97,8 +108,12 @@ std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& g
                             const measure::Counts& input, std::uint64_t faces) {
   const Help help(given, steps, original, input);
   if (faces <= least_faces(input)) return help.by_welding();
-  for (const ReasonCount& each : by_number(edges))
+  std::int64_t left = 0;
+  for (const std::int64_t n : edges) left += n;
+  for (const ReasonCount& each : by_number(edges)) {
+    if (least_share * each.edges < left) break;
     if (std::string option = help.against(each.reason); !option.empty()) return option;
+  }
   return "";
 }
 

@@ -22,9 +22,10 @@ struct MissedTarget {
   std::string would_help;  ///< an option or a command, empty where none would
 };
 
-/// Says what would loosen the reason that keeps most edges of those that anything loosens: an
-/// option of `given`, or a command that mends `original`, of which `input` counts the entities.
-/// Where the `faces` that are left are no more than its pieces need, only welding can.
+/// Says what would loosen the reason that keeps most edges of those that anything loosens, and at
+/// least a twentieth: an option of `given`, or a command that mends `original`, of which `input`
+/// counts the entities. Where the `faces` that are left are no more than its pieces need, only
+/// welding can.
 [[nodiscard]] std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
                                           const DecimationOptions& steps, const MeshData& original,
                                           const measure::Counts& input, std::uint64_t faces);

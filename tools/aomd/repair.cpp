@@ -44,8 +44,7 @@ int run(RepairArguments& options) {
   check_files({{"IN", options.input}}, outputs);
   Stopwatch watch;
   io::ReadResult read = read_mesh(options.input, options.quiet || options.json);
-  if (!read.mesh.regions.empty())
-    throw io::LimitError(options.input, {}, "Repair mends surfaces; this mesh has regions");
+  check_mendable(options.input, read.mesh);
   const double reading = watch.lap();
   const measure::Counts before =
       options.json ? measure::count_entities(Mesh(read.mesh)) : measure::Counts();

@@ -1,5 +1,6 @@
 #include "tools/aomd/repair_items.h"
 
+#include "core/io/error.h"
 #include "core/mesh/names.h"
 
 namespace aomd::cli {
@@ -18,6 +19,11 @@ std::string where(const RepairItem& item) {
 }  // namespace
 
 std::string line_of(const RepairItem& item) { return item.text + " (" + where(item) + ")"; }
+
+void check_mendable(const std::string& file, const MeshData& mesh) {
+  if (!mesh.regions.empty())
+    throw io::LimitError(file, {}, "Repair mends surfaces; this mesh has regions");
+}
 
 Json items_json(const std::vector<RepairItem>& items) {
   Json list = Json::array();

@@ -14,6 +14,7 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/outputs.h"
+#include "tools/aomd/repair_items.h"
 #include "tools/aomd/values.h"
 #include "tools/aomd/weld_option.h"
 
@@ -29,7 +30,8 @@ struct ReplayArguments {
 
 void mend(const ReplayArguments& options, MeshData& mesh) {
   if (options.triangulate) triangulate_quads(mesh);
-  if (!options.repair || !mesh.regions.empty()) return;
+  if (!options.repair) return;
+  check_mendable(options.model, mesh);
   RepairOptions how;
   options.weld.apply(how, mesh);
   repair(mesh, how);
