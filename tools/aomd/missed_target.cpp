@@ -40,6 +40,7 @@ class Help {
         if (given_.keep.empty() && volume) return "aomd convert --split-to-tets";
         return "fewer vertices in --keep";
       case Reason::Distance:
+        if (given_.max_distance_pct == 0) return "";
         return "--max-distance " + number_text(2 * given_.max_distance_pct);
       case Reason::Intersection:
         return "leaving out --no-intersections";

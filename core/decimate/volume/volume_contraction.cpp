@@ -187,6 +187,7 @@ Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& pla
   for (const Place& p : scratch.places) {
     if (p.cost > most) continue;
     Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, plan.collapse);
+    if (verdict.accepted()) verdict = judge_debts(p.contraction, scratch);
     if (verdict.accepted())
       verdict = guards_.judge(mesh_, plan.change, p.contraction, plan.collapse.around_deleted(),
                               plan.collapse.around_kept());

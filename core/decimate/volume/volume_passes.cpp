@@ -32,7 +32,7 @@ bool VolumeQualityLoop::allows(const EdgeRemoval& plan) {
   if (ring.on_model_face()) {
     const EdgePair pair{ring.faces[0], ring.faces[1],  ring.a,
                         ring.b,        ring.apexes[0], ring.apexes[1]};
-    if (!keeps_close(ring) || keeps_face_of(pair) ||
+    if (!keeps_close(ring) || !bears(plan) || keeps_face_of(pair) ||
         !guards_.judge(mesh_, plan_.change, pair).accepted())
       return false;
   }
@@ -92,7 +92,8 @@ bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
   State& s = state_[v];
   plan_.change.clear();
   if (s.model.dimension() < 3) {
-    if (!guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
+    if (!debts_.bears(x, scratch_.balance.conditions()) ||
+        !guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
       return false;
     s.quadric = s.quadric.about(glm::vec3(x));
     debts_.settle(v, x, scratch_.balance.conditions());
@@ -158,7 +159,10 @@ bool VolumeQualityLoop::keeps_faces(Vertex v, const Star& star, const glm::dvec3
   return std::none_of(star.begin(), star.end(), [&](const StarFace& f) {
     const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
-    return is_flat(to, p, q, after) || !improving_.removal.max_turn.allows(before, after);
+    const auto angle_before = [&] { return smallest_angle_cosine(from, p, q); };
+    return is_flat(to, p, q, after) || !improving_.removal.max_turn.allows(before, after) ||
+           (rules_.faces.least_angle.binds() &&
+            !rules_.faces.least_angle.allows(smallest_angle_cosine(to, p, q), angle_before));
   });
 }
 

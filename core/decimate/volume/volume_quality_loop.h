@@ -149,13 +149,15 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   bool try_move(Vertex v);
   bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
-  [[nodiscard]] bool snap(Vertex v, glm::dvec3& x) const;
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);
 
   // Debts (volume_settling.cpp)
+  void limit_debts();
+  [[nodiscard]] Verdict judge_debts(const Contraction& c, const Scratch& scratch) const;
+  [[nodiscard]] bool bears(const EdgeRemoval& plan) const;
   void note_gains(const EdgeRemoval& plan);
   void draw_debts(Vertex v, const Scratch& scratch);
   bool settle(Vertex v);
@@ -163,6 +165,8 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void spread(Vertex v);
 
   static constexpr double curve_weight = 3;  ///< of the planes along model edges
+  /// By how much regions may change where nobody can pay.
+  static constexpr double most_owed = 1e-3;
   /// Debts are paid by moving by this part of a size, or of an edge, at a time.
   static constexpr double paid_at_once = 0.03;
 

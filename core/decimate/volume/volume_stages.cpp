@@ -45,6 +45,7 @@ void VolumeQualityLoop::start(const DecimationOptions& options) {
   start_regions_ = mesh_.count(3);
   state_.assign(mesh_.capacity(0), {});
   debts_.reset(mesh_.capacity(0));
+  limit_debts();
   stir_.assign(mesh_.capacity(0), 0);
   stir_now_ = stir_limit_ = 0;
   refusal_.assign(mesh_.complete(1) ? mesh_.capacity(1) : 0, Reason::None);
@@ -72,6 +73,7 @@ void VolumeQualityLoop::set_rules() {
   rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
   improving_.removal.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
+  improving_.removal.least_angle = rules_.faces.least_angle;
   improving_.poor = 0.65;
   improvement_.set_rules(improving_);
 }
