@@ -101,9 +101,8 @@ bool VolumeDebts::bears(ModelRef region, double change) const {
 }
 
 bool VolumeDebts::bears(const glm::dvec3& x, std::span<const VolumeCondition> conditions) const {
-  return std::all_of(conditions.begin(), conditions.end(), [&](const VolumeCondition& c) {
-    return bears(c.region, c.change(x));
-  });
+  return std::all_of(conditions.begin(), conditions.end(),
+                     [&](const VolumeCondition& c) { return bears(c.region, c.change(x)); });
 }
 
 void VolumeDebts::hand_over(Vertex from, Vertex to) {

@@ -96,8 +96,8 @@ class VolumeDebts {
 
   std::vector<Debt> debts_;
   std::unordered_map<std::uint32_t, Sum> sums_;  ///< by the bits of the region
-  std::uint32_t unused_ = no_index;      ///< the first of the debts that nobody has
-  Column<Vertex, std::uint32_t> first_;  ///< by vertex, of its debts
+  std::uint32_t unused_ = no_index;              ///< the first of the debts that nobody has
+  Column<Vertex, std::uint32_t> first_;          ///< by vertex, of its debts
 };
 
 }  // namespace aomd

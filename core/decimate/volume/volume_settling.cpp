@@ -47,8 +47,7 @@ Verdict VolumeQualityLoop::judge_debts(const Contraction& c, const Scratch& scra
   const glm::dvec3 x = c.position - scratch.balance.origin();
   for (const VolumeCondition& condition : scratch.balance.conditions())
     if (!debts_.bears(condition.region, condition.change(x)))
-      return {Reason::Distance, scratch.balls[0].front().region,
-              std::abs(condition.change(x)) / 6};
+      return {Reason::Distance, scratch.balls[0].front().region, std::abs(condition.change(x)) / 6};
   return {};
 }
 
@@ -119,7 +118,7 @@ bool VolumeQualityLoop::settle(Vertex v) {
 bool VolumeQualityLoop::owes(Vertex v) const {
   constexpr double noise = 1e-9;  // of a size cubed
   const auto conditions = scratch_.balance.conditions();
-  const double least = noise * std::pow(double(state_[v].size), 3);
+  const double least = noise * std::pow(size_of(v), 3);
   return std::any_of(conditions.begin(), conditions.end(),
                      [&](const VolumeCondition& c) { return std::abs(c.debt) > least; });
 }
