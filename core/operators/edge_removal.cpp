@@ -74,7 +74,7 @@ class RingTable {
 };
 
 // The model face's two triangles as a surface swap sees them.
-Verdict judge_faces(const Mesh& mesh, const EdgeRing& ring, const TurnLimit& limit) {
+Verdict judge_faces(const Mesh& mesh, const EdgeRing& ring, const RemovalRules& rules) {
   const auto [f, g] = ring.faces;
   if (joined_in_volume(mesh, ring.apexes[0], ring.apexes[1]))
     return {Reason::Topology, ring.apexes[0]};
@@ -85,7 +85,13 @@ Verdict judge_faces(const Mesh& mesh, const EdgeRing& ring, const TurnLimit& lim
   if (is_flat(c, a, d, new_g)) return {Reason::Flat, g};
   for (const glm::dvec3& now : {new_f, new_g})
     for (const glm::dvec3& then : {area_normal(a, b, c), area_normal(b, a, d)})
-      if (!limit.allows(then, now)) return {Reason::Angle, f, cosine_between(then, now)};
+      if (!rules.max_turn.allows(then, now)) return {Reason::Angle, f, cosine_between(then, now)};
+  if (!rules.least_angle.binds()) return {};
+  const double now = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
+  const auto before = [&] {
+    return std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
+  };
+  if (!rules.least_angle.allows(now, before)) return {Reason::Shape, f, now};
   return {};
 }
 
@@ -147,7 +153,7 @@ Verdict judge_plan(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rul
                    EdgeRemoval& plan) {
   if (const Verdict v = find_ring(mesh, a, b, plan.ring); !v.accepted()) return v;
   if (plan.ring.on_model_face())
-    if (const Verdict v = judge_faces(mesh, plan.ring, rules.max_turn); !v.accepted()) return v;
+    if (const Verdict v = judge_faces(mesh, plan.ring, rules); !v.accepted()) return v;
   if (const Verdict v = judge_shape(mesh, plan); !v.accepted()) return v;
   return judge_inside(mesh, plan);
 }

@@ -20,7 +20,8 @@ namespace aomd {
 
 /// What edge and face removal have to respect.
 struct RemovalRules {
-  TurnLimit max_turn{10.0};  ///< how far the normals of a model face may turn
+  TurnLimit max_turn{10.0};   ///< how far the normals of a model face may turn
+  LeastAngle least_angle{0};  ///< of a face on a model face, unless one of the two was smaller
 };
 
 /// Positions in a ring, ascending.
@@ -50,8 +51,9 @@ struct EdgeRemoval {
 /// better than the worst one is now, and upright. On a model face the edge becomes the other
 /// diagonal of its two faces. Refusals in this order: as find_ring; Topology (an edge between those
 /// faces' third vertices exists), Flat, Angle (a new normal further than `max_turn` from either old
-/// one), Quality (number: the smallest dihedral angle of the worst new tetrahedron), Topology (an
-/// edge or face inside the ring exists). What must be stored: as find_ring.
+/// one), Shape (a new face with a smaller angle than `least_angle` allows), Quality (number: the
+/// smallest dihedral angle of the worst new tetrahedron), Topology (an edge or face inside the ring
+/// exists). What must be stored: as find_ring.
 Verdict judge(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rules, EdgeRemoval& plan);
 
 /// Makes what was accepted. The mesh must not have changed since. Entities inside the ring that

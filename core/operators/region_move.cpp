@@ -31,14 +31,18 @@ glm::dvec3 swept_normal(const Mesh& mesh, const RegionMove& plan, ModelRef model
 }
 
 Verdict judge_faces(const Mesh& mesh, const RegionMove& plan, const glm::dvec3& to,
-                    const TurnLimit& limit) {
+                    const MoveRules& rules) {
   const glm::dvec3 from = mesh.position(plan.vertex);
   for (const StarFace& f : plan.star) {
     const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
     if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
-    if (!limit.allows(before, after) && !is_flat(from, p, q, before))
+    if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
       return {Reason::Angle, f.face, cosine_between(before, after)};
+    if (!rules.least_angle.binds()) continue;
+    const double cosine = smallest_angle_cosine(to, p, q);
+    if (!rules.least_angle.allows(cosine, [&] { return smallest_angle_cosine(from, p, q); }))
+      return {Reason::Shape, f.face, cosine};
   }
   return {};
 }
@@ -197,7 +201,7 @@ bool RegionMover::go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan,
   const Shapes there = shapes(to);
   if (!is_better_shape(plan.after, there.worst)) return false;
   if (plan.before >= rules.poor && there.sum < sum_before_) return false;
-  if (const Verdict v = judge_faces(mesh, plan, to, rules.max_turn); !v.accepted()) {
+  if (const Verdict v = judge_faces(mesh, plan, to, rules); !v.accepted()) {
     refusal_ = v;
     return false;
   }

@@ -16,6 +16,7 @@ namespace aomd {
 /// What a move has to respect.
 struct MoveRules {
   TurnLimit max_turn{10.0};      ///< how far the normals of model faces may turn
+  LeastAngle least_angle{0};     ///< of a face on a model face, unless it had a smaller one
   const Model* model = nullptr;  ///< new positions on it are snapped to it
   double poor = 0.3;             ///< a worst tet_shape below this is worth an optimisation
 };
@@ -44,7 +45,8 @@ class RegionMover {
   /// Refusals in this order: Kept (a region around the vertex is no tetrahedron), Classification (a
   /// model vertex, an end of model edges, nothing around it, or the faces around it do not form a
   /// disc), Flat, Angle (a model edge or the faces around it are not straight, or a normal would
-  /// turn by more than `max_turn`), Quality (the shapes would not get better; number: the smallest
+  /// turn by more than `max_turn`), Shape (a face would get a smaller angle than `least_angle`
+  /// allows), Quality (the shapes would not get better; number: the smallest
   /// dihedral angle of the worst tetrahedron now). T(0,3), T(3,0), T(0,2), T(2,0) and T(0,1) must
   /// be stored, levels 1 and 2 complete or with what lies on model edges and faces
   /// (Mesh::request_listed). Throws as Model::closest.

@@ -106,6 +106,25 @@ TEST(VolumeDebtsTest, AreKeptByVertexAndRegionAndChangeHands) {
   EXPECT_EQ(debts.total(b), 2);
 }
 
+TEST(VolumeDebtsTest, ARegionBearsWhatItsLimitAllowsAndWhatLeadsBack) {
+  const ModelRef a(3, 1), b(3, 2);
+  VolumeDebts debts;
+  debts.reset(2);
+  debts.limit(a, 2);
+  EXPECT_TRUE(debts.bears(a, -2));
+  EXPECT_FALSE(debts.bears(a, 2.5));
+  EXPECT_TRUE(debts.bears(b, 1e9));
+  debts.add(Vertex(0), a, 3);
+  EXPECT_TRUE(debts.bears(a, -6));
+  EXPECT_FALSE(debts.bears(a, -6.5));
+  EXPECT_FALSE(debts.bears(a, 0.5));
+  debts.hand_over(Vertex(0), Vertex(1));
+  EXPECT_EQ(debts.total(a), 3);
+  const std::array<VolumeCondition, 1> conditions{{{.region = a, .normal = {0, 0, 2}}}};
+  EXPECT_TRUE(debts.bears({0, 0, -1}, conditions));
+  EXPECT_FALSE(debts.bears({0, 0, 1}, conditions));
+}
+
 TEST(PlacementTest, PaysDebtsAsFarAsItMay) {
   std::array<VolumeCondition, 1> conditions{
       {{.region = ModelRef(3, 1), .normal = {0, 0, 2}, .outside = 2, .debt = 0.1}}};
@@ -116,7 +135,7 @@ TEST(PlacementTest, PaysDebtsAsFarAsItMay) {
 }
 
 TEST(PlacementTest, IsTheLeastPlaceThatMeetsTheCondition) {
-  LocalQuadric q;
+  Quadric q;
   q.add_point({1, 2, 3}, 1);
   const std::array<VolumeCondition, 1> conditions{
       {{.region = ModelRef(3, 1), .normal = {0, 0, 1}, .offset = -1, .outside = 1}}};

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "core/decimate/decimation.h"
+#include "core/mesh/geometry.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
+#include "tests/support/tet_zoo.h"
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
@@ -49,6 +51,40 @@ double off_the_sphere(const Mesh& mesh) {
     ++count;
   }
   return std::sqrt(sum / count);
+}
+
+// Two blocks with a wavy interface, in the middle of which a lens of a third material lies.
+MeshData lens_between_blocks(int n, double thickness) {
+  MeshData data = zoo::tet_grid({n, n, 5}, [n](const zoo::Cell& c) {
+    const bool inner = 2 <= c.x && c.x < n - 2 && 2 <= c.y && c.y < n - 2;
+    return c.z == 2 && inner ? 3 : c.z <= 2 ? 1 : 2;
+  });
+  for (glm::dvec3& p : data.positions) {
+    const double z = p.z < 3 ? p.z - 2 : p.z - 3 + thickness;
+    p.z = z + 0.5 * std::sin(0.9 * p.x) * std::sin(0.9 * p.y);
+  }
+  return data;
+}
+
+double smallest_angle_of_faces(const Mesh& mesh) {
+  double least = 180;
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    least = std::min(
+        least, smallest_angle_deg(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])));
+  }
+  return least;
+}
+
+MeshData scaled(MeshData data, double factor) {
+  for (glm::dvec3& p : data.positions) p *= factor;
+  return data;
+}
+
+MeshData to_quarter(const MeshData& data) {
+  VolumeBench b(data, Levels::Listed);
+  Decimation(b.mesh, quality(b.mesh, 0.25)).run();
+  return to_data(b.mesh);
 }
 
 struct Sample {
@@ -138,6 +174,42 @@ TEST(VolumeQualityTest, RegularityTradesClosenessForShape) {
     EXPECT_GT(present_shape, shape) << regularity;
     EXPECT_GT(present_off, off) << regularity;
     shape = present_shape, off = present_off;
+  }
+}
+
+TEST(VolumeQualityTest, ThinRegionsKeepTheirVolumes) {
+  for (const double thickness : {0.03, 0.1})
+    for (const double share : {0.5, 0.2}) {
+      VolumeBench b(lens_between_blocks(12, thickness), Levels::Listed);
+      const std::uint32_t start = b.mesh.count(3);
+      const VolumeOracle before = volume_oracle(to_data(b.mesh));
+      Decimation(b.mesh, quality(b.mesh, share)).run();
+      EXPECT_EQ(b.finding(), "");
+      EXPECT_LT(b.mesh.count(3), 0.7 * start) << thickness;
+      expect_kept(before, volume_oracle(to_data(b.mesh)), 1e-3);
+    }
+}
+
+TEST(VolumeQualityTest, IsTheSameAtEveryScale) {
+  for (const char* sample : {"ball-in-box", "tet-bracket"}) {
+    const MeshData data = make_sample(sample, 2), usual = to_quarter(data);
+    for (const double factor : {0x1p-64, 0x1p-44, 0x1p-20, 0x1p40, 0x1p58})
+      EXPECT_EQ(scaled(to_quarter(scaled(data, factor)), 1 / factor), usual) << factor;
+  }
+}
+
+TEST(VolumeQualityTest, NoFaceGetsAnAngleBelowTheLeast) {
+  for (const Strategy strategy : {Strategy::Quality, Strategy::Paper}) {
+    VolumeBench b(make_sample("ball-in-box", 3),
+                  strategy == Strategy::Paper ? Levels::Complete : Levels::Listed);
+    DecimationOptions options = quality(b.mesh, 0.1);
+    options.strategy = strategy;
+    options.min_angle_deg = 30;
+    EXPECT_GT(smallest_angle_of_faces(b.mesh), 30);
+    Decimation decimation(b.mesh, options);
+    decimation.run();
+    EXPECT_GT(decimation.sweeps().front().collapses, 100);
+    EXPECT_GE(smallest_angle_of_faces(b.mesh), 30 - 1e-9);
   }
 }
 

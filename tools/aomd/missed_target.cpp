@@ -43,6 +43,7 @@ class Help {
         if (!given_.keep.empty()) return "fewer vertices in --keep";
         return has_other_shapes() ? "aomd convert --split-to-tets" : "";
       case Reason::Distance:
+        if (given_.max_distance_pct == 0) return "";
         return "--max-distance " + number_text(2 * given_.max_distance_pct);
       case Reason::Intersection:
         return "leaving out --no-intersections";

@@ -17,7 +17,8 @@ VolumePaperLoop::VolumePaperLoop(Mesh& mesh, const DecimationOptions& options)
 
 void VolumePaperLoop::set_rules() {
   rules_.faces.max_turn = removal_.max_turn = moves_.max_turn = TurnLimit(options_.angle_deg);
-  rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
+  rules_.faces.least_angle = removal_.least_angle = moves_.least_angle =
+      LeastAngle(options_.min_angle_deg);
   rules_.least_shape = least_shape;
   moves_.model = options_.model;
 }

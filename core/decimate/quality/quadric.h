@@ -60,6 +60,13 @@ class QuadricOf {
     q.c_ += glm::dot(moved + Number(2) * b_, origin);
     return q;
   }
+  /// The function of x that this one is of `unit` times x.
+  [[nodiscard]] QuadricOf stretched(Number unit) const {
+    QuadricOf q = *this;
+    for (Number* a : {&q.xx_, &q.yy_, &q.zz_, &q.xy_, &q.xz_, &q.yz_}) *a *= unit * unit;
+    q.b_ *= unit;
+    return q;
+  }
   [[nodiscard]] Number trace() const { return xx_ + yy_ + zz_; }
   /// A p: how the function bends along p is dot(p, times(p)).
   [[nodiscard]] Vec3 times(const Vec3& p) const {

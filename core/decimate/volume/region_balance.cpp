@@ -1,5 +1,7 @@
 #include "core/decimate/volume/region_balance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/mesh/tet_geometry.h"
@@ -53,6 +55,7 @@ void RegionBalance::add(const Mesh& mesh, Vertex deleted, const Ball& around_del
 void VolumeDebts::reset(std::size_t vertices) {
   first_.assign(vertices, no_index);
   debts_.clear();
+  sums_.clear();
   unused_ = no_index;
 }
 
@@ -85,7 +88,21 @@ void VolumeDebts::set(Vertex v, ModelRef region, double amount) {
 }
 
 void VolumeDebts::add(Vertex v, ModelRef region, double amount) {
+  sums_[region.bits()].total += amount;
   set(v, region, of(v, region) + amount);
+}
+
+bool VolumeDebts::bears(ModelRef region, double change) const {
+  const auto sum = sums_.find(region.bits());
+  if (sum == sums_.end()) return true;
+  const auto [now, most] = sum->second;
+  const double then = std::abs(now + change);
+  return then <= most || then <= std::abs(now);
+}
+
+bool VolumeDebts::bears(const glm::dvec3& x, std::span<const VolumeCondition> conditions) const {
+  return std::all_of(conditions.begin(), conditions.end(),
+                     [&](const VolumeCondition& c) { return bears(c.region, c.change(x)); });
 }
 
 void VolumeDebts::hand_over(Vertex from, Vertex to) {
@@ -94,7 +111,7 @@ void VolumeDebts::hand_over(Vertex from, Vertex to) {
     const Debt debt = debts_[i];
     debts_[i] = {{}, unused_, 0};
     unused_ = std::exchange(i, debt.next);
-    add(to, debt.region, debt.amount);
+    set(to, debt.region, of(to, debt.region) + debt.amount);
   }
 }
 
@@ -104,14 +121,15 @@ void VolumeDebts::charge(Vertex v, std::span<VolumeCondition> conditions) const 
 
 void VolumeDebts::settle(Vertex v, const glm::dvec3& x,
                          std::span<const VolumeCondition> conditions) {
-  for (const VolumeCondition& c : conditions) set(v, c.region, c.debt + c.change(x));
+  for (const VolumeCondition& c : conditions) {
+    sums_[c.region.bits()].total += c.change(x);
+    set(v, c.region, c.debt + c.change(x));
+  }
 }
 
 double VolumeDebts::total(ModelRef region) const {
-  double sum = 0;
-  for (const Debt& d : debts_)
-    if (d.region == region) sum += d.amount;
-  return sum;
+  const auto sum = sums_.find(region.bits());
+  return sum == sums_.end() ? 0 : sum->second.total;
 }
 
 }  // namespace aomd

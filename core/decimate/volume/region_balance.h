@@ -3,7 +3,9 @@
 // earlier operations owe them.
 
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -58,10 +60,16 @@ class RegionBalance {
 
 /// What operations around each vertex have added to regions and not taken back: six times the
 /// volume, by vertex and region. Contractions onto a given place and swaps leave debts; placements
-/// pay them. 24 bytes a debt, 4 a vertex.
+/// pay them. What a region owes in all is what its volume has changed by, and stays small for it.
+/// 24 bytes a debt, 4 a vertex.
 class VolumeDebts {
  public:
   void reset(std::size_t vertices);
+  /// Six times the volume by which a region may change in all; without, by any.
+  void limit(ModelRef region, double most) { sums_[region.bits()].most = most; }
+  /// Whether a region may change by so much more: what leads back is always allowed.
+  [[nodiscard]] bool bears(ModelRef region, double change) const;
+  [[nodiscard]] bool bears(const glm::dvec3& x, std::span<const VolumeCondition> conditions) const;
   [[nodiscard]] double of(Vertex v, ModelRef region) const;
   void add(Vertex v, ModelRef region, double amount);
   /// What one vertex owes becomes another's.
@@ -70,7 +78,7 @@ class VolumeDebts {
   void charge(Vertex v, std::span<VolumeCondition> conditions) const;
   /// The vertex has gone to `x`, with all that the conditions were charged with.
   void settle(Vertex v, const glm::dvec3& x, std::span<const VolumeCondition> conditions);
-  /// The sum over all vertices. O(debts).
+  /// The sum over all vertices.
   [[nodiscard]] double total(ModelRef region) const;
 
  private:
@@ -79,12 +87,17 @@ class VolumeDebts {
     std::uint32_t next = no_index;
     double amount = 0;
   };
+  struct Sum {
+    double total = 0;
+    double most = std::numeric_limits<double>::infinity();
+  };
   [[nodiscard]] std::uint32_t find(Vertex v, ModelRef region) const;
   void set(Vertex v, ModelRef region, double amount);
 
   std::vector<Debt> debts_;
-  std::uint32_t unused_ = no_index;      ///< the first of the debts that nobody has
-  Column<Vertex, std::uint32_t> first_;  ///< by vertex, of its debts
+  std::unordered_map<std::uint32_t, Sum> sums_;  ///< by the bits of the region
+  std::uint32_t unused_ = no_index;              ///< the first of the debts that nobody has
+  Column<Vertex, std::uint32_t> first_;          ///< by vertex, of its debts
 };
 
 }  // namespace aomd

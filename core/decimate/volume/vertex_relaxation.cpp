@@ -26,8 +26,8 @@ void VertexRelaxation::begin(const Mesh& mesh, Vertex v, const Ball& ball) {
                       mesh.position(r.others[2]) - at});
 }
 
-void VertexRelaxation::add_surface(const LocalQuadric& quadric, double weight) {
-  quadric_ = QuadricOf<double>(quadric);
+void VertexRelaxation::add_surface(const Quadric& quadric, double weight) {
+  quadric_ = quadric;
   weight_ = weight;
 }
 

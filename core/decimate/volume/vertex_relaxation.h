@@ -24,7 +24,7 @@ class VertexRelaxation {
   /// The vertex with the ball around it; positions count from where it is now.
   void begin(const Mesh& mesh, Vertex v, const Ball& ball);
   /// Adds the distance from planes; the quadric is about the vertex.
-  void add_surface(const LocalQuadric& quadric, double weight);
+  void add_surface(const Quadric& quadric, double weight);
   /// Ways that are closed: across each of them, at right angles to each other and of length 1.
   void close(const glm::dvec3& axis) { closed_.push_back(axis); }
 
@@ -50,7 +50,7 @@ class VertexRelaxation {
 
   std::vector<Cell> cells_;
   std::vector<glm::dvec3> closed_;
-  QuadricOf<double> quadric_;
+  Quadric quadric_;
   double weight_ = 0;
 };
 

@@ -105,7 +105,7 @@ void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) co
   scratch.balance.add(mesh_, v, scratch.balls[0], w, scratch.balls[1]);
   debts_.charge(v, scratch.balance.conditions());
   debts_.charge(w, scratch.balance.conditions());
-  scratch.quadric = state_[v].quadric.about(glm::vec3(to - from));
+  scratch.quadric = state_[v].quadric.about(in_units(to - from));
   scratch.quadric += state_[w].quadric;
   if (freedom == Freedom::OntoFirst)
     add_place({w, v, from}, scratch);
@@ -120,7 +120,7 @@ void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) co
 // With what it costs the surface; the quadric is seen from where the conditions are.
 void VolumeQualityLoop::add_place(const Contraction& c, Scratch& scratch) const {
   const float size2 = state_[c.deleted].size * state_[c.kept].size;
-  const glm::vec3 x(c.position - scratch.balance.origin());
+  const glm::vec3 x = in_units(c.position - scratch.balance.origin());
   scratch.places.push_back({c, surface_cost(scratch.quadric, x, size2)});
 }
 
@@ -129,7 +129,8 @@ void VolumeQualityLoop::places_along(Vertex v, Vertex w, Scratch& scratch) const
   const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w), along = from - to;
   const double length = glm::length(along);
   const PlacementLimits limits{0.5 * along, 0.5 * length, 0};
-  add_place({v, w, to + least_on_line(scratch.quadric, along / length, limits)}, scratch);
+  add_place({v, w, to + least_on_line(of_positions(scratch.quadric), along / length, limits)},
+            scratch);
   add_place({v, w, to}, scratch);
   add_place({w, v, from}, scratch);
 }
@@ -142,7 +143,8 @@ void VolumeQualityLoop::places_between(Vertex v, Vertex w, Scratch& scratch) con
   const PlacementLimits limits{0.5 * along, 0.5 * length, paid_at_once * length};
   const auto conditions = scratch.balance.conditions();
   find_planes(v, w, scratch);
-  const glm::dvec3 best = least_under(scratch.quadric, scratch.planes, conditions, limits);
+  const glm::dvec3 best =
+      least_under(of_positions(scratch.quadric), scratch.planes, conditions, limits);
   const glm::dvec3 away = best - limits.middle;
   if (glm::dot(away, away) <= 4 * length * length) add_place({v, w, to + best}, scratch);
   for (const double share : {0.5, 0.0, 1.0})
@@ -187,6 +189,7 @@ Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& pla
   for (const Place& p : scratch.places) {
     if (p.cost > most) continue;
     Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, plan.collapse);
+    if (verdict.accepted()) verdict = judge_debts(p.contraction, scratch);
     if (verdict.accepted())
       verdict = guards_.judge(mesh_, plan.change, p.contraction, plan.collapse.around_deleted(),
                               plan.collapse.around_kept());
@@ -223,8 +226,8 @@ void VolumeQualityLoop::take_over(const Contraction& c, const glm::dvec3& origin
   dequeue(c.deleted);
   State &kept = state_[c.kept], &gone = state_[c.deleted];
   if (gone.model.dimension() < 3) {
-    const LocalQuadric stays = kept.quadric.about(glm::vec3(c.position - mesh_.position(c.kept)));
-    kept.quadric = gone.quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
+    const LocalQuadric stays = kept.quadric.about(in_units(c.position - mesh_.position(c.kept)));
+    kept.quadric = gone.quadric.about(in_units(c.position - mesh_.position(c.deleted)));
     kept.quadric += stays;
     debts_.hand_over(c.deleted, c.kept);
     debts_.settle(c.kept, c.position - origin, scratch_.balance.conditions());

@@ -27,8 +27,7 @@ Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan
   for (const Vertex v : {a, b})
     if (!among_tets(v)) return {Reason::Kept, v};
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
-  if (!(length < double(std::max(state_[a].reach, state_[b].reach))))
-    return {Reason::Spacing, a, length};
+  if (!(length < std::max(reach_of(a), reach_of(b)))) return {Reason::Spacing, a, length};
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
   if (!(cost(a, b) < unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
@@ -49,7 +48,7 @@ std::vector<CollapseOutlook> VolumeQualityLoop::outlook(Edge edge) {
   if (mesh_.classification(edge).dimension() == 1)
     o.limits.curve_deg = rules_.faces.max_curve_turn.angle_deg();
   o.length = glm::length(mesh_.position(a) - mesh_.position(b));
-  o.longest = double(std::max(state_[a].reach, state_[b].reach));
+  o.longest = std::max(reach_of(a), reach_of(b));
   if (const float known = cost(a, b); known < unlimited) o.cost = double(known);
   return {o};
 }
@@ -80,7 +79,7 @@ Reason VolumeQualityLoop::last_refusal(Edge e) const {
 }
 
 double VolumeQualityLoop::spacing(Vertex v) const {
-  return v.index < state_.size() ? 2.0 * double(state_[v].reach) : 0;
+  return v.index < state_.size() ? 2 * reach_of(v) : 0;
 }
 
 }  // namespace aomd

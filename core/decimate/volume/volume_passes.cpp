@@ -32,7 +32,7 @@ bool VolumeQualityLoop::allows(const EdgeRemoval& plan) {
   if (ring.on_model_face()) {
     const EdgePair pair{ring.faces[0], ring.faces[1],  ring.a,
                         ring.b,        ring.apexes[0], ring.apexes[1]};
-    if (!keeps_close(ring) || keeps_face_of(pair) ||
+    if (!keeps_close(ring) || !bears(plan) || keeps_face_of(pair) ||
         !guards_.judge(mesh_, plan_.change, pair).accepted())
       return false;
   }
@@ -66,7 +66,7 @@ bool VolumeQualityLoop::keeps_close(const EdgeRing& ring) const {
   const double area = glm::length(glm::cross(b - a, d - c));
   if (!(area > 0)) return false;
   const double apart = six_volumes(a, b, c, d) / area;
-  const double size2 = double(state_[ring.a].size) * double(state_[ring.b].size);
+  const double size2 = size_of(ring.a) * size_of(ring.b);
   return double(surface_) * apart * apart / 8 <= size2;
 }
 
@@ -92,9 +92,10 @@ bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
   State& s = state_[v];
   plan_.change.clear();
   if (s.model.dimension() < 3) {
-    if (!guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
+    if (!debts_.bears(x, scratch_.balance.conditions()) ||
+        !guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
       return false;
-    s.quadric = s.quadric.about(glm::vec3(x));
+    s.quadric = s.quadric.about(in_units(x));
     debts_.settle(v, x, scratch_.balance.conditions());
   }
   apply_smooth(mesh_, v, mesh_.position(v) + x);
@@ -116,7 +117,7 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   if (!fix_ways(v, scratch, frame, shift)) return false;
   for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
-    relaxation_.add_surface(s.quadric, double(surface_ / (area * s.size * s.size)));
+    relaxation_.add_surface(of_positions(s.quadric), double(surface_ / (area * s.size * s.size)));
   return relaxation_.step(floor_, shift, x) && keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }
 
@@ -131,8 +132,8 @@ bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::
   scratch.balance.add(mesh_, v, scratch.balls[0]);
   if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
-  take_conditions(scratch.balance.conditions(), reach_of_payment_ * double(state_[v].size),
-                  3 - dimension, frame, x);
+  take_conditions(scratch.balance.conditions(), reach_of_payment_ * size_of(v), 3 - dimension,
+                  frame, x);
   if (dimension == 2) return frame.taken() == 1;
   glm::dvec3 along;
   if (!tangent(v, scratch.star, along)) return false;
@@ -158,7 +159,10 @@ bool VolumeQualityLoop::keeps_faces(Vertex v, const Star& star, const glm::dvec3
   return std::none_of(star.begin(), star.end(), [&](const StarFace& f) {
     const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
     const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
-    return is_flat(to, p, q, after) || !improving_.removal.max_turn.allows(before, after);
+    const auto angle_before = [&] { return smallest_angle_cosine(from, p, q); };
+    return is_flat(to, p, q, after) || !improving_.removal.max_turn.allows(before, after) ||
+           (rules_.faces.least_angle.binds() &&
+            !rules_.faces.least_angle.allows(smallest_angle_cosine(to, p, q), angle_before));
   });
 }
 

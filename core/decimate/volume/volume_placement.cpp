@@ -23,7 +23,7 @@ std::size_t strongest(std::span<const VolumeCondition> conditions, std::uint32_t
 }
 
 // The minimum over the directions that are left, each pulled to where x is now.
-glm::dvec3 least_over(const QuadricOf<double>& q, const Frame& frame, const glm::dvec3& x) {
+glm::dvec3 least_over(const Quadric& q, const Frame& frame, const glm::dvec3& x) {
   const double stay = steady * q.trace();
   const glm::dvec3 slope = q.slope(x);
   if (frame.taken() == 3) return x;
@@ -79,9 +79,8 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
   }
 }
 
-glm::dvec3 least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
+glm::dvec3 least_under(const Quadric& q, const ModelPlanes& planes,
                        std::span<const VolumeCondition> conditions, const PlacementLimits& limits) {
-  const QuadricOf<double> q(quadric);
   Frame frame;
   take_planes(planes, frame);
   glm::dvec3 x = limits.middle;
@@ -102,9 +101,8 @@ glm::dvec3 nearest_under(const ModelPlanes& planes, std::span<const VolumeCondit
   return near;
 }
 
-glm::dvec3 least_on_line(const LocalQuadric& quadric, const glm::dvec3& direction,
+glm::dvec3 least_on_line(const Quadric& q, const glm::dvec3& direction,
                          const PlacementLimits& limits) {
-  const QuadricOf<double> q(quadric);
   const double bend = glm::dot(direction, q.times(direction)) + steady * q.trace();
   const double step = bend > 0 ? -glm::dot(direction, q.slope(limits.middle)) / bend : 0;
   return limits.middle + std::clamp(step, -limits.reach, limits.reach) * direction;

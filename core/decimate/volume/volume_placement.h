@@ -52,7 +52,7 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
                      Frame& frame, glm::dvec3& x);
 
 /// The place where `quadric` is least on the flat model faces around and under the conditions.
-[[nodiscard]] glm::dvec3 least_under(const LocalQuadric& quadric, const ModelPlanes& planes,
+[[nodiscard]] glm::dvec3 least_under(const Quadric& quadric, const ModelPlanes& planes,
                                      std::span<const VolumeCondition> conditions,
                                      const PlacementLimits& limits);
 
@@ -63,7 +63,7 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
 
 /// The place on the line through `middle` along `direction` (of length 1) where the quadric is
 /// least, no further than the reach.
-[[nodiscard]] glm::dvec3 least_on_line(const LocalQuadric& quadric, const glm::dvec3& direction,
+[[nodiscard]] glm::dvec3 least_on_line(const Quadric& quadric, const glm::dvec3& direction,
                                        const PlacementLimits& limits);
 
 }  // namespace aomd

@@ -47,10 +47,10 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for
   /// memory.
   struct alignas(64) State {
-    LocalQuadric quadric;      ///< about the vertex; 0 inside regions
+    LocalQuadric quadric;      ///< about the vertex, in units; 0 inside regions
     ModelRef model;            ///< what the vertex lies on
-    float size = 0;            ///< the mean length of the edges here, at the start
-    float reach = 0;           ///< edges shorter than it may go
+    float size = 0;            ///< the mean length of the edges here, at the start, in units
+    float reach = 0;           ///< edges shorter than it may go, in units
     Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
     float cost = unlimited;    ///< of that; where not known, a bound from below
     float second = unlimited;  ///< a bound from below for all its others
@@ -69,11 +69,20 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
     std::array<Ball, 2> balls;
     Star star;
     std::vector<Vertex> neighbours;
-    LocalQuadric quadric;
+    LocalQuadric quadric;  ///< in units
     ModelPlanes planes;
     RegionBalance balance;
     std::vector<Place> places;
   };
+
+  // Single precision holds the fourth power of a length only where it is near 1: what it holds is
+  // in units that edges are about as long as.
+  [[nodiscard]] glm::vec3 in_units(const glm::dvec3& x) const { return glm::vec3(unit_ * x); }
+  [[nodiscard]] double size_of(Vertex v) const { return double(state_[v].size) / unit_; }
+  [[nodiscard]] double reach_of(Vertex v) const { return double(state_[v].reach) / unit_; }
+  [[nodiscard]] Quadric of_positions(const LocalQuadric& quadric) const {
+    return Quadric(quadric).stretched(unit_);
+  }
 
   // The queue (volume_queue.cpp)
   [[nodiscard]] std::span<const Vertex> neighbours_of(Vertex v, Scratch& scratch) const;
@@ -119,6 +128,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void start(const DecimationOptions& options);
   [[nodiscard]] double stretch() const;
   void set_rules();
+  void find_unit();
   void measure_vertices();
   void measure(Vertex v, Scratch& scratch);
   void quadric_of_faces(Vertex v, Star& star);
@@ -149,13 +159,15 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   bool try_move(Vertex v);
   bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
-  [[nodiscard]] bool snap(Vertex v, glm::dvec3& x) const;
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);
 
   // Debts (volume_settling.cpp)
+  void limit_debts();
+  [[nodiscard]] Verdict judge_debts(const Contraction& c, const Scratch& scratch) const;
+  [[nodiscard]] bool bears(const EdgeRemoval& plan) const;
   void note_gains(const EdgeRemoval& plan);
   void draw_debts(Vertex v, const Scratch& scratch);
   bool settle(Vertex v);
@@ -163,6 +175,8 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void spread(Vertex v);
 
   static constexpr double curve_weight = 3;  ///< of the planes along model edges
+  /// By how much regions may change where nobody can pay.
+  static constexpr double most_owed = 1e-3;
   /// Debts are paid by moving by this part of a size, or of an edge, at a time.
   static constexpr double paid_at_once = 0.03;
 
@@ -171,6 +185,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   VolumeRules rules_;
   ImprovementRules improving_;
   VolumeImprovement improvement_;
+  double unit_ = 1;     ///< lengths times it are in units; a power of two, which rounds nothing
   double floor_ = 0.3;  ///< no tetrahedron gets a poorer shape, if it can be helped
   float surface_ = 0;   ///< what squared distances cost, in sizes
   Column<Vertex, State> state_;

@@ -55,7 +55,7 @@ bool VolumeQualityLoop::may_collapse(Vertex v, Vertex w, float length2) const {
 // both by the squared size there: so one number says how far model faces may lag behind regions.
 float VolumeQualityLoop::cost(Vertex v, Vertex w) const {
   const State &at_v = state_[v], &at_w = state_[w];
-  const glm::vec3 along(mesh_.position(v) - mesh_.position(w));
+  const glm::vec3 along = in_units(mesh_.position(v) - mesh_.position(w));
   const float length2 = glm::dot(along, along);
   if (!may_collapse(v, w, length2)) return unlimited;
   const Freedom freedom = freedom_of(v, w);

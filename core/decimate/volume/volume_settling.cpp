@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/decimate/volume/volume_quality_loop.h"
 #include "core/mesh/tet_geometry.h"
@@ -29,6 +30,35 @@ double gain_of(const Mesh& mesh, const EdgeRing& ring, const RingSide& side,
 }
 
 }  // namespace
+
+// A region may come to owe a part of its volume.
+void VolumeQualityLoop::limit_debts() {
+  std::unordered_map<std::uint32_t, double> volumes;
+  for (const Region r : mesh_.regions()) {
+    if (mesh_.shape(r) != Shape::Tetrahedron) continue;
+    const auto t = mesh_.tetrahedron(r);
+    volumes[mesh_.classification(r).bits()] += six_volumes_of(mesh_, t[0], t[1], t[2], t[3]);
+  }
+  for (const auto& [region, volume] : volumes)
+    debts_.limit(ModelRef::from_bits(region), most_owed * volume);
+}
+
+Verdict VolumeQualityLoop::judge_debts(const Contraction& c, const Scratch& scratch) const {
+  const glm::dvec3 x = c.position - scratch.balance.origin();
+  for (const VolumeCondition& condition : scratch.balance.conditions())
+    if (!debts_.bears(condition.region, condition.change(x)))
+      return {Reason::Distance, scratch.balls[0].front().region, std::abs(condition.change(x)) / 6};
+  return {};
+}
+
+bool VolumeQualityLoop::bears(const EdgeRemoval& plan) const {
+  const auto& sides = plan.ring.sides;
+  for (std::uint32_t s = 0; s < plan.ring.side_count; ++s)
+    if (!debts_.bears(mesh_.classification(sides[s].regions[0]),
+                      gain_of(mesh_, plan.ring, sides[s], plan.triangles[s])))
+      return false;
+  return true;
+}
 
 // What a region gains is owed by an end of the old edge that can pay.
 void VolumeQualityLoop::note_gains(const EdgeRemoval& plan) {
@@ -88,7 +118,7 @@ bool VolumeQualityLoop::settle(Vertex v) {
 bool VolumeQualityLoop::owes(Vertex v) const {
   constexpr double noise = 1e-9;  // of a size cubed
   const auto conditions = scratch_.balance.conditions();
-  const double least = noise * std::pow(double(state_[v].size), 3);
+  const double least = noise * std::pow(size_of(v), 3);
   return std::any_of(conditions.begin(), conditions.end(),
                      [&](const VolumeCondition& c) { return std::abs(c.debt) > least; });
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/box.h"
 #include "core/base/parallel.h"
 #include "core/decimate/volume/volume_quality_loop.h"
 #include "core/mesh/geometry.h"
@@ -45,9 +46,11 @@ void VolumeQualityLoop::start(const DecimationOptions& options) {
   start_regions_ = mesh_.count(3);
   state_.assign(mesh_.capacity(0), {});
   debts_.reset(mesh_.capacity(0));
+  limit_debts();
   stir_.assign(mesh_.capacity(0), 0);
   stir_now_ = stir_limit_ = 0;
   refusal_.assign(mesh_.complete(1) ? mesh_.capacity(1) : 0, Reason::None);
+  find_unit();
   measure_vertices();
   set_rules();
   reach_of_payment_ = paid_at_once * std::max(1.0, stretch());
@@ -72,8 +75,19 @@ void VolumeQualityLoop::set_rules() {
   rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
   improving_.removal.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
+  improving_.removal.least_angle = rules_.faces.least_angle;
   improving_.poor = 0.65;
   improvement_.set_rules(improving_);
+}
+
+void VolumeQualityLoop::find_unit() {
+  Box box;
+  for (const Region r : mesh_.regions())
+    if (mesh_.shape(r) == Shape::Tetrahedron)
+      for (const Vertex v : mesh_.tetrahedron(r)) box.add(mesh_.position(v));
+  const glm::dvec3 sides = box.empty() ? glm::dvec3(0.0) : box.high - box.low;
+  const double length = std::max({sides.x, sides.y, sides.z}) / std::cbrt(mesh_.count(3));
+  unit_ = length > 0 ? std::ldexp(1.0, -std::ilogb(length)) : 1;
 }
 
 void VolumeQualityLoop::measure_vertices() {
@@ -101,13 +115,13 @@ void VolumeQualityLoop::measure(Vertex v, Scratch& scratch) {
   for (const Vertex w : around) sum += glm::length(mesh_.position(v) - mesh_.position(w));
   size_[v] = around.empty() ? 0 : sum / double(around.size());
   State& s = state_[v];
-  s.size = static_cast<float>(size_[v]);
+  s.size = static_cast<float>(unit_ * size_[v]);
   const bool by_factor = !options_.spacing && !options_.coarsest && target_ == 0;
   const Column<Vertex, double>* given = options_.spacing.get();
   if (by_factor)
-    s.reach = static_cast<float>(0.5 * options_.factor * size_[v]);
+    s.reach = static_cast<float>(0.5 * unit_ * options_.factor * size_[v]);
   else if (given)
-    s.reach = v.index < given->size() ? static_cast<float>(0.5 * (*given)[v]) : 0.0f;
+    s.reach = v.index < given->size() ? static_cast<float>(0.5 * unit_ * (*given)[v]) : 0.0f;
   else
     s.reach = unlimited;
   if (s.model.dimension() < 3) quadric_of_faces(v, scratch.star);
@@ -121,7 +135,8 @@ void VolumeQualityLoop::quadric_of_faces(Vertex v, Star& star) {
     const glm::dvec3 normal = area_normal(at, mesh_.position(f.next), mesh_.position(f.previous));
     const double length = glm::length(normal);
     if (length > 0)
-      state_[v].quadric.add_plane(glm::vec3(normal / length), 0, static_cast<float>(length / 6));
+      state_[v].quadric.add_plane(glm::vec3(normal / length), 0,
+                                  static_cast<float>(unit_ * unit_ * length / 6));
   }
 }
 
@@ -137,11 +152,11 @@ void VolumeQualityLoop::quadrics_of_model_edges() {
       const glm::dvec3 normal =
           area_normal(mesh_.position(a), mesh_.position(f.next), mesh_.position(f.previous));
       const glm::dvec3 across = glm::cross(along, normal);
-      const double length = glm::length(across);
+      const double length = glm::length(across), square = glm::dot(along, along);
       if (!(length > 0)) continue;
       for (const Vertex v : {a, b})
         state_[v].quadric.add_plane(glm::vec3(across / length), 0,
-                                    static_cast<float>(curve_weight * glm::dot(along, along)));
+                                    static_cast<float>(curve_weight * unit_ * unit_ * square));
     }
   }
 }
