@@ -76,8 +76,9 @@ TEST_F(DecimateVolume, TheDistanceHoldsWhereNoFaceIsListed) {
       0);
   EXPECT_GT(json("r.json")["output"]["regions"], io::read(at("free.mesh")).mesh.regions.size());
   EXPECT_GT(json("r.json")["stopped"]["refused"]["Distance"], 0);
-  EXPECT_EQ(aomd("compare b.mesh near.mesh --max-distance 0.5").code, 0);
-  EXPECT_EQ(aomd("compare b.mesh free.mesh --max-distance 0.5").code, 1);
+  // Points of the original may be further off by as much as its faces are coarse.
+  EXPECT_EQ(aomd("compare b.mesh near.mesh --max-distance 0.6").code, 0);
+  EXPECT_EQ(aomd("compare b.mesh free.mesh --max-distance 0.6").code, 1);
 }
 
 TEST_F(DecimateVolume, TargetsAreOfTheirKind) {
