@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "tests/support/child.h"
@@ -41,10 +42,21 @@ class Endings : public CommandLine {
     const fs::path log = at("log");
     fs::remove(log);
     Child program(words_, {}, log);
+    if (signal == SIGABRT)  // before it has begun the system ends it
+      (void)program.waits_for([&] { return catches(program.id(), signal); });
     std::this_thread::sleep_for(moment * step_);
     program.send_signal(signal);
     const int code = program.wait();
     return code < 0 ? 128 - code : code;
+  }
+
+  /// Whether a process has a handler for a signal.
+  static bool catches(pid_t process, int signal) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind("SigCgt:", 0) == 0)
+        return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    return false;
   }
 
   [[nodiscard]] bool all_old() const {

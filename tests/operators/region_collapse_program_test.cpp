@@ -111,7 +111,8 @@ std::string on_model(const Mesh& mesh) {
     if (mesh.classification(f).dimension() <= 2) add_entity(f);
   std::set<std::array<std::uint32_t, 3>> edges;
   for (const Edge e : mesh.edges()) {
-    const auto [a, b] = std::minmax(mesh.edge_vertices(e)[0].index, mesh.edge_vertices(e)[1].index);
+    const auto ends = mesh.edge_vertices(e);
+    const auto [a, b] = std::minmax(ends[0].index, ends[1].index);
     if (mesh.classification(e).dimension() <= 1)
       edges.insert({a, b, mesh.classification(e).bits()});
   }
