@@ -10,7 +10,7 @@ DEFECTS = ("inverted", "repeated_tets", "nonconforming_faces", "folded_faces", "
            "surfaces_with_other_euler")
 
 
-def decimate(mesh, percent, regularity, result):
+def decimate(original, percent, regularity, result):
     command = [os.environ["AOMD_PROGRAM"], "decimate", mesh, result, "--strategy", "quality", "--target-tets",
                percent + "%", "--regularity", regularity, "--quiet"]
     status = subprocess.run(command, capture_output=True, text=True)
