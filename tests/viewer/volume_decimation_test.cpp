@@ -70,7 +70,7 @@ TEST(VolumeDecimation, DrawingAndFactsFollowEveryOperationAndItsUndoing) {
 
 TEST(VolumeDecimation, UndoneItIsTheMeshThatItBeganWith) {
   Session s;
-  drive(s, {"sample ball-in-box 3", "select vertex 0"});
+  drive(s, {"sample ball-in-box 3", "color verdict"});
   const auto before = print_of(s);
   drive(s, {"step", "sweep", "swap", "smooth", "improve", "run"});
   EXPECT_TRUE(verify(s.document().mesh()).empty());

@@ -38,7 +38,7 @@ void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> b
 bool Sheet::asks() const {
   const EntityRef e = selection.single();
   return view_.coloring == Coloring::Verdict || view_.original || view_.side_by_side ||
-         (e.valid() && e.dimension < 2);
+         (e.valid() && e.dimension == 1);
 }
 
 /// All of it is made anew: while the mesh is on its way no more often than takes a fifth of the
