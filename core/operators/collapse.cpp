@@ -15,13 +15,7 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
                                 const CollapseRules& rules, CollapsePlan& plan) {
   const auto ends = mesh.edge_vertices(edge);
   const ModelRef model = mesh.classification(edge);
-  Verdict furthest;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!may_go[i]) continue;
-    const ModelRef own = mesh.classification(ends[i]);
-    may_go[i] = own == model && own.dimension() != 0;
-    if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
-  }
+  Verdict furthest = judge_classes(mesh, ends, model, may_go);
   if (!may_go[0] && !may_go[1]) return furthest;
   for (const Vertex v : ends)
     if (crowded(mesh, v)) return {Reason::Topology, v};
@@ -53,10 +47,7 @@ Verdict Collapser::judge_contraction(const Mesh& mesh, const Contraction& c,
   gather(mesh, c.kept, stars[1]);
   const ModelRef model = class_between(mesh, c.deleted, c.kept, stars[0]);
   const bool moves = c.position != mesh.position(c.kept);
-  for (const Vertex v : {c.deleted, c.kept})
-    if (const ModelRef own = mesh.classification(v);
-        (v == c.deleted || moves) && (own != model || own.dimension() == 0))
-      return {Reason::Classification, v};
+  if (const Verdict s = judge_classes(mesh, c, model, moves); !s.accepted()) return s;
   if (rules.topology == TopologyRule::Safe)
     if (const Verdict v = link_.judge(mesh, c.kept, {c.deleted, c.kept}, stars, marks_);
         !v.accepted())

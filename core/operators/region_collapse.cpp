@@ -124,13 +124,7 @@ Verdict RegionCollapser::judge_either(const Mesh& mesh, Edge edge, std::array<bo
                                       const VolumeRules& rules, VolumeCollapsePlan& plan) {
   const EdgeEnds ends = mesh.edge_vertices(edge);
   const ModelRef model = mesh.classification(edge);
-  Verdict furthest;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!may_go[i]) continue;
-    const ModelRef own = mesh.classification(ends[i]);
-    may_go[i] = own == model && own.dimension() != 0;
-    if (!may_go[i] && furthest.accepted()) furthest = {Reason::Classification, ends[i]};
-  }
+  Verdict furthest = judge_classes(mesh, ends, model, may_go);
   if (!may_go[0] && !may_go[1]) return furthest;
   if (const Verdict v = judge_surroundings(mesh, ends); !v.accepted()) return v;
   gather_ends(mesh, ends, on_model_face(model), plan);
@@ -159,10 +153,7 @@ Verdict RegionCollapser::judge_contraction(const Mesh& mesh, const Contraction& 
   gather_ends(mesh, {c.deleted, c.kept}, on_model_face(mesh.classification(c.deleted)), plan);
   const ModelRef model = class_between(mesh, c.deleted, c.kept, plan.stars[0], plan.balls[0]);
   const bool moves = c.position != mesh.position(c.kept);
-  for (const Vertex v : {c.deleted, c.kept})
-    if (const ModelRef own = mesh.classification(v);
-        (v == c.deleted || moves) && (own != model || own.dimension() == 0))
-      return {Reason::Classification, v};
+  if (const Verdict s = judge_classes(mesh, c, model, moves); !s.accepted()) return s;
   Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}, model, plan);
   const TurnLimit& turn = rules.faces.max_curve_turn;
   if (v.accepted() && model.dimension() == 1) v = judge_curve(mesh, plan.stars[0], model, c, turn);

@@ -96,20 +96,8 @@ void CollapseQueue::find_candidates(Vertex v) {
 }
 
 // A candidate that was not there before, or of which nothing better is known.
-void CollapseQueue::offer(State& state, Vertex partner, float cost) {
-  if (cost < state.cost) {
-    state.second = state.cost;
-    state.cost = cost;
-    state.partner = partner;
-  } else {
-    state.second = std::min(state.second, cost);
-  }
-}
-
 void CollapseQueue::dequeue(Vertex v) {
-  State& s = state_[v];
-  s.partner = {};
-  s.cost = s.second = unlimited;
+  state_[v].forget();
   order_.remove(v);
 }
 
@@ -124,7 +112,7 @@ void CollapseQueue::fill() {
                    look_around(v, star, [&](Vertex w) {
                      if (w < v) return;
                      Contraction c;
-                     offer(state_[v], w, cost(v, w, c));
+                     state_[v].offer(w, cost(v, w, c));
                    });
                  });
                });
@@ -205,24 +193,9 @@ void CollapseQueue::forget_lost_edges(const CollapsePlan& made) {
   }
 }
 
-// The edge from `v` to the vertex that has taken another in has a new cost; others at `v` have not
-// become cheaper.
 void CollapseQueue::update(Vertex v, Vertex kept, float cost) {
   State& s = state_[v];
-  const bool known = s.partner.valid() && s.partner != kept && mesh_.alive(s.partner);
-  if (known || cost < s.cost) {
-    if (cost >= s.cost) {
-      s.second = std::min(s.second, cost);
-      return;
-    }
-    offer(s, kept, cost);
-  } else if (cost <= s.second) {
-    s.partner = kept;
-    s.cost = cost;
-  } else {
-    s.partner = {};
-    s.cost = s.second;
-  }
+  if (!s.update(kept, cost, s.partner.valid() && mesh_.alive(s.partner))) return;
   if (s.cost < unlimited)
     order_.put(v, s.cost);
   else
@@ -234,7 +207,7 @@ void CollapseQueue::refresh_around(Vertex kept) {
   look_around(kept, star_, [&](Vertex w) {
     Contraction c;
     const float known = cost(kept, w, c);
-    if (kept < w) offer(state_[kept], w, known);
+    if (kept < w) state_[kept].offer(w, known);
     update(w, kept, w < kept ? known : unlimited);
   });
   if (state_[kept].partner.valid()) order_.put(kept, state_[kept].cost);

@@ -3,10 +3,10 @@
 // the vertices in the order of the cheapest of these.
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "core/decimate/options.h"
+#include "core/decimate/quality/cheapest.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
@@ -28,7 +28,7 @@ struct CostRules {
 /// options must outlive it; T(2,0) and T(0,2) must be stored.
 class CollapseQueue {
  public:
-  static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  static constexpr float unlimited = Cheapest::unlimited;
   /// An edge that could collapse: what would go where, and at what cost.
   struct Candidate {
     Contraction contraction;
@@ -78,14 +78,11 @@ class CollapseQueue {
  private:
   static constexpr std::size_t vertices_a_piece = 2048;  ///< where threads share them out
   /// What is known of a vertex; one cache line, because looking at neighbours waits for memory.
-  struct alignas(64) State {
-    LocalQuadric quadric;      ///< about the vertex
-    ModelRef model;            ///< what the vertex lies on
-    float area = 0;            ///< of the surface that it took in
-    float reach = 0;           ///< edges shorter than it may go
-    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
-    float cost = unlimited;    ///< of that; where not known, a bound from below
-    float second = unlimited;  ///< a bound from below for all its others
+  struct alignas(64) State : Cheapest {
+    LocalQuadric quadric;  ///< about the vertex
+    ModelRef model;        ///< what the vertex lies on
+    float area = 0;        ///< of the surface that it took in
+    float reach = 0;       ///< edges shorter than it may go
   };
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
 
@@ -94,7 +91,6 @@ class CollapseQueue {
   void find_candidates(Vertex v);
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
-  static void offer(State& state, Vertex partner, float cost);
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void fill();

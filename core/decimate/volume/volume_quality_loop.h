@@ -4,12 +4,12 @@
 // whenever collapses alone lead no further (docs/VOLUMES.md).
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/decimate/loop.h"
+#include "core/decimate/quality/cheapest.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
@@ -41,19 +41,16 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] double progress() const override;
 
  private:
-  static constexpr float unlimited = std::numeric_limits<float>::infinity();
+  static constexpr float unlimited = Cheapest::unlimited;
   static constexpr std::size_t vertices_a_piece = 1024;  ///< where threads share them out
 
   /// What the strategy knows of a vertex; one cache line, because looking at neighbours waits for
   /// memory.
-  struct alignas(64) State {
-    LocalQuadric quadric;      ///< about the vertex, in units; 0 inside regions
-    ModelRef model;            ///< what the vertex lies on
-    float size = 0;            ///< the mean length of the edges here, at the start, in units
-    float reach = 0;           ///< edges shorter than it may go, in units
-    Vertex partner;            ///< the other end of its cheapest candidate; invalid: not known
-    float cost = unlimited;    ///< of that; where not known, a bound from below
-    float second = unlimited;  ///< a bound from below for all its others
+  struct alignas(64) State : Cheapest {
+    LocalQuadric quadric;  ///< about the vertex, in units; 0 inside regions
+    ModelRef model;        ///< what the vertex lies on
+    float size = 0;        ///< the mean length of the edges here, at the start, in units
+    float reach = 0;       ///< edges shorter than it may go, in units
   };
   struct Candidate {
     Vertex other;
@@ -90,7 +87,6 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void look_around(Vertex v, Scratch& scratch, Visit&& visit) const;
   [[nodiscard]] float cost(Vertex v, Vertex w) const;
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, float length2) const;
-  static void offer(State& state, Vertex partner, float cost);
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void refresh_around(Vertex kept);

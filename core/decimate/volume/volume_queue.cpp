@@ -74,20 +74,8 @@ float VolumeQualityLoop::cost(Vertex v, Vertex w) const {
 }
 
 // A candidate that was not there before, or of which nothing better is known.
-void VolumeQualityLoop::offer(State& state, Vertex partner, float cost) {
-  if (cost < state.cost) {
-    state.second = state.cost;
-    state.cost = cost;
-    state.partner = partner;
-  } else {
-    state.second = std::min(state.second, cost);
-  }
-}
-
 void VolumeQualityLoop::dequeue(Vertex v) {
-  State& s = state_[v];
-  s.partner = {};
-  s.cost = s.second = unlimited;
+  state_[v].forget();
   queue_.remove(v);
 }
 
@@ -100,10 +88,9 @@ void VolumeQualityLoop::fill_queue() {
                  each_alive(mesh_.ids(0), begin, end, [&](std::uint32_t id) {
                    const Vertex v(id);
                    State& s = state_[v];
-                   s.partner = {};
-                   s.cost = s.second = unlimited;
+                   s.forget();
                    look_around(v, scratch, [&](Vertex w) {
-                     if (v < w) offer(s, w, cost(v, w));
+                     if (v < w) s.offer(w, cost(v, w));
                    });
                  });
                });
@@ -158,24 +145,9 @@ bool VolumeQualityLoop::try_others(Vertex v) {
   return false;
 }
 
-// The edge from `v` to the vertex that has taken another in has a new cost; others at `v` have not
-// become cheaper.
 void VolumeQualityLoop::update(Vertex v, Vertex kept, float cost) {
   State& s = state_[v];
-  const bool known = s.partner.valid() && s.partner != kept && mesh_.alive(s.partner);
-  if (known || cost < s.cost) {
-    if (cost >= s.cost) {
-      s.second = std::min(s.second, cost);
-      return;
-    }
-    offer(s, kept, cost);
-  } else if (cost <= s.second) {
-    s.partner = kept;
-    s.cost = cost;
-  } else {
-    s.partner = {};
-    s.cost = s.second;
-  }
+  if (!s.update(kept, cost, s.partner.valid() && mesh_.alive(s.partner))) return;
   if (s.cost < unlimited)
     queue_.put(v, s.cost);
   else
@@ -186,7 +158,7 @@ void VolumeQualityLoop::refresh_around(Vertex kept) {
   dequeue(kept);
   look_around(kept, scratch_, [&](Vertex w) {
     const float known = cost(kept, w);
-    if (kept < w) offer(state_[kept], w, known);
+    if (kept < w) state_[kept].offer(w, known);
     update(w, kept, w < kept ? known : unlimited);
   });
   if (state_[kept].partner.valid()) queue_.put(kept, state_[kept].cost);
