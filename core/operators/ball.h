@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/tet_geometry.h"
 #include "core/operators/star.h"
 
 namespace aomd {
@@ -20,6 +21,13 @@ struct BallRegion {
   }
 };
 using Ball = std::vector<BallRegion>;
+
+/// The shape of a tetrahedron of the mesh. T(3,0) must be stored.
+[[nodiscard]] inline double tet_shape(const Mesh& mesh, Region r) {
+  const auto t = mesh.tetrahedron(r);
+  return tet_shape(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]),
+                   mesh.position(t[3]));
+}
 
 /// The positions of the other vertices for each position of the one that they are seen from: even
 /// permutations of the template.

@@ -14,21 +14,9 @@ namespace {
 
 using namespace test;
 
-double shape_of(const Mesh& mesh, Region r) {
-  const auto t = mesh.tetrahedron(r);
-  return tet_shape(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]),
-                   mesh.position(t[3]));
-}
-
-double worst_shape(const Mesh& mesh) {
-  double worst = 1;
-  for (const Region r : mesh.regions()) worst = std::min(worst, shape_of(mesh, r));
-  return worst;
-}
-
 std::uint32_t count_below(const Mesh& mesh, double limit) {
   std::uint32_t count = 0;
-  for (const Region r : mesh.regions()) count += shape_of(mesh, r) < limit;
+  for (const Region r : mesh.regions()) count += tet_shape(mesh, r) < limit;
   return count;
 }
 

@@ -29,11 +29,7 @@ DecimationOptions quality(const Mesh& mesh, double share, double regularity = 0.
 
 double mean_shape(const Mesh& mesh) {
   double sum = 0;
-  for (const Region r : mesh.regions()) {
-    const auto t = mesh.tetrahedron(r);
-    sum += tet_shape(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]),
-                     mesh.position(t[3]));
-  }
+  for (const Region r : mesh.regions()) sum += tet_shape(mesh, r);
   return sum / mesh.count(3);
 }
 

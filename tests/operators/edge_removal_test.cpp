@@ -18,18 +18,6 @@ using namespace test;
 
 const RemovalRules rules;
 
-double shape_of(const Mesh& mesh, Region r) {
-  const auto t = mesh.tetrahedron(r);
-  return tet_shape(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]),
-                   mesh.position(t[3]));
-}
-
-double worst_shape(const Mesh& mesh) {
-  double worst = 1;
-  for (const Region r : mesh.regions()) worst = std::min(worst, shape_of(mesh, r));
-  return worst;
-}
-
 std::vector<std::vector<std::uint32_t>> tets(const Mesh& mesh) {
   std::vector<std::vector<std::uint32_t>> all;
   for (const Region r : mesh.regions()) {

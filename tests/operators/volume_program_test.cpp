@@ -80,9 +80,7 @@ class Program {
     for (int i = 0; i < tries; ++i) {
       std::uint32_t id = mesh_.ids(3).next_alive(random_() % mesh_.capacity(3));
       if (id >= mesh_.capacity(3)) id = mesh_.ids(3).next_alive(0);
-      const auto t = mesh_.tetrahedron(Region(id));
-      const double shape = tet_shape(mesh_.position(t[0]), mesh_.position(t[1]),
-                                     mesh_.position(t[2]), mesh_.position(t[3]));
+      const double shape = tet_shape(mesh_, Region(id));
       if (shape >= least) continue;
       least = shape;
       worst = Region(id);

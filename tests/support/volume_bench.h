@@ -2,6 +2,7 @@
 // A classified volume mesh for operators on tetrahedra: with what lies on model faces and edges as
 // entities, or with everything; and small volumes to try them on.
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -10,11 +11,19 @@
 
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/operators/ball.h"
 #include "core/samples/samples.h"
 #include "tests/support/volume_mesh.h"
 #include "tests/support/zoo.h"
 
 namespace aomd::test {
+
+/// The shape of the worst tetrahedron; 1 where there is none.
+inline double worst_shape(const Mesh& mesh) {
+  double worst = 1;
+  for (const Region r : mesh.regions()) worst = std::min(worst, tet_shape(mesh, r));
+  return worst;
+}
 
 enum class Levels { Listed, Complete };
 inline constexpr Levels both_levels[] = {Levels::Listed, Levels::Complete};

@@ -11,12 +11,6 @@ bool VolumeImprovement::is_tetrahedron(Region r) const {
   return mesh_.alive(r) && mesh_.shape(r) == Shape::Tetrahedron;
 }
 
-double VolumeImprovement::shape(Region r) const {
-  const auto t = mesh_.tetrahedron(r);
-  return tet_shape(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]),
-                   mesh_.position(t[3]));
-}
-
 // Both keep a plan that gains more than the best so far, and say so.
 bool VolumeImprovement::beats(Vertex a, Vertex b, double& gain) {
   if (!judge(mesh_, a, b, rules_.removal, edge_).accepted()) return false;
@@ -102,7 +96,7 @@ bool VolumeImprovement::try_mending(Region r) {
 
 void VolumeImprovement::queue(Region r, double below) {
   if (!is_tetrahedron(r)) return;
-  const double q = shape(r);
+  const double q = tet_shape(mesh_, r);
   if (!(q < below)) return;
   slivers_.push_back({q, r});
   std::push_heap(slivers_.begin(), slivers_.end());
@@ -122,7 +116,7 @@ std::uint32_t VolumeImprovement::mend(double below) {
     std::pop_heap(slivers_.begin(), slivers_.end());
     const auto [q, region] = slivers_.back();
     slivers_.pop_back();
-    if (!is_tetrahedron(region) || shape(region) != q || !try_mending(region)) continue;
+    if (!is_tetrahedron(region) || tet_shape(mesh_, region) != q || !try_mending(region)) continue;
     ++count;
     queue_changed(below);
   }

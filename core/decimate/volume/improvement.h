@@ -73,8 +73,9 @@ class VolumeImprovement {
   };
 
   [[nodiscard]] bool is_tetrahedron(Region r) const;
-  [[nodiscard]] double shape(Region r) const;
-  [[nodiscard]] bool is_poor(Region r) const { return is_tetrahedron(r) && shape(r) < rules_.poor; }
+  [[nodiscard]] bool is_poor(Region r) const {
+    return is_tetrahedron(r) && tet_shape(mesh_, r) < rules_.poor;
+  }
   bool beats(Vertex a, Vertex b, double& gain);
   bool beats(Region r, std::uint32_t slot, double& gain);
   template <typename Plan>
