@@ -15,7 +15,7 @@ namespace aomd::measure {
 namespace {
 
 // The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no
-// hash and no sort of the whole.
+// hash and no sort.
 class Sides {
  public:
   explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
@@ -24,30 +24,37 @@ class Sides {
     ends_.resize(begin_.back());
     std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
     each(mesh, [&](std::uint32_t a, std::uint32_t b, bool of_face) {
-      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face ? 1u : 0u};
+      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face};
     });
   }
 
-  void count(Counts& counts) {
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const auto ends = std::span(ends_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-      std::sort(ends.begin(), ends.end(),
-                [](const End& a, const End& b) { return a.vertex < b.vertex; });
-      for (std::size_t i = 0; i < ends.size();) {
-        std::uint32_t faces = 0;
-        const std::uint32_t other = ends[i].vertex;
-        for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
-        ++counts.edges;
-        counts.boundary_edges += faces == 1;
-        counts.nonmanifold_edges += faces > 2;
+  void count(Counts& counts) const {
+    std::vector<std::uint32_t> lower(begin_.size(), no_index), faces(begin_.size());
+    for (std::uint32_t v = 0; v + std::size_t{1} < begin_.size(); ++v) {
+      for (std::uint32_t i = begin_[v]; i < begin_[v + 1]; ++i) {
+        const auto [other, face] = ends_[i];
+        if (lower[other] != v) {
+          lower[other] = v;
+          faces[other] = 0;
+          ++counts.edges;
+        }
+        if (face) count_face(++faces[other], counts);
       }
     }
   }
 
  private:
   struct End {
-    std::uint32_t vertex, faces;
+    std::uint32_t vertex;
+    bool face;
   };
+
+  // What an edge is after its first, second and third face.
+  static void count_face(std::uint32_t n, Counts& counts) {
+    if (n == 1) ++counts.boundary_edges;
+    if (n == 2) --counts.boundary_edges;
+    if (n == 3) ++counts.nonmanifold_edges;
+  }
 
   template <typename Visit>
   static void each(const Mesh& mesh, Visit&& visit) {
