@@ -140,6 +140,26 @@ TEST_F(DecimateOptionsCommand, AListedModelEntityKeepsAllVerticesOfWhatLiesOnIt)
   EXPECT_EQ(out.positions.size(), 29u);
 }
 
+// A face of the box has 9 of the 98 vertices inside it; the 16 on its model edges are not listed.
+TEST_F(DecimateOptionsCommand, OnlyWhatLiesOnAListedModelEntityGoesOrMoves) {
+  sample("box", "box.ply", 4);
+  const MeshData in = mesh("box.ply");
+  ASSERT_EQ(in.positions.size(), 98u);
+  const int tag = in.faces.classes.front().tag();
+  put("only.txt", "face " + std::to_string(tag) + "\n");
+  for (const char* strategy : {"paper", "quality"}) {
+    const auto report =
+        decimate("box.ply", std::string("--coarsest --only only.txt --strategy ") + strategy);
+    EXPECT_EQ(report["options"]["only"], "only.txt");
+    EXPECT_EQ(mesh("o.ply").positions.size(), 89u) << strategy;
+  }
+  put("keep.txt", "face " + std::to_string(tag) + "\n");
+  decimate("box.ply", "--coarsest --only only.txt --keep keep.txt");
+  EXPECT_EQ(mesh("o.ply").positions.size(), 98u);
+  put("only.txt", "face 77\n");
+  expect_failure("decimate box.ply x.ply --only only.txt", 3, "1: nothing lies on model face 77");
+}
+
 TEST_F(DecimateOptionsCommand, AFormulaMakesOneSideCoarser) {
   sample("sphere", "s.ply", 24);
   for (const char* strategy : {"paper", "quality"}) {

@@ -1,5 +1,9 @@
 // aomd decimate and replay on tetrahedra.
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "tests/support/cli_helpers.h"
 
 namespace aomd::test {
@@ -11,6 +15,7 @@ class DecimateVolume : public CommandLine {
     CommandLine::SetUp();
     ASSERT_EQ(aomd("sample tet-box v.msh --size 6").code, 0);
   }
+  [[nodiscard]] MeshData mesh(const std::string& name) const { return io::read(at(name)).mesh; }
 };
 
 TEST_F(DecimateVolume, ReachesATargetAndReports) {
@@ -112,11 +117,34 @@ TEST_F(DecimateVolume, WhatIsBesideOtherShapesStays) {
   EXPECT_NE(run.out.find("1 tetrahedron -> 1"), std::string::npos) << run.out;
 }
 
-TEST_F(DecimateVolume, RegionsCanBeKept) {
-  put("keep.txt", "region 1\n");
-  ASSERT_EQ(aomd("decimate v.msh o.msh --strategy paper --keep keep.txt --report r.json").code, 0);
-  const auto report = json("r.json");
-  EXPECT_GT(report["output"]["regions"], 0);
+/// The tetrahedra of a model region, each by the positions of its vertices in their order.
+std::vector<std::array<double, 12>> tetrahedra_of(const MeshData& data, int region) {
+  std::vector<std::array<double, 12>> list;
+  for (std::size_t r = 0; r < data.regions.size(); ++r) {
+    if (data.regions.classes[r] != ModelRef(3, region)) continue;
+    auto& at = list.emplace_back();
+    for (std::size_t k = 0; k < 12; ++k)
+      at[k] = data.positions[data.regions.vertices[4 * r + k / 3]][static_cast<int>(k % 3)];
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+// A ball, region 1, in a box.
+TEST_F(DecimateVolume, RegionsCanBeKeptOrBeTheOnlyOnes) {
+  ASSERT_EQ(aomd("sample ball-in-box b.msh --size 3").code, 0);
+  const MeshData before = mesh("b.msh");
+  put("one.txt", "region 1\n");
+  put("two.txt", "region 2\n");
+  for (const char* strategy : {"paper", "quality"}) {
+    const std::string run = std::string("decimate b.msh o.msh --coarsest --strategy ") + strategy;
+    ASSERT_EQ(aomd(run + " --keep one.txt").code, 0);
+    EXPECT_EQ(tetrahedra_of(mesh("o.msh"), 1), tetrahedra_of(before, 1)) << strategy;
+    EXPECT_LT(2 * tetrahedra_of(mesh("o.msh"), 2).size(), tetrahedra_of(before, 2).size());
+    ASSERT_EQ(aomd(run + " --only two.txt").code, 0);
+    EXPECT_EQ(tetrahedra_of(mesh("o.msh"), 1), tetrahedra_of(before, 1)) << strategy;
+    EXPECT_LT(tetrahedra_of(mesh("o.msh"), 2).size(), tetrahedra_of(before, 2).size());
+  }
 }
 
 // What the file does not say is not said of the result either.

@@ -198,6 +198,7 @@ class Run {
     if (options_.max_distance_pct > 0)
       steps_.max_distance = options_.max_distance_pct / 100 * diagonal_of(original_);
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
+    if (!options_.only.empty()) steps_.keep = read_only_file(options_.only, mesh_, steps_.keep);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0 && !options_.quiet)

@@ -174,8 +174,12 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "--keep", o.keep,
       "Vertices that stay where they are, one item a line: a vertex (123), a range\n"
       "(10-20), or a model entity and so all on it (vertex 3, edge 7, face 2)");
-  keep->type_name("FILE")->check(not_empty());
-  put_into("Guarantees", {turn, smallest, distance, intersections, topology, keep});
+  CLI::Option* only = command.add_option(
+      "--only", o.only,
+      "All other vertices stay; a model entity lists the vertices on it, and not\n"
+      "those of what bounds it (region 2: those inside)");
+  for (CLI::Option* each : {keep, only}) each->type_name("FILE")->check(not_empty());
+  put_into("Guarantees", {turn, smallest, distance, intersections, topology, keep, only});
 }
 
 void add_outputs(CLI::App& command, DecimateOptions& o) {
@@ -215,6 +219,7 @@ std::vector<NamedFile> DecimateOptions::inputs() const {
   return {{"IN", input},
           {"--model", model},
           {"--keep", keep},
+          {"--only", only},
           {"--spacing", from_file ? spacing : std::string()}};
 }
 
@@ -280,6 +285,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
           {"threads", steps.threads},
           {"topology", topology},
           {"keep", or_null(keep)},
+          {"only", or_null(only)},
           {"snap", snap},
           {"model", or_null(model)},
           {"triangulate", triangulate},

@@ -32,7 +32,7 @@ struct DecimateOptions {
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy
-  std::string topology = "safe", keep;
+  std::string topology = "safe", keep, only;
   double max_distance_pct = 0;  ///< of the diagonal of the input's box
   int threads = 0;              ///< 0: all cores
   // What is written

@@ -25,21 +25,26 @@ std::optional<std::uint64_t> whole_number(std::string_view text) {
   return value;
 }
 
-class KeepFile {
+/// What a model entity in a list stands for: the vertices of all that lies on it, or only those
+/// that lie on it themselves.
+enum class OfClass { AllVertices, ItsVertices };
+
+class VertexList {
  public:
-  KeepFile(const io::detail::Source& source, const Mesh& mesh)
+  VertexList(const io::detail::Source& source, const Mesh& mesh, OfClass of_class)
       : source_(source),
         mesh_(mesh),
+        of_class_(of_class),
         cursor_(source, source.bytes, 0, '#'),
-        kept_(mesh.capacity(0), 0) {}
+        listed_(mesh.capacity(0), 0) {}
 
   Kept read() {
     while (!cursor_.skip_to_content()) {
       item();
       cursor_.end_line();
     }
-    keep_classes();
-    return std::move(kept_);
+    list_classes();
+    return std::move(listed_);
   }
 
  private:
@@ -47,7 +52,7 @@ class KeepFile {
     const std::string word = lower(cursor_.word());
     constexpr std::array<std::string_view, 4> dimensions = {"vertex", "edge", "face", "region"};
     const auto found = std::find(dimensions.begin(), dimensions.end(), word);
-    if (found == dimensions.end()) return keep_range(word);
+    if (found == dimensions.end()) return list_range(word);
     const std::int64_t tag = cursor_.integer("the tag of a model entity");
     if (tag < ModelRef::min_tag || tag > ModelRef::max_tag)
       cursor_.fail("no model entity has such a tag");
@@ -56,7 +61,7 @@ class KeepFile {
          {cursor_.offset(), false}});
   }
 
-  void keep_range(std::string_view word) {
+  void list_range(std::string_view word) {
     const std::size_t dash = std::min(word.find('-'), word.size());
     const auto first = whole_number(word.substr(0, dash));
     const auto last = dash == word.size() ? first : whole_number(word.substr(dash + 1));
@@ -68,29 +73,30 @@ class KeepFile {
       cursor_.fail("there is no vertex " + std::to_string(*last) + ": the mesh has " +
                    std::to_string(mesh_.capacity(0)) + ", counted from 0");
     for (std::uint64_t id = *first; id <= *last; ++id)
-      kept_[Vertex(static_cast<std::uint32_t>(id))] = 1;
+      listed_[Vertex(static_cast<std::uint32_t>(id))] = 1;
   }
 
   // One pass over the mesh for all of them.
-  void keep_classes() {
+  void list_classes() {
     if (classes_.empty()) return;
     for (int dim = 0; dim < 4; ++dim)
       for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
-        if (mesh_.alive({dim, id})) keep_if_listed({dim, id});
+        if (mesh_.alive({dim, id})) list_vertices_of({dim, id});
     for (const auto& [ref, entry] : classes_)
       if (!entry.found) source_.fail_at_line(entry.offset, "nothing lies on " + name_of(ref));
   }
 
-  void keep_if_listed(EntityRef e) {
+  void list_vertices_of(EntityRef e) {
     const auto listed = classes_.find(mesh_.classification(e));
     if (listed == classes_.end()) return;
     listed->second.found = true;
     if (e.dimension == 0) {
-      kept_[Vertex(e.index)] = 1;
+      listed_[Vertex(e.index)] = 1;
       return;
     }
+    if (of_class_ == OfClass::ItsVertices) return;
     VertexBuffer buffer;
-    for (const std::uint32_t v : mesh_.vertices_of(e, buffer)) kept_[Vertex(v)] = 1;
+    for (const std::uint32_t v : mesh_.vertices_of(e, buffer)) listed_[Vertex(v)] = 1;
   }
 
   struct Entry {
@@ -100,8 +106,9 @@ class KeepFile {
 
   const io::detail::Source& source_;
   const Mesh& mesh_;
+  OfClass of_class_;
   io::detail::TextCursor cursor_;
-  Kept kept_;
+  Kept listed_;
   std::map<ModelRef, Entry> classes_;
 };
 
@@ -139,7 +146,15 @@ std::shared_ptr<const Kept> keep_required(const Mesh& mesh, const std::shared_pt
 
 std::shared_ptr<const Kept> read_keep_file(const std::filesystem::path& file, const Mesh& mesh) {
   const io::detail::TextFile text(file);
-  return std::make_shared<const Kept>(KeepFile(text.source(), mesh).read());
+  return std::make_shared<const Kept>(VertexList(text.source(), mesh, OfClass::AllVertices).read());
+}
+
+std::shared_ptr<const Kept> read_only_file(const std::filesystem::path& file, const Mesh& mesh,
+                                           const std::shared_ptr<const Kept>& keep) {
+  const io::detail::TextFile text(file);
+  Kept kept = VertexList(text.source(), mesh, OfClass::ItsVertices).read();
+  for (const Vertex v : mesh.vertices()) kept[v] = kept[v] == 0 || (keep && (*keep)[v] != 0);
+  return std::make_shared<const Kept>(std::move(kept));
 }
 
 }  // namespace aomd::cli

@@ -17,6 +17,13 @@ namespace aomd::cli {
 [[nodiscard]] std::shared_ptr<const Column<Vertex, std::uint8_t>> read_keep_file(
     const std::filesystem::path& file, const Mesh& mesh);
 
+/// Nonzero at each vertex that such a file does not list, and at those that stay anyway (`keep`, or
+/// null). Here a model entity lists the vertices that lie on it, and not those of what bounds it: a
+/// region the vertices inside it. O(entities). Throws as read_keep_file does.
+[[nodiscard]] std::shared_ptr<const Column<Vertex, std::uint8_t>> read_only_file(
+    const std::filesystem::path& file, const Mesh& mesh,
+    const std::shared_ptr<const Column<Vertex, std::uint8_t>>& keep);
+
 /// Marks what the mesh's own file requires: vertices with the mark of Medit, and those of edges and
 /// faces with it, besides those that stay anyway (`keep`, or null). Null where nothing
 /// stays. `required` receives the number of required vertices. O(entities).

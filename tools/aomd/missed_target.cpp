@@ -41,6 +41,7 @@ class Help {
         return steps_.min_angle_deg > 0 ? "a smaller --min-angle" : "";
       case Reason::Kept:
         if (!given_.keep.empty()) return "fewer vertices in --keep";
+        if (!given_.only.empty()) return "more vertices in --only";
         return has_other_shapes() ? "aomd convert --split-to-tets" : "";
       case Reason::Distance:
         if (given_.max_distance_pct == 0) return "";
