@@ -21,3 +21,15 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -DCMAKE_PREFI
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Debug)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer ${WORK}/files)
+
+# The same through pkg-config.
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE described ${WORK}/installed/aomd.pc)
+  get_filename_component(folder "${described}" DIRECTORY)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}
+    ${PKG_CONFIG} --cflags --libs aomd COMMAND_ERROR_IS_FATAL ANY OUTPUT_VARIABLE flags)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${COMPILER} -std=c++20 ${CMAKE_CURRENT_LIST_DIR}/consumer.cpp -o ${WORK}/build/by_pkg_config ${flags})
+  run(${WORK}/build/by_pkg_config ${WORK}/files)
+endif()

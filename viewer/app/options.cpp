@@ -103,7 +103,7 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_option("--headless", raw.headless,
                  "No window: draw with OSMesa or EGL, whichever works or the one named")
       ->transform(CLI::CheckedTransformer(kinds))
-      ->type_name("[=osmesa|egl]");
+      ->option_text("[=osmesa|egl]");
   app.add_option("--size", raw.size, "Size of the window or picture in pixels (default 1280x800)")
       ->type_name("WxH")
       ->check(check_size);
@@ -120,15 +120,16 @@ void add_options(CLI::App& app, Raw& raw) {
       ->type_name("BASELINE.png");
   app.add_option("--threshold", raw.options.threshold,
                  "Structural similarity that counts as equal; 1 is identical (default 0.99)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Range(0.0, 1.0))
+      ->option_text("0..1");
   app.add_flag("--transparent", raw.options.transparent,
                "Leave out what is behind the mesh in these pictures");
   app.add_option("--scale", raw.options.scale,
                  "How large text, controls, lines and points are: 0.5 to 4; without it as the "
                  "screen is set, "
                  "1 without a window")
-      ->type_name("F")
-      ->check(CLI::Range(0.5, 4.0));
+      ->check(CLI::Range(0.5, 4.0))
+      ->option_text("F");
   app.add_option("--record", raw.options.record,
                  "Write every command that is carried out: a script for later")
       ->type_name("FILE");
@@ -137,7 +138,7 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_option("--theme", raw.options.theme,
                  "light or dark; as the window was left where it is not given")
       ->transform(CLI::CheckedTransformer(themes))
-      ->type_name("light|dark");
+      ->option_text("light|dark");
   app.add_option("--recovery", raw.recovery,
                  "Keep unsaved work in this folder while it is being done, for the next start to "
                  "restore; off: "

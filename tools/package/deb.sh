@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Builds the programs and makes Debian packages of them: build/packages/*.deb (docs/INSTALL.md).
+set -euo pipefail
+# shellcheck source=../setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
+aomd_packages+=(help2man file)
+aomd_install_packages
+aomd_build release aomd aomd-view
+cd "$aomd_root/build"
+cpack -G DEB -B packages >/dev/null
+rm -rf packages/_CPack_Packages
+ls packages/*.deb
