@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/bulk.h"
+#include "core/mesh/tet_geometry.h"
 
 namespace aomd::measure {
 namespace {
@@ -114,6 +116,33 @@ double signed_volume(const Mesh& mesh, Region r) {
     sum += glm::dot(mesh.position(Vertex(side.ids[0])) - origin, polygon_normal(mesh, side));
   }
   return sum / 6;
+}
+
+namespace {
+
+double volume_of(const Mesh& mesh, Region r) {
+  if (mesh.shape(r) != Shape::Tetrahedron) return signed_volume(mesh, r);
+  VertexBuffer buffer;
+  const auto v = mesh.vertices_of(r, buffer);
+  const auto at = [&](std::size_t i) { return mesh.position(Vertex(v[i])); };
+  return six_volumes(at(0), at(1), at(2), at(3)) / 6;
+}
+
+}  // namespace
+
+std::vector<RegionVolume> region_volumes(const Mesh& mesh) {
+  std::map<ModelRef, RegionVolume> found;
+  for (const Region r : mesh.regions()) {
+    RegionVolume& all = found[mesh.classification(r)];
+    ++all.regions;
+    all.volume += volume_of(mesh, r);
+  }
+  std::vector<RegionVolume> list;
+  for (auto& [model, all] : found) {
+    all.model = model;
+    list.push_back(all);
+  }
+  return list;
 }
 
 double smallest_dihedral_deg(const Mesh& mesh, Region r) {

@@ -27,6 +27,16 @@ void count_volume_faces(const Mesh& mesh, Counts& counts);
 /// Analysis and Design 15, 1994). O(1).
 [[nodiscard]] double tetrahedron_shape(const Mesh& mesh, Region r);
 
+/// What a mesh has of one model region; those without a class are one, whose `model` is invalid.
+struct RegionVolume {
+  ModelRef model;
+  std::size_t regions = 0;
+  double volume = 0;
+};
+
+/// By ascending `model`. O(regions).
+[[nodiscard]] std::vector<RegionVolume> region_volumes(const Mesh& mesh);
+
 /// Smallest dihedral angles of the regions, each in degrees, whichever way its faces look.
 struct VolumeQuality {
   std::vector<Sample> dihedrals;         ///< of each region, by ascending ids

@@ -19,6 +19,7 @@ struct ClassifyOptions {
   /// no such rule.
   bool nonmanifold_edges = true;
   /// Keep what is classified already (it came with the file, and wins) and derive only the rest.
+  /// Regions keep their model regions either way.
   bool keep_present = true;
 };
 

@@ -31,8 +31,9 @@ class VolumeClassifier {
   }
 
  private:
+  // Not regions: their materials follow from nothing that could be derived anew.
   void forget() {
-    for (int dim = 0; dim < 4; ++dim)
+    for (int dim = 0; dim < 3; ++dim)
       for (std::uint32_t id = 0; id < mesh_.capacity(dim); ++id)
         if (mesh_.ids(dim).alive(id)) mesh_.set_classification(EntityRef(dim, id), {});
   }

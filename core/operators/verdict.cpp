@@ -9,17 +9,16 @@ namespace aomd {
 
 const char* reason_name(Reason reason) {
   constexpr const char* names[] = {
-      "None", "Spacing", "Classification", "Topology",     "Flat",     "Angle",    "Quality",
-      "Kept", "Shape",   "Distance",       "Intersection", "Inverted", "Overshoot"};
+      "None", "Spacing", "Classification", "Topology",     "Flat",     "Angle",     "Quality",
+      "Kept", "Shape",   "Distance",       "Intersection", "Inverted", "Overshoot", "Volume"};
   return names[static_cast<int>(reason)];
 }
 
 int check_order(Reason reason) {
   constexpr std::array<Reason, reason_count> order = {
-      Reason::None,        Reason::Kept,  Reason::Spacing, Reason::Classification,
-      Reason::Topology,    Reason::Flat,  Reason::Angle,   Reason::Inverted,
-      Reason::Overshoot,   Reason::Shape, Reason::Quality, Reason::Distance,
-      Reason::Intersection};
+      Reason::None,    Reason::Kept,   Reason::Spacing,  Reason::Classification, Reason::Topology,
+      Reason::Flat,    Reason::Angle,  Reason::Inverted, Reason::Overshoot,      Reason::Shape,
+      Reason::Quality, Reason::Volume, Reason::Distance, Reason::Intersection};
   return static_cast<int>(std::find(order.begin(), order.end(), reason) - order.begin());
 }
 

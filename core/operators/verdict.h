@@ -25,8 +25,10 @@ enum class Reason : std::uint8_t {
   Intersection,  ///< the surface would cut itself where it did not
   Inverted,      ///< a tetrahedron would have no volume, or be inside out
   Overshoot,     ///< an edge would become too long for the size there; number: its length
+  Volume,        ///< a model region would gain or lose more than its limit in all; number: percent
+                 ///< of its volume, negative where it would be smaller
 };
-inline constexpr int reason_count = 13;
+inline constexpr int reason_count = 14;
 
 /// Where the check stands in the order of those that a collapse passes; 0 for None.
 [[nodiscard]] int check_order(Reason reason);

@@ -10,6 +10,8 @@
 #include "core/measure/intersections.h"
 #include "core/operators/smooth.h"
 #include "tests/support/guard_helpers.h"
+#include "tests/support/tet_zoo.h"
+#include "tests/support/volume_bench.h"
 
 namespace aomd::test {
 namespace {
@@ -148,6 +150,68 @@ TEST(DistanceGuard, NothingButWhatLiesOnTheOriginalAtDistanceZero) {
   const Mesh mesh = prepared(zoo::grid(4));
   DistanceGuard guard(mesh, 0);
   EXPECT_EQ(guard.judge(move_of(mesh, Vertex(12), {2, 2, 1e-9})).reason, Reason::Distance);
+}
+
+Change move_on_model(const Mesh& mesh, Vertex v, const glm::dvec3& to) {
+  Star star;
+  gather_model_faces(mesh, v, star);
+  Change change;
+  describe(mesh, v, star, to, change);
+  return change;
+}
+
+Vertex vertex_at(const Mesh& mesh, const glm::dvec3& place) {
+  for (const Vertex v : mesh.vertices())
+    if (mesh.position(v) == place) return v;
+  return {};
+}
+
+//    region 3
+//   --------------  at 1.1     closer to each other than the distance of 0.15: what has gone 0.21
+//   ___/\_________  at 1       up from the lower one is near the upper one, and that does not count
+//    region 1
+TEST(DistanceGuard, AnInterfaceIsNotNearBecauseAnotherOneIs) {
+  MeshData layers = zoo::tet_grid({4, 4, 4}, [](const zoo::Cell& c) { return c.z + 1; });
+  for (glm::dvec3& p : layers.positions)
+    if (p.z >= 2) p.z -= 0.9;
+  for (const Levels levels : both_levels) {
+    const VolumeBench b(layers, levels);
+    const Vertex v = vertex_at(b.mesh, {2, 2, 1});
+    ASSERT_TRUE(v.valid());
+    DistanceGuard guard(b.mesh, 0.15);
+    EXPECT_TRUE(guard.judge(move_on_model(b.mesh, v, {2, 2, 1.14})).accepted());
+    const Verdict far = guard.judge(move_on_model(b.mesh, v, {2, 2, 1.21}));
+    EXPECT_EQ(far.reason, Reason::Distance) << name(levels);
+    EXPECT_GT(far.number(), 0.15);
+    EXPECT_LE(far.number(), 0.21);
+  }
+}
+
+// A tetrahedron above a cube, whose tip goes down through either half of the cube's upper side.
+TEST(IntersectionGuard, BothHalvesOfAQuadAreGuarded) {
+  for (const glm::dvec2 at : {glm::dvec2(0.75, 0.25), glm::dvec2(0.25, 0.75)}) {
+    const VolumeBench b(zoo::make_volume({{0, 0, 0},
+                                          {1, 0, 0},
+                                          {1, 1, 0},
+                                          {0, 1, 0},
+                                          {0, 0, 1},
+                                          {1, 0, 1},
+                                          {1, 1, 1},
+                                          {0, 1, 1},
+                                          {at.x, at.y, 1.5},
+                                          {at.x + 0.1, at.y, 2},
+                                          {at.x, at.y + 0.1, 2},
+                                          {at.x - 0.1, at.y - 0.1, 2}},
+                                         {{Shape::Hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}},
+                                          {Shape::Tetrahedron, {8, 9, 10, 11}}}),
+                        Levels::Listed);
+    IntersectionGuard guard(b.mesh);
+    const Vertex tip(8);
+    EXPECT_TRUE(guard.judge(move_on_model(b.mesh, tip, {at, 1.1})).accepted());
+    const Verdict through = guard.judge(move_on_model(b.mesh, tip, {at, 0.5}));
+    EXPECT_EQ(through.reason, Reason::Intersection) << at.x;
+    EXPECT_EQ(b.mesh.shape(through.entity), Shape::Quad);
+  }
 }
 
 //      ____

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/decimate/spacing/vertex_neighbours.h"
+#include "core/model/classify.h"
 #include "tests/support/io_helpers.h"
 #include "tests/support/message.h"
 #include "tests/support/zoo.h"
@@ -383,6 +384,44 @@ TEST(SpacingGrowthTest, HoldsOnTheBunny) {
   };
   EXPECT_LT(tenth(ears), 0.75 * tenth(flank))
       << "the rims of the ears bend more than anything on the flank";
+}
+
+// By surface
+// ------------------------------------------------------------------------------------------
+
+// Tetrahedra around the line from 0 over 1 and 2 to 3, inside a triangle 4, 5, 6 at height 3:
+//
+//     3 (6)         edges on the outside: 5 from 0 and 3 to the triangle, 4 sqrt(3) in it
+//     |
+//     2 (3)  4,5,6
+//     1 (1)
+//     0 (0)
+MeshData line_of_tets() {
+  const double s = 2 * std::sqrt(3.0);
+  zoo::Solids cells;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    for (std::uint32_t j = 0; j < 3; ++j)
+      cells.emplace_back(Shape::Tetrahedron,
+                         std::vector<std::uint32_t>{i, i + 1, 4 + j, 4 + (j + 1) % 3});
+  return zoo::make_volume(
+      {{0, 0, 0}, {0, 0, 1}, {0, 0, 3}, {0, 0, 6}, {4, 0, 3}, {-2, s, 3}, {-2, -s, 3}}, cells);
+}
+
+TEST(SpacingBySurfaceTest, GrowsInsideFromWhatItIsOnModelFaces) {
+  Mesh mesh(line_of_tets());
+  classify(mesh);
+  const std::vector<double> sizes =
+      values(mesh, evaluate_spacing(mesh, {SpacingBySurface{2}, 0.5}));
+  const double rim = 2 * (5 + 5 + 2 * 4 * std::sqrt(3.0)) / 4;
+  const std::vector<double> wanted = {10, 10.5, 11.5, 10, rim, rim, rim};
+  ASSERT_EQ(sizes.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(sizes[i], wanted[i], 1e-14) << i;
+  const auto free = evaluate_spacing(mesh, {SpacingBySurface{2}, {}});
+  EXPECT_EQ(free[Vertex(1)], inf);
+  EXPECT_EQ(free[Vertex(0)], 10);
+  EXPECT_EQ(parse_spacing("surface", 3), (SpacingSource{SpacingBySurface{3}, 0.3}));
+  EXPECT_EQ(message([] { (void)spacing_of(zoo::grid(2), parse_spacing("surface")); }),
+            "surface is for volumes: a surface has nothing inside");
 }
 
 }  // namespace

@@ -120,9 +120,9 @@ TEST(VolumeDebtsTest, ARegionBearsWhatItsLimitAllowsAndWhatLeadsBack) {
   EXPECT_FALSE(debts.bears(a, 0.5));
   debts.hand_over(Vertex(0), Vertex(1));
   EXPECT_EQ(debts.total(a), 3);
-  const std::array<VolumeCondition, 1> conditions{{{.region = a, .normal = {0, 0, 2}}}};
-  EXPECT_TRUE(debts.bears({0, 0, -1}, conditions));
-  EXPECT_FALSE(debts.bears({0, 0, 1}, conditions));
+  EXPECT_EQ(debts.in_limits(a, 1), 2);
+  EXPECT_EQ(debts.in_limits(a, -6), -1.5);
+  EXPECT_EQ(debts.in_limits(b, 1e9), 0);
 }
 
 TEST(PlacementTest, PaysDebtsAsFarAsItMay) {

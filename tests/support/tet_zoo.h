@@ -2,11 +2,13 @@
 // Small meshes of tetrahedra with several materials: what collapses among them are tried on.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "core/mesh/handle.h"
 #include "core/mesh/mesh_data.h"
 
 namespace aomd::zoo {

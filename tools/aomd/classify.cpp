@@ -70,7 +70,7 @@ void add_classify(CLI::App& app, Action& action) {
       ->check(angle())
       ->capture_default_str();
   command->add_flag("--replace", options->replace,
-                    "Forgets the classification that the file carries");
+                    "Forgets the classification that the file carries, but for that of regions");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options] { action = [options] { return run(*options); }; });
 }

@@ -33,6 +33,7 @@
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_report.h"
 
 namespace aomd::cli {
 namespace {
@@ -54,7 +55,7 @@ class Run {
 
   int run() {
     format_ = format_of_output(options_.output, options_.format);
-    static_cast<void>(options_.spacing_source());
+    options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
     read();
     classify_mesh();
@@ -82,6 +83,7 @@ class Run {
       throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
+    check_kind();
     count_cells();
     if (volume() && !options_.quiet) tell_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
@@ -90,10 +92,21 @@ class Run {
 
   [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
 
-  // Regions of other shapes than tetrahedra stay, and count beside the target.
-  void count_cells() {
+  // Options that belong to the other kind of mesh, or of strategy.
+  void check_kind() const {
     if (volume() && steps_.topology != TopologyRule::Safe)
       throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
+    if (!volume() && !options_.volume_rule.empty())
+      throw UsageError("--volume is for volumes, and " + options_.input + " has no regions");
+    if (options_.volume_rule == "keep" && options_.paper())
+      throw UsageError(
+          "--volume keep is for --strategy quality: the printed loop places no vertex");
+    if (volume() && steps_.exchange && !options_.quiet)
+      print_notes(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
+  }
+
+  // Regions of other shapes than tetrahedra stay, and count beside the target.
+  void count_cells() {
     for (const Region r : mesh_.regions()) others_ += mesh_.shape(r) != Shape::Tetrahedron;
     const std::uint32_t cells = volume() ? mesh_.count(3) - others_ : mesh_.count(2);
     target_ = options_.target_count(volume(), cells);
@@ -151,6 +164,7 @@ class Run {
     if (options_.snaps()) snap_to_model();
     seconds_["classify"] = watch_.lap();
     input_ = measure::count_entities(mesh_);
+    volumes_before_ = measure::region_volumes(mesh_);
     if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, input_, false));
     watch_.lap();
   }
@@ -259,6 +273,7 @@ class Run {
   void check_volume() {
     const std::size_t before = measure::measure_volume(Mesh(original_)).inverted.size();
     volume_quality_ = measure::measure_volume(mesh_);
+    volumes_ = volume_changes(volumes_before_, measure::region_volumes(mesh_));
     const std::size_t after = volume_quality_.inverted.size();
     if (after > before)
       throw InternalFault(options_.input +
@@ -331,6 +346,8 @@ class Run {
             {"memory_bytes", memory_},
             {"sweeps", sweeps_json(sweeps_)},
             {"quality", quality_report()},
+            {"model_regions", volume() ? volume_changes_json(volumes_) : Json(nullptr)},
+            {"volume_change_pct", volume() ? Json(largest_percent(volumes_)) : Json(nullptr)},
             {"findings",
              {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", 0}}},
             {"stopped", stopped_json()}};
@@ -349,18 +366,20 @@ class Run {
   }
 
   [[nodiscard]] std::string state_words() const {
-    return volume() ? "smallest dihedral angle " +
-                          words::degrees(volume_quality_.min_dihedral_deg) + " degrees"
-                    : counted(flips_, "flipped face");
+    if (!volume()) return counted(flips_, "flipped face");
+    return "smallest dihedral angle " + words::degrees(volume_quality_.min_dihedral_deg) +
+           " degrees, largest change of a region's volume " +
+           number_text(largest_percent(volumes_), 2) + " %";
   }
 
   void print_summary() const {
     const bool kept = input_.euler == output_.euler;
-    stream_beside(options_.outputs())
-        << printable(options_.input) << ": " << change_words() << ", Euler number " << input_.euler
+    std::ostream& out = stream_beside(options_.outputs());
+    out << printable(options_.input) << ": " << change_words() << ", Euler number " << input_.euler
         << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
         << counted(self_intersections_, "self-intersection") << ", " << state_words() << ", "
         << std::llround(1000 * watch_.total()) << " ms\n";
+    if (volume()) print_volume_changes(out, volumes_);
     if (!missed_) return;
     print_notes(options_.output, {sentence(*missed_, steps_, target_, cells(), volume())});
     print_notes(options_.input, dirt_notes(original_, input_, true));
@@ -381,6 +400,8 @@ class Run {
   measure::Counts input_, output_;
   measure::Quality quality_;
   measure::VolumeQuality volume_quality_;
+  std::vector<measure::RegionVolume> volumes_before_;
+  std::vector<VolumeChange> volumes_;
   std::vector<SweepStatistics> sweeps_;
   std::optional<MissedTarget> missed_;
   std::uint32_t target_ = 0, others_ = 0;  ///< faces or tetrahedra; regions of other shapes

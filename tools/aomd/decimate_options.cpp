@@ -78,24 +78,23 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
       ->check(positive_number())
       ->capture_default_str()
       ->excludes(target)
-      ->excludes(tets);
+      ->excludes(tets)
+      ->each([&o](const std::string&) { o.factor_given = true; });
   CLI::Option* coarsest =
       command.add_flag("--coarsest", o.decimation.coarsest, "No limit on the length of edges");
   coarsest->excludes(factor);
   CLI::Option* spacing = command.add_option(
       "--spacing", o.spacing,
       "How long edges become, in the mesh's units: a file with a number for each\n"
-      "vertex; curvature (longer where it is flatter); or a formula of x, y, z,\n"
-      "h (mean length of the edges there), k (curvature) and diag (diagonal of\n"
-      "the box): \"x < 0 ? 2 * h : 8 * h\"");
-  spacing->type_name("FILE|EXPR|curvature")
-      ->check(not_empty())
-      ->excludes(factor)
-      ->excludes(coarsest);
+      "vertex; curvature (longer where it is flatter); surface (of a volume:\n"
+      "--factor times what they are on model faces, growing inside); or a formula\n"
+      "of x, y, z, h (mean length of the edges there), k (curvature) and diag\n"
+      "(diagonal of the box): \"x < 0 ? 2 * h : 8 * h\"");
+  spacing->type_name("FILE|EXPR|curvature|surface")->check(not_empty())->excludes(coarsest);
   CLI::Option* gradation = command.add_option(
       "--gradation", o.gradation,
       "How much the spacing may grow per unit of length; default " +
-          number_text(default_spacing_growth) + " for\ncurvature, else no limit");
+          number_text(default_spacing_growth) + " for\ncurvature and surface, else no limit");
   gradation->type_name("G")->check(positive_number())->needs(spacing);
   put_into("What to aim at", {target, tets, factor, coarsest, spacing, gradation});
 }
@@ -167,6 +166,11 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
   distance->type_name("PCT")->transform(percent())->check(positive_number());
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");
+  CLI::Option* volume = command.add_option(
+      "--volume", o.volume_rule,
+      "For quality on tetrahedra. keep: no model region changes by more than 0.1 % of\nits volume; "
+      "free: none of that is asked. keep by itself");
+  volume->type_name("keep|free")->transform(one_of({"keep", "free"}));
   CLI::Option* topology = command.add_option(
       "--topology", o.topology, "safe: keeps the topology; paper: as printed, without that check");
   topology->type_name("safe|paper")->transform(one_of({"safe", "paper"}))->capture_default_str();
@@ -179,7 +183,7 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "All other vertices stay; a model entity lists the vertices on it, and not\n"
       "those of what bounds it (region 2: those inside)");
   for (CLI::Option* each : {keep, only}) each->type_name("FILE")->check(not_empty());
-  put_into("Guarantees", {turn, smallest, distance, intersections, topology, keep, only});
+  put_into("Guarantees", {turn, smallest, distance, intersections, volume, topology, keep, only});
 }
 
 void add_outputs(CLI::App& command, DecimateOptions& o) {
@@ -192,6 +196,10 @@ void add_outputs(CLI::App& command, DecimateOptions& o) {
       "--strict", o.strict, "Exit code 1 where the target is missed by more than 1 percent");
   CLI::Option* quiet = command.add_flag("--quiet", o.quiet, "Prints nothing but errors");
   put_into("Output", {report, journal, add_format(command, o.format), strict, quiet});
+}
+
+bool by_surface(const std::optional<SpacingSource>& source) {
+  return source && std::holds_alternative<SpacingBySurface>(source->from);
 }
 
 Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
@@ -232,6 +240,7 @@ DecimationOptions DecimateOptions::for_library() const {
   result.strategy = paper() ? Strategy::Paper : Strategy::Quality;
   result.angle_deg = angle_deg.value_or(
       usual_angle_deg(paper() ? Strategy::Paper : Strategy::Quality, decimation.coarsest));
+  result.keep_volumes = volume_rule != "free";
   result.topology = topology == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
   for (int i = 0; i < idea_count; ++i)
     if (std::find(without.begin(), without.end(), idea_name(static_cast<Idea>(i))) != without.end())
@@ -252,7 +261,7 @@ ClassifyOptions DecimateOptions::for_classification() const {
 std::optional<SpacingSource> DecimateOptions::spacing_source() const {
   if (spacing.empty()) return {};
   try {
-    SpacingSource source = parse_spacing(spacing);
+    SpacingSource source = parse_spacing(spacing, decimation.factor);
     if (gradation) source.growth = gradation;
     return source;
   } catch (const std::invalid_argument& e) {
@@ -260,38 +269,47 @@ std::optional<SpacingSource> DecimateOptions::spacing_source() const {
   }
 }
 
+void DecimateOptions::check_spacing() const {
+  const auto source = spacing_source();
+  if (source && factor_given && !by_surface(source))
+    throw UsageError("--factor excludes --spacing, unless that is surface");
+}
+
 Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
   const auto source = spacing_source();
-  const bool by_factor = !steps.coarsest && !source && steps.target_faces == 0;
+  const bool by_factor =
+      by_surface(source) || (!steps.coarsest && !source && steps.target_faces == 0);
   const Json aim = steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr);
-  return {{"strategy", strategy},
-          {"regularity", steps.regularity},
-          {"target_faces", volume ? Json(nullptr) : aim},
-          {"target_tets", volume ? aim : Json(nullptr)},
-          {"factor", by_factor ? Json(steps.factor) : Json(nullptr)},
-          {"coarsest", steps.coarsest},
-          {"spacing", or_null(spacing)},
-          {"gradation", or_null(source ? source->growth : std::nullopt)},
-          {"angle_deg", steps.angle_deg},
-          {"min_angle_deg", steps.min_angle_deg},
-          {"max_distance_pct", max_distance_pct > 0 ? Json(max_distance_pct) : Json(nullptr)},
-          {"no_intersections", steps.no_intersections},
-          {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
-          {"improve", steps.improve_passes},
-          {"exchange", steps.exchange},
-          {"without", without},
-          {"swap", steps.swap},
-          {"smooth", steps.smooth},
-          {"threads", steps.threads},
-          {"topology", topology},
-          {"keep", or_null(keep)},
-          {"only", or_null(only)},
-          {"snap", snap},
-          {"model", or_null(model)},
-          {"triangulate", triangulate},
-          {"repair", repair},
-          {"weld", weld.on() ? Json(weld.text) : Json(nullptr)},
-          {"journal", or_null(journal)}};
+  return {
+      {"strategy", strategy},
+      {"regularity", steps.regularity},
+      {"target_faces", volume ? Json(nullptr) : aim},
+      {"target_tets", volume ? aim : Json(nullptr)},
+      {"factor", by_factor ? Json(steps.factor) : Json(nullptr)},
+      {"coarsest", steps.coarsest},
+      {"spacing", or_null(spacing)},
+      {"gradation", or_null(source ? source->growth : std::nullopt)},
+      {"angle_deg", steps.angle_deg},
+      {"min_angle_deg", steps.min_angle_deg},
+      {"max_distance_pct", max_distance_pct > 0 ? Json(max_distance_pct) : Json(nullptr)},
+      {"no_intersections", steps.no_intersections},
+      {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
+      {"improve", steps.improve_passes},
+      {"exchange", steps.exchange},
+      {"without", without},
+      {"swap", steps.swap},
+      {"smooth", steps.smooth},
+      {"threads", steps.threads},
+      {"topology", topology},
+      {"volume", volume && !paper() ? Json(steps.keep_volumes ? "keep" : "free") : Json(nullptr)},
+      {"keep", or_null(keep)},
+      {"only", or_null(only)},
+      {"snap", snap},
+      {"model", or_null(model)},
+      {"triangulate", triangulate},
+      {"repair", repair},
+      {"weld", weld.on() ? Json(weld.text) : Json(nullptr)},
+      {"journal", or_null(journal)}};
 }
 
 void add_decimate_options(CLI::App& command, DecimateOptions& options) {

@@ -26,13 +26,14 @@ struct DecimateOptions {
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
   std::string strategy = "quality", feature_angle = "20", snap = "none", model;
-  bool feature_angle_given = false, no_swap = false, no_smooth = false, repair = false,
-       triangulate = false;
+  bool feature_angle_given = false, factor_given = false, no_swap = false, no_smooth = false,
+       repair = false, triangulate = false;
   WeldOption weld;                   ///< with repair
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy
   std::string topology = "safe", keep, only;
+  std::string volume_rule;      ///< keep or free; empty: what the strategy does
   double max_distance_pct = 0;  ///< of the diagonal of the input's box
   int threads = 0;              ///< 0: all cores
   // What is written
@@ -56,6 +57,8 @@ struct DecimateOptions {
   [[nodiscard]] ClassifyOptions for_classification() const;
   /// None without --spacing. Throws UsageError for what is no file and no formula.
   [[nodiscard]] std::optional<SpacingSource> spacing_source() const;
+  /// Throws UsageError too where a factor is given beside one that has no use for it.
+  void check_spacing() const;
   /// "options" of a report: each of them, null where it is not in use; `steps` is what the library
   /// was told.
   [[nodiscard]] Json json(const DecimationOptions& steps, bool volume) const;

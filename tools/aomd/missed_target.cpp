@@ -48,6 +48,8 @@ class Help {
         return "--max-distance " + number_text(2 * given_.max_distance_pct);
       case Reason::Intersection:
         return "leaving out --no-intersections";
+      case Reason::Volume:
+        return "--volume free";
       case Reason::None:
       case Reason::Quality:
       case Reason::Inverted:

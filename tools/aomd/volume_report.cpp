@@ -1,8 +1,11 @@
 #include "tools/aomd/volume_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <limits>
+#include <map>
 
 #include "core/base/text.h"
 #include "core/mesh/names.h"
@@ -55,6 +58,64 @@ Json volume_json(const measure::VolumeComplex& complex, const measure::VolumeQua
             {"mean_deg", quality.mean_dihedral_deg},
             {"below_10deg_pct", quality.regions_below_10deg_pct}}},
           {"shape", shape_json(quality)}};
+}
+
+double VolumeChange::percent() const {
+  const double by = volume[1] - volume[0];
+  if (by == 0) return 0;
+  return volume[0] > 0 ? 100 * by / volume[0] : std::numeric_limits<double>::infinity();
+}
+
+std::vector<VolumeChange> volume_changes(const std::vector<measure::RegionVolume>& before,
+                                         const std::vector<measure::RegionVolume>& after) {
+  std::map<ModelRef, VolumeChange> changes;
+  std::size_t side = 0;
+  for (const auto* list : {&before, &after}) {
+    for (const measure::RegionVolume& r : *list) {
+      VolumeChange& change = changes[r.model];
+      change.model = r.model;
+      change.regions[side] = r.regions;
+      change.volume[side] = r.volume;
+    }
+    ++side;
+  }
+  std::vector<VolumeChange> all;
+  for (const auto& [model, change] : changes) all.push_back(change);
+  return all;
+}
+
+double largest_percent(const std::vector<VolumeChange>& changes) {
+  double largest = 0;
+  for (const VolumeChange& change : changes)
+    if (std::abs(change.percent()) > std::abs(largest)) largest = change.percent();
+  return largest;
+}
+
+Json volume_changes_json(const std::vector<VolumeChange>& changes) {
+  Json list = Json::array();
+  for (const VolumeChange& change : changes)
+    list.push_back({{"tag", region_json(change.model)},
+                    {"regions", change.regions},
+                    {"volume", change.volume},
+                    {"volume_change_pct", change.percent()}});
+  return list;
+}
+
+void print_volume_changes(std::ostream& out, const std::vector<VolumeChange>& changes) {
+  const auto line = [&out](const auto&... values) {
+    out << "  ";
+    ((out << std::setw(14) << values), ...) << '\n';
+  };
+  out << std::right << std::defaultfloat << std::setprecision(6);
+  line("model region", "volume", "now", "change, %");
+  const std::size_t shown = std::min(changes.size(), most_lines);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const VolumeChange& change = changes[i];
+    line(region_name(change.model), change.volume[0], change.volume[1],
+         number_text(change.percent(), 2));
+  }
+  if (shown < changes.size())
+    out << "  and " << changes.size() - shown << " more; --report has all\n";
 }
 
 void print_regions(const measure::VolumeComplex& complex) {

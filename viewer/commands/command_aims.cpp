@@ -74,7 +74,7 @@ void target_faces(Session& session, Arguments& arguments) {
 }
 
 void spacing(Session& session, Arguments& arguments) {
-  const std::string text = arguments.rest("a file, a formula, curvature or off");
+  const std::string text = arguments.rest("a file, a formula, curvature, surface or off");
   DecimationOptions options = session.document().options();
   if (text == "off") {
     options.spacing.reset();
@@ -133,10 +133,11 @@ std::vector<Command> aim_commands() {
        target_faces,
        {}},
       {"spacing",
-       "FILE|EXPR|curvature|off",
+       "FILE|EXPR|curvature|surface|off",
        "How long edges become, in the units of the mesh as loaded: a file with a number for each "
        "vertex; "
-       "curvature: longer where it is flatter; or a formula of x, y, z, h (mean length of the "
+       "curvature: longer where it is flatter; surface: of a volume, factor times what they are on "
+       "model faces, growing inside; or a formula of x, y, z, h (mean length of the "
        "edges there), "
        "k (curvature) and diag (diagonal of the box). Ends other aims; another mesh drops it.",
        CommandGroup::Options,

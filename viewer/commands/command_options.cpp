@@ -38,6 +38,13 @@ void no_intersections(Session& session, Arguments& arguments) {
   session.document().set_options(options);
 }
 
+void volume(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document().options();
+  options.keep_volumes = arguments.one_of({"keep", "free"}) == "keep";
+  arguments.end();
+  session.document().set_options(options);
+}
+
 void feature_angle(Session& session, Arguments& arguments) {
   ClassifyOptions options = session.document().classify_options();
   const std::string text = arguments.word("an angle in degrees, or off");
@@ -116,6 +123,14 @@ std::vector<Command> option_commands() {
        "No operation makes faces cut each other that did not. Runs take several times as long.",
        CommandGroup::Options,
        no_intersections,
+       {}},
+      {"volume",
+       "keep|free",
+       "For quality on tetrahedra. keep, as at first: no model region changes by more than 0.1 % "
+       "of "
+       "its volume; free: none of that is asked.",
+       CommandGroup::Options,
+       volume,
        {}},
       {"feature-angle",
        "DEG|off",

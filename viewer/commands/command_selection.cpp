@@ -214,7 +214,7 @@ std::vector<Command> selection_commands() {
        "grow takes what touches them too, refused the edges that decimation would refuse now for a "
        "reason: "
        "spacing, classification, topology, flat, angle, quality, kept, shape, distance, "
-       "intersection, inverted, overshoot, or "
+       "intersection, inverted, overshoot, volume, or "
        "none; bar what the bar of a histogram counts that VALUE lies in. What is selected stays so "
        "while it "
        "lives.",

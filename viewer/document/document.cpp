@@ -182,7 +182,7 @@ bool Document::judges_at_once() const {
 
 void Document::set_spacing(const std::string& source) {
   cancel_run();
-  const SpacingSource parsed = parse_spacing(source);
+  const SpacingSource parsed = parse_spacing(source, options().factor);
   prepare();
   visit(0, [&] {
     options_.set_spacing(

@@ -28,7 +28,7 @@ class DocumentOptions {
     spacing_source_ = std::move(source);
     ++revision_;
   }
-  /// A file, a formula or "curvature"; empty where lengths are not set.
+  /// A file, a formula, "curvature" or "surface"; empty where lengths are not set.
   [[nodiscard]] std::string_view spacing_source() const {
     return decimation_.spacing ? std::string_view(spacing_source_) : std::string_view();
   }

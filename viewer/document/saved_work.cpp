@@ -87,6 +87,7 @@ Json options_json(const DecimationOptions& o) {
           {"regularity", o.regularity},
           {"without", o.without},
           {"max_distance", o.max_distance},
+          {"keep_volumes", o.keep_volumes},
           {"no_intersections", o.no_intersections},
           {"paper_topology", o.topology == TopologyRule::Paper},
           {"improve_passes", o.improve_passes},
@@ -105,6 +106,7 @@ DecimationOptions options_from(const Json& json) {
   o.regularity = number_from(json, "regularity", 0, 1);
   o.without = whole_from<std::uint32_t>(json, "without", (1 << idea_count) - 1);
   o.max_distance = number_from(json, "max_distance", 0, any);
+  o.keep_volumes = json.value("keep_volumes", true);
   o.no_intersections = json.at("no_intersections");
   o.topology = json.at("paper_topology") ? TopologyRule::Paper : TopologyRule::Safe;
   o.improve_passes = whole_from<int>(json, "improve_passes", 1000);

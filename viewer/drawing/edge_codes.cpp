@@ -19,6 +19,7 @@ Color verdict_color(std::uint8_t code) {
       rgb(0xb0214f),  // intersection
       rgb(0x11203a),  // inverted
       rgb(0xb5c34a),  // overshoot
+      rgb(0xf3b58c),  // volume
   };
   return code < colors.size() ? colors[code] : plain_face_color();
 }

@@ -14,7 +14,7 @@ using EdgeCodes = Column<Edge, std::uint8_t>;
 inline constexpr std::uint8_t unjudged = 15;
 static_assert(reason_count <= unjudged);
 
-/// The colour of an edge with this code; safe for colour-blind eyes as far as thirteen can be.
+/// The colour of an edge with this code; safe for colour-blind eyes as far as fourteen can be.
 [[nodiscard]] Color verdict_color(std::uint8_t code);
 
 }  // namespace aomd::scene

@@ -160,6 +160,7 @@ ReasonWords reason_words(Reason reason) {
       {"Intersection", "The surface would cut itself where it did not."},
       {"Inverted", "A tetrahedron would lose its volume, or turn inside out."},
       {"Overshoot", "An edge would become too long for the size there."},
+      {"Volume", "A model region would gain or lose more of its volume than the limit."},
   }};
   return words[static_cast<std::size_t>(reason)];
 }
@@ -167,7 +168,7 @@ ReasonWords reason_words(Reason reason) {
 std::string explain_collapse(const Mesh& mesh, const CollapseOutlook& o,
                              const DecimationOptions& options) {
   const bool volume = mesh.count(3) > 0;
-  if (std::string text = region_words(mesh, o.verdict); !text.empty()) return text;
+  if (std::string text = region_words(mesh, o.verdict, o.limits); !text.empty()) return text;
   switch (o.verdict.reason) {
     case Reason::None:
       return accepted_words(mesh, o, options);
@@ -185,6 +186,7 @@ std::string explain_collapse(const Mesh& mesh, const CollapseOutlook& o,
 }
 
 std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
+  if (mesh.count(3) > 0) return removal_words(mesh, edge, o);
   const EdgePair& p = o.pair;
   switch (o.verdict.reason) {
     case Reason::None:
@@ -206,6 +208,7 @@ std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
 
 std::string explain_move(const Mesh& mesh, const MoveOutlook& o) {
   const ModelRef on = mesh.classification(o.vertex);
+  if (std::string text = region_words(mesh, o.verdict, o.limits); !text.empty()) return text;
   switch (o.verdict.reason) {
     case Reason::None: {
       const double moved = glm::length(o.target - mesh.position(o.vertex));
@@ -217,6 +220,8 @@ std::string explain_move(const Mesh& mesh, const MoveOutlook& o) {
         return sentence("it lies on " + name(on) + ", and is not moved off it");
       return "It has no neighbours to be moved between.";
     case Reason::Quality:
+      if (o.verdict.entity.dimension == 0)
+        return "No place near is better for the tetrahedra around it.";
       return sentence(name_of(o.verdict.entity) + " would become still poorer");
     default:
       return general_words(o.verdict, o.limits);
@@ -233,7 +238,7 @@ std::vector<CheckResult> collapse_checks(const CollapseOutlook& o,
   const Reason r = o.verdict.reason;
   const bool curve = r == Reason::Angle && o.verdict.entity.dimension == 1;
   const bool shape = r == Reason::Shape && o.verdict.entity.dimension == 3;
-  const std::array<Check, 9> checks = {{
+  const std::array<Check, 10> checks = {{
       {"Length", true, r == Reason::Spacing},
       {"Kept", options.keep != nullptr, r == Reason::Kept},
       {"Model", true, r == Reason::Classification},
@@ -242,6 +247,7 @@ std::vector<CheckResult> collapse_checks(const CollapseOutlook& o,
        r == Reason::Flat || (r == Reason::Shape && !shape) || (r == Reason::Angle && !curve)},
       {"Model edge", o.limits.curve_deg > 0, curve},
       {"Tetrahedra", o.limits.regions, r == Reason::Inverted || r == Reason::Overshoot || shape},
+      {"Volumes", o.limits.volume_pct > 0, r == Reason::Volume},
       {"Distance", options.max_distance > 0, r == Reason::Distance},
       {"Intersections", options.no_intersections, r == Reason::Intersection},
   }};

@@ -19,6 +19,7 @@ struct Limits {
   double curve_deg = 0;      ///< of a model edge in one collapse along itself
   double min_angle_deg = 0;  ///< of a face, unless it had a smaller one
   double distance = 0;       ///< from the original
+  double volume_pct = 0;     ///< by which a model region may change in all, of its volume
   bool regions = false;      ///< tetrahedra are held to be upright and of some shape
 };
 

@@ -24,7 +24,8 @@ const char* decider(Reason reason) {
                                                            "the distance",
                                                            "intersections",
                                                            "tetrahedra inside out",
-                                                           "overlong edges"};
+                                                           "overlong edges",
+                                                           "the volumes of regions"};
   return names[static_cast<std::size_t>(reason)];
 }
 
@@ -55,6 +56,8 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
       return "would turn a tetrahedron inside out";
     case Reason::Overshoot:
       return "would make an edge too long";
+    case Reason::Volume:
+      return "would change a region's volume too much";
     case Reason::Intersection:
       break;
   }

@@ -1,5 +1,7 @@
 #include "core/decimate/explain/volume_words.h"
 
+#include <cmath>
+
 #include "core/base/text.h"
 #include "core/decimate/explain/verdict_words.h"
 #include "core/operators/region_checks.h"
@@ -17,6 +19,30 @@ ModelRef class_of_edge(const Mesh& mesh, const Contraction& c) {
 
 const char* what_would_happen(int dimension) {
   return dimension == 2 ? "the face would be dented" : "a vertex goes only along what it lies on";
+}
+
+std::string change_words(ModelRef region, double percent, double limit) {
+  const Held held = held_length(std::abs(percent), limit);
+  return sentence(name(region) + " would be " + held.value + " % " +
+                  (percent < 0 ? "smaller" : "larger") + "; " + held.limit + " % is the limit");
+}
+
+std::string removal_model_words(const Mesh& mesh, Edge edge, EntityRef who) {
+  if (mesh.classification(edge).dimension() == 1)
+    return sentence("the edge lies on " + name(mesh.classification(edge)));
+  return sentence("what is around it lies on more than one model " +
+                  std::string(who.dimension == 3 ? "region" : "face") + ", as " + name_of(who) +
+                  " shows");
+}
+
+std::string removal_topology_words(const Mesh& mesh, Edge edge, EntityRef who) {
+  const auto [a, b] = mesh.edge_vertices(edge);
+  if (who.dimension == 2)
+    return sentence(name_of(who) + " at the edge is no side of the tetrahedra around it");
+  if (who == EntityRef(a) || who == EntityRef(b))
+    return "Around it there are other shapes than tetrahedra, more than nine on a side, or not all "
+           "that would close a ring.";
+  return sentence("an edge or face that it would make at " + name_of(who) + " is there already");
 }
 
 }  // namespace
@@ -55,7 +81,7 @@ std::string volume_topology_words(const Mesh& mesh, const CollapseOutlook& o) {
   return "Parts of the model that only this edge connects would meet in one vertex.";
 }
 
-std::string region_words(const Mesh& mesh, const Verdict& verdict) {
+std::string region_words(const Mesh& mesh, const Verdict& verdict, const Limits& limits) {
   const EntityRef who = verdict.entity;
   switch (verdict.reason) {
     case Reason::Inverted:
@@ -63,6 +89,8 @@ std::string region_words(const Mesh& mesh, const Verdict& verdict) {
     case Reason::Overshoot:
       return sentence("the edge to " + name_of(who) + " would be " +
                       formatted("%.3g", verdict.number()) + " long, too much for the size there");
+    case Reason::Volume:
+      return change_words(mesh.classification(who), verdict.number(), limits.volume_pct);
     case Reason::Kept:
       if (who.dimension != 3) return {};
       return sentence(name_of(who) + " is a " + std::string(shape_template(mesh.shape(who)).name) +
@@ -73,6 +101,32 @@ std::string region_words(const Mesh& mesh, const Verdict& verdict) {
                       degrees(verdict.number()) + " degrees");
     default:
       return {};
+  }
+}
+
+std::string removal_words(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
+  if (std::string text = region_words(mesh, o.verdict, o.limits); !text.empty()) return text;
+  const EntityRef who = o.verdict.entity;
+  switch (o.verdict.reason) {
+    case Reason::None:
+      if (o.pair.f.valid())
+        return sentence("it would join " + name_of(o.pair.c) + " and " + name_of(o.pair.d));
+      return "The tetrahedra around it would make way for better ones that do without it.";
+    case Reason::Classification:
+      return removal_model_words(mesh, edge, who);
+    case Reason::Topology:
+      return removal_topology_words(mesh, edge, who);
+    case Reason::Quality:
+      return "It would not pay: the worst tetrahedron would have no better shape than now, with a "
+             "smallest dihedral angle of " +
+             degrees(o.verdict.number()) + " degrees.";
+    case Reason::Distance:
+      if (who.dimension != 0) return general_words(o.verdict, o.limits);
+      return sentence("the other diagonal of its two faces would run " +
+                      number_text(o.verdict.number(), 3) +
+                      " beside it, too far for the model face");
+    default:
+      return general_words(o.verdict, o.limits);
   }
 }
 

@@ -14,7 +14,11 @@ namespace aomd::words {
 /// Topology, by what both ends share beside the edge.
 [[nodiscard]] std::string volume_topology_words(const Mesh& mesh, const CollapseOutlook& outlook);
 
-/// Inverted, Overshoot, and Kept and Shape of a region; empty for other verdicts.
-[[nodiscard]] std::string region_words(const Mesh& mesh, const Verdict& verdict);
+/// Inverted, Overshoot, Volume, and Kept and Shape of a region; empty for other verdicts.
+[[nodiscard]] std::string region_words(const Mesh& mesh, const Verdict& verdict,
+                                       const Limits& limits);
+
+/// Whether an edge may be removed from among the tetrahedra around it, and why not.
+[[nodiscard]] std::string removal_words(const Mesh& mesh, Edge edge, const SwapOutlook& outlook);
 
 }  // namespace aomd::words

@@ -12,15 +12,17 @@ namespace aomd {
 
 /// Asked before each operation, it keeps every point of the surface within a distance of the
 /// original, and every point of a model edge (so of the boundary of a classified mesh) within that
-/// distance of what the original has on the same model edge. Not the other way round: that every
-/// point of the original has the result near it is for measuring at the end.
+/// distance of what the original has on the same model edge. Of a volume every point of a model
+/// face stays within the distance of the same model face, so that an interface is not near because
+/// another one is. Not the other way round: that every point of the original has the result near it
+/// is for measuring at the end.
 class DistanceGuard {
  public:
   /// Copies the original: its triangles, and its edges that lie on model edges. `distance` is a
   /// length, at least 0. O(n log n); about 220 bytes a face.
   DistanceGuard(const Mesh& original, double distance);
 
-  [[nodiscard]] double distance() const { return surface_.distance(); }
+  [[nodiscard]] double distance() const { return distance_; }
 
   /// Accepts where every point of every created face, and of every changed piece of a model edge,
   /// certainly lies within the distance, up to rounding of the coordinates. Else Reason::Distance
@@ -30,16 +32,25 @@ class DistanceGuard {
   [[nodiscard]] Verdict judge(const Change& change);
 
  private:
-  [[nodiscard]] Verdict judge_curves(const Change& change);
-  [[nodiscard]] std::uint32_t& hint(Vertex v);
-
-  Envelope surface_;
-  struct Curve {
+  /// What the original has on one model entity; of a surface, all its faces.
+  struct Part {
     ModelRef model;
-    Envelope pieces;
+    Envelope near;
   };
-  std::vector<Curve> curves_;            ///< in ascending order
-  Column<Vertex, std::uint32_t> hints_;  ///< a triangle of the original that may be near the vertex
+  /// A triangle of a part that may be near.
+  struct Hint {
+    const Part* part = nullptr;
+    std::uint32_t triangle = no_index;
+  };
+  [[nodiscard]] static Part* find(std::vector<Part>& parts, ModelRef model);
+  [[nodiscard]] Part* surface_of(const NewFace& f);
+  [[nodiscard]] Verdict judge_curves(const Change& change);
+  [[nodiscard]] std::uint32_t& hint(Vertex v, const Part& part);
+
+  double distance_;
+  bool by_model_face_;                   ///< else one surface stands for all
+  std::vector<Part> surfaces_, curves_;  ///< in ascending order
+  Column<Vertex, Hint> hints_;
 };
 
 }  // namespace aomd

@@ -6,25 +6,42 @@
 #include "core/model/triangle_intersection.h"
 
 namespace aomd {
-namespace {
 
-Box box_of(const Triangle& t) {
+// Of a quad with one half that has area, that one.
+FaceTree::Item FaceTree::item_of(const Mesh& mesh, Face f) {
+  VertexBuffer buffer;
+  const auto v = mesh.vertices_of(f, buffer);
+  const auto at = [&](std::size_t i) { return mesh.position(Vertex(v[i])); };
+  Item item{{at(0), at(1), at(2)}, f};
+  if (v.size() == 3) return item;
+  const Triangle second{at(0), at(2), at(3)};
+  if (without_area(item.corners)) {
+    item.corners = second;
+  } else if (!without_area(second)) {
+    item.half = static_cast<std::uint32_t>(halves_.size());
+    halves_.push_back(second);
+  }
+  return item;
+}
+
+Box FaceTree::box_of(const Item& item) const {
   Box box;
-  if (without_area(t)) return box;
-  for (const glm::dvec3& p : t) box.add(p);
+  if (without_area(item.corners)) return box;
+  for (const glm::dvec3& p : item.corners) box.add(p);
+  if (item.half != no_index)
+    for (const glm::dvec3& p : halves_[item.half]) box.add(p);
   return box;
 }
 
-}  // namespace
+bool FaceTree::cuts(const Triangle& t, const Item& item) const {
+  return intersect(t, item.corners) || (item.half != no_index && intersect(t, halves_[item.half]));
+}
 
 FaceTree::FaceTree(const Mesh& mesh) : place_(mesh.capacity(2), no_index) {
   std::vector<Item> items;
   items.reserve(mesh.count(2));
-  for (const Face f : mesh.faces()) {
-    if (mesh.classification(f).dimension() == 3) continue;  // inside a region of a volume
-    const auto t = mesh.triangle(f);
-    items.push_back({{mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])}, f});
-  }
+  for (const Face f : mesh.faces())
+    if (mesh.classification(f).dimension() != 3) items.push_back(item_of(mesh, f));
   build(items);
 }
 
@@ -43,7 +60,7 @@ void FaceTree::build(const std::vector<Item>& items) {
     const Item& item = items[place.source];
     place_[item.face] = static_cast<std::uint32_t>(items_.size());
     items_.push_back(item);
-    boxes.push_back(box_of(item.corners));
+    boxes.push_back(box_of(item));
   }
   boxes_.fit(std::move(boxes));
   present_ = items.size();
@@ -59,8 +76,10 @@ void FaceTree::remove(Face f) {
 
 void FaceTree::put(Face f, const Triangle& corners) {
   AOMD_CHECK(f.index < place_.size() && place_[f] != no_index);
-  items_[place_[f]].corners = corners;
-  boxes_.put(place_[f], box_of(corners));
+  Item& item = items_[place_[f]];
+  AOMD_CHECK(item.half == no_index);
+  item.corners = corners;
+  boxes_.put(place_[f], box_of(item));
 }
 
 void FaceTree::tidy() {

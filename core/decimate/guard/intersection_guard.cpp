@@ -29,17 +29,17 @@ void IntersectionGuard::find_others(const Change& change) {
 // Pairs of intersecting faces of which at least one is a piece; stops past the limit.
 std::size_t IntersectionGuard::cuts(std::size_t limit, Face& cut) const {
   std::size_t found = 0;
-  const auto meet = [&](const Triangle& s, const Triangle& t, Face face) {
-    if (!intersect(s, t)) return false;
+  const auto count = [&](Face face) {
     cut = face;
     return ++found > limit;
   };
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& p = pieces_[i];
     for (const auto& [other, box] : others_)
-      if (p.box.touches(*box) && meet(p.corners, other->corners, other->face)) return found;
+      if (p.box.touches(*box) && tree_.cuts(p.corners, *other) && count(other->face)) return found;
     for (std::size_t k = 0; k < i; ++k)
-      if (p.box.touches(pieces_[k].box) && meet(p.corners, pieces_[k].corners, pieces_[k].face))
+      if (p.box.touches(pieces_[k].box) && intersect(p.corners, pieces_[k].corners) &&
+          count(pieces_[k].face))
         return found;
   }
   return found;

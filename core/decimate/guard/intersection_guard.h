@@ -17,8 +17,7 @@ namespace aomd {
 /// trade one cut for another, but adds none.
 class IntersectionGuard {
  public:
-  /// Starts from the mesh as it is; all faces are triangles, T(2,0) is stored. O(n log n); about
-  /// 170 bytes a face.
+  /// Starts from the mesh as it is; T(2,0) is stored. O(n log n); about 170 bytes a face.
   explicit IntersectionGuard(const Mesh& mesh) : tree_(mesh), stamps_(mesh.capacity(2), 0) {}
 
   /// Accepts where the created faces cut the other faces and each other in no more pairs than those

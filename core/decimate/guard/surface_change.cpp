@@ -12,7 +12,8 @@ void stretch(const Mesh& mesh, const Star& star, Vertex gone, Vertex hub, const 
     change.replaced.push_back(f.face);
     change.created.push_back({f.face,
                               {hub, f.next, f.previous},
-                              {to, mesh.position(f.next), mesh.position(f.previous)}});
+                              {to, mesh.position(f.next), mesh.position(f.previous)},
+                              mesh.classification(f.face)});
   }
 }
 
@@ -45,8 +46,10 @@ void describe(const Mesh& mesh, const EdgePair& pair, Change& change) {
   change.clear();
   change.replaced.assign({pair.f, pair.g});
   const auto create = [&](Face face, Vertex a, Vertex b, Vertex c) {
-    change.created.push_back(
-        {face, {a, b, c}, {mesh.position(a), mesh.position(b), mesh.position(c)}});
+    change.created.push_back({face,
+                              {a, b, c},
+                              {mesh.position(a), mesh.position(b), mesh.position(c)},
+                              mesh.classification(face)});
   };
   create(pair.f, pair.d, pair.b, pair.c);
   create(pair.g, pair.c, pair.a, pair.d);

@@ -25,6 +25,7 @@ struct NewFace {
   Face face;
   std::array<Vertex, 3> vertices;
   Triangle corners;
+  ModelRef model;  ///< what the face lies on
 };
 
 /// A piece of a model edge as it would be afterwards.

@@ -1,9 +1,14 @@
 #include "core/decimate/spacing/spacing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "core/base/text.h"
 #include "core/decimate/spacing/curvature.h"
@@ -33,6 +38,7 @@ struct Evaluator {
     return SpacingExpression(source.text).evaluate(mesh, neighbours);
   }
   Column<Vertex, double> operator()(const SpacingByCurvature& source) const;
+  Column<Vertex, double> operator()(const SpacingBySurface& source) const;
 };
 
 Column<Vertex, double> Evaluator::operator()(const SpacingByFactor& source) const {
@@ -82,6 +88,45 @@ Column<Vertex, double> Evaluator::operator()(const SpacingByCurvature& source) c
   return spacing;
 }
 
+// The sides of the faces on model faces, each once, from its smaller vertex.
+std::vector<std::array<std::uint32_t, 2>> edges_on_model_faces(const Mesh& mesh) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  VertexBuffer buffer;
+  for (const Face f : mesh.faces()) {
+    if (mesh.classification(f).dimension() == 3) continue;
+    const auto v = mesh.vertices_of(f, buffer);
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      const auto [a, b] = std::minmax(v[k], v[(k + 1) % v.size()]);
+      edges.push_back({a, b});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+Column<Vertex, double> Evaluator::operator()(const SpacingBySurface& source) const {
+  if (mesh.count(3) == 0)
+    throw std::invalid_argument("surface is for volumes: a surface has nothing inside");
+  check_positive(source.factor, "the factor of a spacing");
+  Column<Vertex, double> sum(mesh.capacity(0), 0.0);
+  Column<Vertex, std::uint32_t> count(mesh.capacity(0), 0);
+  for (const auto& [a, b] : edges_on_model_faces(mesh)) {
+    const double length = glm::length(mesh.position(Vertex(a)) - mesh.position(Vertex(b)));
+    for (const std::uint32_t v : {a, b}) {
+      sum[Vertex(v)] += length;
+      ++count[Vertex(v)];
+    }
+  }
+  Column<Vertex, double> spacing(mesh.capacity(0), 0.0);
+  for (const Vertex v : mesh.vertices()) {
+    if (neighbours.of(v).empty()) continue;
+    spacing[v] =
+        count[v] > 0 ? source.factor * sum[v] / count[v] : std::numeric_limits<double>::infinity();
+  }
+  return spacing;
+}
+
 bool is_file(const std::string& text) {
   std::error_code none;
   const auto status = std::filesystem::status(text, none);
@@ -90,9 +135,10 @@ bool is_file(const std::string& text) {
 
 }  // namespace
 
-SpacingSource parse_spacing(const std::string& text) {
+SpacingSource parse_spacing(const std::string& text, double factor) {
   if (is_file(text)) return {SpacingFile{text}, {}};
   if (text == "curvature") return {SpacingByCurvature{}, default_spacing_growth};
+  if (text == "surface") return {SpacingBySurface{factor}, default_spacing_growth};
   try {
     (void)SpacingExpression(text);
   } catch (const std::invalid_argument& error) {

@@ -41,9 +41,17 @@ struct SpacingByCurvature {
   friend bool operator==(const SpacingByCurvature&, const SpacingByCurvature&) = default;
 };
 
+/// Of a volume: on model faces the mean length of the edges there that lie on model faces, so many
+/// times; inside regions whatever the growth from there allows.
+struct SpacingBySurface {
+  double factor = 4;
+  friend bool operator==(const SpacingBySurface&, const SpacingBySurface&) = default;
+};
+
 /// What a spacing field comes from. Plain data; costs nothing until it is evaluated.
 struct SpacingSource {
-  std::variant<SpacingByFactor, SpacingFile, SpacingFormula, SpacingByCurvature> from;
+  std::variant<SpacingByFactor, SpacingFile, SpacingFormula, SpacingByCurvature, SpacingBySurface>
+      from;
   /// How much spacings may differ per unit of length between them: along each edge by no more than
   /// this times its length. They are only ever lowered (limit_growth).
   std::optional<double> growth;
@@ -53,10 +61,11 @@ struct SpacingSource {
 
 inline constexpr double default_spacing_growth = 0.3;
 
-/// What the command line says: a file where there is one of this name, else the word "curvature"
-/// (with default_spacing_growth), else a formula. Throws std::invalid_argument for what is no
-/// formula either: one line with the character and the reason.
-[[nodiscard]] SpacingSource parse_spacing(const std::string& text);
+/// What the command line says: a file where there is one of this name, else one of the words
+/// "curvature" and "surface" (with default_spacing_growth, and `factor` for the latter), else a
+/// formula. Throws std::invalid_argument for what is no formula either: one line with the character
+/// and the reason.
+[[nodiscard]] SpacingSource parse_spacing(const std::string& text, double factor = 4);
 
 /// The spacing at each vertex, how long edges should be, in the mesh's units. Vertices without
 /// edges get 0 unless a file gives them more. O(entities), with growth O(n log n); needs no stored

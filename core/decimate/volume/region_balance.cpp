@@ -92,17 +92,17 @@ void VolumeDebts::add(Vertex v, ModelRef region, double amount) {
   set(v, region, of(v, region) + amount);
 }
 
+double VolumeDebts::in_limits(ModelRef region, double change) const {
+  const auto sum = sums_.find(region.bits());
+  return sum == sums_.end() ? 0 : (sum->second.total + change) / sum->second.most;
+}
+
 bool VolumeDebts::bears(ModelRef region, double change) const {
   const auto sum = sums_.find(region.bits());
   if (sum == sums_.end()) return true;
   const auto [now, most] = sum->second;
   const double then = std::abs(now + change);
   return then <= most || then <= std::abs(now);
-}
-
-bool VolumeDebts::bears(const glm::dvec3& x, std::span<const VolumeCondition> conditions) const {
-  return std::all_of(conditions.begin(), conditions.end(),
-                     [&](const VolumeCondition& c) { return bears(c.region, c.change(x)); });
 }
 
 void VolumeDebts::hand_over(Vertex from, Vertex to) {

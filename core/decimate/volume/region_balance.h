@@ -67,9 +67,10 @@ class VolumeDebts {
   void reset(std::size_t vertices);
   /// Six times the volume by which a region may change in all; without, by any.
   void limit(ModelRef region, double most) { sums_[region.bits()].most = most; }
+  /// What a region would have changed by in all after so much more, in limits; 0 without a limit.
+  [[nodiscard]] double in_limits(ModelRef region, double change) const;
   /// Whether a region may change by so much more: what leads back is always allowed.
   [[nodiscard]] bool bears(ModelRef region, double change) const;
-  [[nodiscard]] bool bears(const glm::dvec3& x, std::span<const VolumeCondition> conditions) const;
   [[nodiscard]] double of(Vertex v, ModelRef region) const;
   void add(Vertex v, ModelRef region, double amount);
   /// What one vertex owes becomes another's.

@@ -102,7 +102,7 @@ void VolumeQualityLoop::places_on_model(Vertex v, Vertex w, Scratch& scratch) co
   const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
   const Freedom freedom = freedom_of(v, w);
   if (freedom == Freedom::None) return;
-  scratch.balance.add(mesh_, v, scratch.balls[0], w, scratch.balls[1]);
+  if (options_.keep_volumes) scratch.balance.add(mesh_, v, scratch.balls[0], w, scratch.balls[1]);
   debts_.charge(v, scratch.balance.conditions());
   debts_.charge(w, scratch.balance.conditions());
   scratch.quadric = state_[v].quadric.about(in_units(to - from));
@@ -189,7 +189,8 @@ Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& pla
   for (const Place& p : scratch.places) {
     if (p.cost > most) continue;
     Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, plan.collapse);
-    if (verdict.accepted()) verdict = judge_debts(p.contraction, scratch);
+    if (verdict.accepted())
+      verdict = judge_debts(p.contraction.position - scratch.balance.origin(), scratch);
     if (verdict.accepted())
       verdict = guards_.judge(mesh_, plan.change, p.contraction, plan.collapse.around_deleted(),
                               plan.collapse.around_kept());

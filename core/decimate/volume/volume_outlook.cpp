@@ -43,8 +43,8 @@ std::vector<CollapseOutlook> VolumeQualityLoop::outlook(Edge edge) {
   o.verdict = judge_edge(a, b, scratch, plan);
   if (!scratch.places.empty()) o.contraction = scratch.places.front().contraction;
   if (o.verdict.accepted()) o.contraction = plan.collapse.contraction;
+  o.limits = limits();
   o.limits.turn_deg = rules_.faces.max_turn.angle_deg();
-  o.limits.min_angle_deg = rules_.faces.least_angle.angle_deg();
   if (mesh_.classification(edge).dimension() == 1)
     o.limits.curve_deg = rules_.faces.max_curve_turn.angle_deg();
   o.length = glm::length(mesh_.position(a) - mesh_.position(b));
@@ -53,24 +53,54 @@ std::vector<CollapseOutlook> VolumeQualityLoop::outlook(Edge edge) {
   return {o};
 }
 
-// Removing an edge is told by the tetrahedra around it, which a surface's outlook has no words for.
-std::optional<SwapOutlook> VolumeQualityLoop::swap_outlook(Edge) { return {}; }
+// Of improvement.
+Limits VolumeQualityLoop::limits() const {
+  Limits limits;
+  limits.turn_deg = improving_.removal.max_turn.angle_deg();
+  limits.min_angle_deg = rules_.faces.least_angle.angle_deg();
+  limits.distance = options_.max_distance;
+  limits.volume_pct = options_.keep_volumes ? 100 * most_owed : 0;
+  limits.regions = true;
+  return limits;
+}
+
+// By the tetrahedra around the edge; of a pair of faces only the ends of the edge are known inside
+// a region.
+std::optional<SwapOutlook> VolumeQualityLoop::swap_outlook(Edge edge) {
+  SwapOutlook o;
+  const auto [a, b] = mesh_.edge_vertices(edge);
+  Plan plan;
+  o.verdict = aomd::judge(mesh_, a, b, improving_.removal, plan.removal);
+  if (o.verdict.accepted()) o.verdict = judge_removal(plan.removal, plan.change);
+  o.limits = limits();
+  const EdgeRing& ring = plan.removal.ring;
+  o.pair.a = a;
+  o.pair.b = b;
+  const bool no_ring =
+      o.verdict.reason == Reason::Classification || o.verdict.reason == Reason::Topology;
+  if (!no_ring && ring.on_model_face())
+    o.pair = {ring.faces[0], ring.faces[1], ring.a, ring.b, ring.apexes[0], ring.apexes[1]};
+  return o;
+}
 
 std::optional<MoveOutlook> VolumeQualityLoop::move_outlook(Vertex v) {
   MoveOutlook o;
   o.vertex = v;
   o.target = mesh_.position(v);
   Scratch scratch;
+  Plan plan;
   glm::dvec3 x(0.0);
   if (options_.kept(v))
     o.verdict = {Reason::Kept, v};
+  else if (const Region other = first_other_shape(mesh_, v); other.valid())
+    o.verdict = {Reason::Kept, other};
   else if (mesh_.classification(v).dimension() == 0)
     o.verdict = {Reason::Classification, v};
-  else if (find_target(v, scratch, x))
-    o.target += x;
-  else
+  else if (!find_target(v, scratch, x))
     o.verdict = {Reason::Quality, v};
-  o.limits.turn_deg = improving_.removal.max_turn.angle_deg();
+  else if (o.verdict = judge_move(v, x, scratch, plan.change); o.verdict.accepted())
+    o.target += x;
+  o.limits = limits();
   return o;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/decimate/volume/volume_quality_loop.h"
@@ -11,6 +12,14 @@
 #include "core/operators/smooth.h"
 
 namespace aomd {
+namespace {
+
+// At right angles to `n`; of no length in particular.
+glm::dvec3 across(const glm::dvec3& n) {
+  return glm::cross(n, std::abs(n.x) < std::abs(n.y) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+}
+
+}  // namespace
 
 bool VolumeQualityLoop::advance_swap() {
   bool made = false;
@@ -24,18 +33,22 @@ bool VolumeQualityLoop::looks_at(Region poor) {
   return std::any_of(t.begin(), t.end(), [&](Vertex v) { return stir_[v] >= stir_limit_; });
 }
 
+// What the strategy holds against a removal that the operator has accepted.
+Verdict VolumeQualityLoop::judge_removal(const EdgeRemoval& plan, Change& change) {
+  const EdgeRing& ring = plan.ring;
+  change.clear();
+  if (options_.kept(ring.a) && options_.kept(ring.b)) return {Reason::Kept, ring.a};
+  if (!ring.on_model_face()) return {};
+  const EdgePair pair{ring.faces[0], ring.faces[1], ring.a, ring.b, ring.apexes[0], ring.apexes[1]};
+  if (!keeps_close(ring)) return {Reason::Distance, ring.a, diagonals_apart(ring)};
+  if (const Verdict v = judge_debts(plan); !v.accepted()) return v;
+  if (keeps_face_of(pair)) return {Reason::Kept, ring.a};
+  return guards_.judge(mesh_, change, pair);
+}
+
 // The last one that is allowed is the one that is made.
 bool VolumeQualityLoop::allows(const EdgeRemoval& plan) {
-  const EdgeRing& ring = plan.ring;
-  plan_.change.clear();
-  if (options_.kept(ring.a) && options_.kept(ring.b)) return false;
-  if (ring.on_model_face()) {
-    const EdgePair pair{ring.faces[0], ring.faces[1],  ring.a,
-                        ring.b,        ring.apexes[0], ring.apexes[1]};
-    if (!keeps_close(ring) || !bears(plan) || keeps_face_of(pair) ||
-        !guards_.judge(mesh_, plan_.change, pair).accepted())
-      return false;
-  }
+  if (!judge_removal(plan, plan_.change).accepted()) return false;
   std::swap(allowed_, plan_.change);
   return true;
 }
@@ -58,14 +71,19 @@ void VolumeQualityLoop::made(const FaceRemoval& plan) {
   Loop::made(StepKind::Swap, plan.regions[0], allowed_);
 }
 
-// The other diagonal of two faces runs beside the first one by so much at most that the cost of
-// the distance is that of a short edge.
-bool VolumeQualityLoop::keeps_close(const EdgeRing& ring) const {
+// How far the other diagonal of two faces runs beside the first one; infinite where both have one
+// direction.
+double VolumeQualityLoop::diagonals_apart(const EdgeRing& ring) const {
   const glm::dvec3 a = mesh_.position(ring.a), b = mesh_.position(ring.b),
                    c = mesh_.position(ring.apexes[0]), d = mesh_.position(ring.apexes[1]);
   const double area = glm::length(glm::cross(b - a, d - c));
-  if (!(area > 0)) return false;
-  const double apart = six_volumes(a, b, c, d) / area;
+  return area > 0 ? std::abs(six_volumes(a, b, c, d)) / area
+                  : std::numeric_limits<double>::infinity();
+}
+
+// By so much at most that the cost of the distance is that of a short edge.
+bool VolumeQualityLoop::keeps_close(const EdgeRing& ring) const {
+  const double apart = diagonals_apart(ring);
   const double size2 = size_of(ring.a) * size_of(ring.b);
   return double(surface_) * apart * apart / 8 <= size2;
 }
@@ -86,15 +104,20 @@ bool VolumeQualityLoop::try_move(Vertex v) {
   return move(v, x);
 }
 
-// Goes by `x` where the guards let it; the conditions and the model faces in the scratch are those
-// at the vertex.
+// Whether a vertex may go by `x`; the conditions and the model faces in the scratch are those at
+// it.
+Verdict VolumeQualityLoop::judge_move(Vertex v, const glm::dvec3& x, const Scratch& scratch,
+                                      Change& change) {
+  change.clear();
+  if (state_[v].model.dimension() == 3) return {};
+  if (const Verdict debts = judge_debts(x, scratch); !debts.accepted()) return debts;
+  return guards_.judge(mesh_, change, v, scratch.star, mesh_.position(v) + x);
+}
+
 bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
   State& s = state_[v];
-  plan_.change.clear();
+  if (!judge_move(v, x, scratch_, plan_.change).accepted()) return false;
   if (s.model.dimension() < 3) {
-    if (!debts_.bears(x, scratch_.balance.conditions()) ||
-        !guards_.judge(mesh_, plan_.change, v, scratch_.star, mesh_.position(v) + x).accepted())
-      return false;
     s.quadric = s.quadric.about(in_units(x));
     debts_.settle(v, x, scratch_.balance.conditions());
   }
@@ -129,14 +152,15 @@ bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::
   scratch.planes.clear();
   scratch.planes.add(mesh_, v, scratch.star);
   take_planes(scratch.planes, frame);
-  scratch.balance.add(mesh_, v, scratch.balls[0]);
+  if (options_.keep_volumes) scratch.balance.add(mesh_, v, scratch.balls[0]);
   if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
   take_conditions(scratch.balance.conditions(), reach_of_payment_ * size_of(v), 3 - dimension,
                   frame, x);
-  if (dimension == 2) return frame.taken() == 1;
+  if (dimension == 2) return frame.taken() == 1 || (!options_.keep_volumes && frame.taken() == 0);
   glm::dvec3 along;
   if (!tangent(v, scratch.star, along)) return false;
+  if (!options_.keep_volumes && frame.taken() == 0) frame.take(across(along));
   if (frame.taken() == 1) frame.take(glm::cross(along, frame.axis(0)));
   return frame.taken() == 2;
 }

@@ -119,6 +119,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
 
   // What is said without being done (volume_outlook.cpp)
   [[nodiscard]] Verdict judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan);
+  [[nodiscard]] Limits limits() const;
 
   // Stages (volume_stages.cpp)
   void start(const DecimationOptions& options);
@@ -151,8 +152,12 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void made(const EdgeRemoval& plan) override;
   void made(const FaceRemoval& plan) override;
   void stir(Vertex v) { stir_[v] = stir_now_; }
+  [[nodiscard]] Verdict judge_removal(const EdgeRemoval& plan, Change& change);
+  [[nodiscard]] double diagonals_apart(const EdgeRing& ring) const;
   [[nodiscard]] bool keeps_close(const EdgeRing& ring) const;
   bool try_move(Vertex v);
+  [[nodiscard]] Verdict judge_move(Vertex v, const glm::dvec3& x, const Scratch& scratch,
+                                   Change& change);
   bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
@@ -162,8 +167,9 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
 
   // Debts (volume_settling.cpp)
   void limit_debts();
-  [[nodiscard]] Verdict judge_debts(const Contraction& c, const Scratch& scratch) const;
-  [[nodiscard]] bool bears(const EdgeRemoval& plan) const;
+  [[nodiscard]] Verdict judge_debt(Region in, double change) const;
+  [[nodiscard]] Verdict judge_debts(const glm::dvec3& x, const Scratch& scratch) const;
+  [[nodiscard]] Verdict judge_debts(const EdgeRemoval& plan) const;
   void note_gains(const EdgeRemoval& plan);
   void draw_debts(Vertex v, const Scratch& scratch);
   bool settle(Vertex v);

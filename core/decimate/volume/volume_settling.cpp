@@ -43,25 +43,39 @@ void VolumeQualityLoop::limit_debts() {
     debts_.limit(ModelRef::from_bits(region), most_owed * volume);
 }
 
-Verdict VolumeQualityLoop::judge_debts(const Contraction& c, const Scratch& scratch) const {
-  const glm::dvec3 x = c.position - scratch.balance.origin();
-  for (const VolumeCondition& condition : scratch.balance.conditions())
-    if (!debts_.bears(condition.region, condition.change(x)))
-      return {Reason::Distance, scratch.balls[0].front().region, std::abs(condition.change(x)) / 6};
+// `in` is a tetrahedron of the model region that would change.
+Verdict VolumeQualityLoop::judge_debt(Region in, double change) const {
+  const ModelRef region = mesh_.classification(in);
+  if (debts_.bears(region, change)) return {};
+  return {Reason::Volume, in, 100 * most_owed * debts_.in_limits(region, change)};
+}
+
+// The tetrahedra around one vertex; of an edge, those around either end.
+Verdict VolumeQualityLoop::judge_debts(const glm::dvec3& x, const Scratch& scratch) const {
+  for (const VolumeCondition& condition : scratch.balance.conditions()) {
+    const double change = condition.change(x);
+    if (debts_.bears(condition.region, change)) continue;
+    for (const Ball& ball : scratch.balls)
+      for (const BallRegion& r : ball)
+        if (mesh_.classification(r.region) == condition.region) return judge_debt(r.region, change);
+  }
   return {};
 }
 
-bool VolumeQualityLoop::bears(const EdgeRemoval& plan) const {
-  const auto& sides = plan.ring.sides;
-  for (std::uint32_t s = 0; s < plan.ring.side_count; ++s)
-    if (!debts_.bears(mesh_.classification(sides[s].regions[0]),
-                      gain_of(mesh_, plan.ring, sides[s], plan.triangles[s])))
-      return false;
-  return true;
+Verdict VolumeQualityLoop::judge_debts(const EdgeRemoval& plan) const {
+  if (!options_.keep_volumes) return {};
+  const EdgeRing& ring = plan.ring;
+  for (std::uint32_t s = 0; s < ring.side_count; ++s) {
+    const RingSide& side = ring.sides[s];
+    const double gain = gain_of(mesh_, ring, side, plan.triangles[s]);
+    if (const Verdict v = judge_debt(side.regions[0], gain); !v.accepted()) return v;
+  }
+  return {};
 }
 
 // What a region gains is owed by an end of the old edge that can pay.
 void VolumeQualityLoop::note_gains(const EdgeRemoval& plan) {
+  if (!options_.keep_volumes) return;
   const EdgeRing& ring = plan.ring;
   Vertex debtor = ring.a;
   for (const Vertex v : {ring.apexes[1], ring.apexes[0], ring.b, ring.a})

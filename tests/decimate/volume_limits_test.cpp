@@ -1,0 +1,194 @@
+// What the quality strategy for volumes holds regions to, and what it says where it refuses: their
+// volumes, sizes inside them, removals of edges.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/decimate/decimation.h"
+#include "core/decimate/explain/explanation.h"
+#include "core/decimate/explain/stop_words.h"
+#include "core/decimate/spacing/spacing.h"
+#include "core/mesh/tet_geometry.h"
+#include "tests/support/tet_zoo.h"
+#include "tests/support/volume_bench.h"
+#include "tests/support/volume_oracle.h"
+
+namespace aomd {
+namespace {
+
+using namespace test;
+
+DecimationOptions quality(const Mesh& mesh, double share) {
+  DecimationOptions options;
+  options.strategy = Strategy::Quality;
+  options.angle_deg = usual_angle_deg(Strategy::Quality, false);
+  options.target_faces = static_cast<std::uint32_t>(share * mesh.count(3));
+  return options;
+}
+
+// The volume of each model region, with the vertices of a contraction where it puts them.
+std::map<ModelRef, double> volumes(const Mesh& mesh, const Contraction& c) {
+  std::map<ModelRef, double> sums;
+  for (const Region r : mesh.regions()) {
+    std::array<glm::dvec3, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vertex v = mesh.tetrahedron(r)[k];
+      p[k] = v == c.deleted || v == c.kept ? c.position : mesh.position(v);
+    }
+    sums[mesh.classification(r)] += six_volumes(p[0], p[1], p[2], p[3]) / 6;
+  }
+  return sums;
+}
+
+// Two blocks with a wavy interface, in the middle of which a thin lens of a third material lies: it
+// cannot pay for what it owes.
+MeshData lens() {
+  MeshData data = zoo::tet_grid({12, 12, 5}, [](const zoo::Cell& c) {
+    const bool inner = 2 <= c.x && c.x < 10 && 2 <= c.y && c.y < 10;
+    return c.z == 2 && inner ? 3 : c.z <= 2 ? 1 : 2;
+  });
+  for (glm::dvec3& p : data.positions) {
+    const double z = p.z < 3 ? p.z - 2 : p.z - 3 + 0.03;
+    p.z = z + 0.5 * std::sin(0.9 * p.x) * std::sin(0.9 * p.y);
+  }
+  return data;
+}
+
+// What a refusal says of a region is what the contraction would do to it, and more than the limit.
+TEST(VolumeLimits, ARefusalSaysByHowMuchARegionWouldChange) {
+  VolumeBench b(lens(), Levels::Complete);
+  const std::map<ModelRef, double> before = volumes(b.mesh, {});
+  const DecimationOptions options = quality(b.mesh, 0.1);
+  Decimation decimation(b.mesh, options);
+  decimation.run();
+  int refused = 0;
+  for (const Edge e : b.mesh.edges()) {
+    const CollapseOutlook o = decimation.outlook(e).front();
+    if (o.verdict.reason != Reason::Volume) continue;
+    const Contraction& c = o.contraction;
+    if (c.position != b.mesh.position(c.kept)) continue;  // of several places that were tried
+    ++refused;
+    const ModelRef region = b.mesh.classification(o.verdict.entity);
+    const double was = before.at(region),
+                 percent = 100 * (volumes(b.mesh, c).at(region) - was) / was;
+    EXPECT_NEAR(o.verdict.number(), percent, 1e-9);
+    EXPECT_GT(std::abs(o.verdict.number()), 0.1);
+    const std::string words = explain_collapse(b.mesh, o, options);
+    EXPECT_EQ(words, "Model region " + std::to_string(region.tag()) + " would be " +
+                         number_text(std::abs(percent), 3) + " % " +
+                         (percent < 0 ? "smaller" : "larger") + "; 0.1 % is the limit.");
+    const auto checks = collapse_checks(o, options);
+    EXPECT_STREQ(checks.back().name, "Volumes");
+    EXPECT_EQ(checks.back().state, CheckResult::State::Failed);
+  }
+  EXPECT_GT(refused, 0);
+  const EdgesByReason left = decimation.edges_left();
+  EXPECT_GE(left[static_cast<std::size_t>(Reason::Volume)], refused);
+  EXPECT_NE(words_of_edges_left(left, options).find("would change a region's volume too much"),
+            std::string::npos);
+}
+
+TEST(VolumeLimits, FreeVolumesChangeAndKeptOnesDoNot) {
+  std::array<std::uint32_t, 2> left{};
+  for (const bool keep : {true, false}) {
+    VolumeBench b(lens(), Levels::Listed);
+    const std::map<ModelRef, double> before = volumes(b.mesh, {});
+    DecimationOptions options = quality(b.mesh, 0.1);
+    options.keep_volumes = keep;
+    Decimation decimation(b.mesh, options);
+    decimation.run();
+    EXPECT_EQ(b.finding(), "");
+    double most = 0;
+    for (const auto& [region, volume] : volumes(b.mesh, {}))
+      most = std::max(most, 100 * std::abs(volume - before.at(region)) / before.at(region));
+    EXPECT_EQ(keep, most < 0.1) << most;
+    if (!keep) {
+      EXPECT_GT(most, 1);
+      EXPECT_EQ(decimation.edges_left()[static_cast<std::size_t>(Reason::Volume)], 0);
+    }
+    left[keep ? 0 : 1] = b.mesh.count(3);
+  }
+  EXPECT_LT(left[1], left[0]);
+}
+
+double mean_length(const Mesh& mesh, double low, double high) {
+  double sum = 0;
+  int count = 0;
+  for (const Edge e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    const glm::dvec3 p = mesh.position(a), q = mesh.position(b), middle = 0.5 * (p + q);
+    const double depth =
+        std::min({middle.x, middle.y, middle.z, 16 - middle.x, 16 - middle.y, 16 - middle.z});
+    if (depth < low || depth > high) continue;
+    sum += glm::length(p - q);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+TEST(VolumeLimits, EdgesGetLongerAwayFromTheSurface) {
+  for (const Strategy strategy : {Strategy::Quality, Strategy::Paper}) {
+    VolumeBench b(zoo::tet_grid({16, 16, 16}, [](const zoo::Cell&) { return 1; }),
+                  Levels::Complete);
+    DecimationOptions options;
+    options.strategy = strategy;
+    options.spacing = std::make_shared<Column<Vertex, double>>(
+        evaluate_spacing(b.mesh, {SpacingBySurface{1}, 0.6}));
+    const std::uint32_t faces = b.mesh.count(2);
+    Decimation(b.mesh, options).run();
+    EXPECT_LT(b.mesh.count(2), faces);
+    const double outside = mean_length(b.mesh, 0, 1.2), inside = mean_length(b.mesh, 5, 8);
+    EXPECT_GT(outside, 1) << "nothing on the outside is shorter than half its size";
+    EXPECT_GT(inside, 1.5 * outside) << static_cast<int>(strategy);
+  }
+}
+
+// Every edge of a run says why it is not removed, or it can be.
+TEST(VolumeLimits, RemovalsAreExplained) {
+  VolumeBench b(make_sample("ball-in-box", 2), Levels::Complete);
+  Decimation decimation(b.mesh, quality(b.mesh, 0.3));
+  std::set<Reason> reasons;
+  for (int part = 0; part < 2; ++part) {
+    for (const Edge e : b.mesh.edges()) {
+      const auto o = decimation.swap_outlook(e);
+      ASSERT_TRUE(o.has_value());
+      const std::string words = explain_swap(b.mesh, e, *o);
+      EXPECT_TRUE(words.ends_with('.')) << words;
+      EXPECT_EQ(words.find("invalid"), std::string::npos) << words;
+      if (reasons.insert(o->verdict.reason).second && o->verdict.reason == Reason::Classification)
+        EXPECT_EQ(b.mesh.classification(e).dimension() == 1,
+                  words == "The edge lies on model edge " +
+                               std::to_string(b.mesh.classification(e).tag()) + ".")
+            << words;
+    }
+    decimation.run();
+  }
+  for (const Reason r : {Reason::None, Reason::Classification, Reason::Quality, Reason::Angle})
+    EXPECT_TRUE(reasons.contains(r)) << reason_name(r);
+}
+
+// 0 and 1 are the ends of an edge with four tetrahedra around it, of which two are thin.
+TEST(VolumeLimits, ARemovalThatPaysAndOneThatDoesNot) {
+  for (const double height : {0.2, 2.0}) {
+    VolumeBench b(ring_around_an_edge({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                                      {0, 0, -height}, {0, 0, height}),
+                  Levels::Complete);
+    Decimation decimation(b.mesh, quality(b.mesh, 0.9));
+    const Edge e = b.mesh.find_edge(Vertex(0), Vertex(1));
+    const SwapOutlook o = *decimation.swap_outlook(e);
+    EXPECT_EQ(o.verdict.reason, height < 1 ? Reason::Quality : Reason::None);
+    const std::string words = explain_swap(b.mesh, e, o);
+    if (height < 1)
+      EXPECT_TRUE(words.starts_with("It would not pay: the worst tetrahedron would have "))
+          << words;
+    else
+      EXPECT_EQ(words,
+                "The tetrahedra around it would make way for better ones that do without it.");
+  }
+}
+
+}  // namespace
+}  // namespace aomd
