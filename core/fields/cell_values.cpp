@@ -133,8 +133,19 @@ class Balance {
   std::vector<double> before_, after_;
 };
 
+/// The array on the cells of the result, filled in where these are the same.
+Attribute of_same(const Attribute& array, const CellPairing& cells) {
+  const auto stride = static_cast<std::size_t>(array.components);
+  Attribute result{array.name, array.dimension, array.components, array.integer,
+                   std::vector<double>(stride * cells.result.size())};
+  for (std::size_t i = 0; i < cells.same.size(); ++i)
+    for (std::size_t k = 0; cells.same[i] != no_index && k < stride; ++k)
+      result.values[stride * i + k] = array.values[stride * cells.same[i] + k];
+  return result;
+}
+
 /// Writes the values of all arrays at cell i of the result.
-void fill(std::span<const Attribute* const> arrays, const CellPairing& cells, std::uint32_t i,
+void fill(std::span<const Attribute* const> arrays, std::uint32_t i,
           std::span<const CellPart> parts, std::vector<Attribute>& results) {
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     const Attribute& array = *arrays[a];
@@ -142,11 +153,22 @@ void fill(std::span<const Attribute* const> arrays, const CellPairing& cells, st
     const auto stride = static_cast<std::size_t>(array.components);
     for (std::size_t k = 0; k < stride; ++k) {
       const auto value_of = [&](std::uint32_t cell) { return array.values[stride * cell + k]; };
-      results[a].values[stride * i + k] = cells.same[i] != no_index ? value_of(cells.same[i])
-                                          : mixes                   ? mean(parts, value_of)
-                                                                    : prevailing(parts, value_of);
+      results[a].values[stride * i + k] =
+          mixes ? mean(parts, value_of) : prevailing(parts, value_of);
     }
   }
+}
+
+/// Cells that are no longer those of the original, neighbours one after the other: what they cover
+/// is then near in memory too.
+std::vector<std::uint32_t> new_cells(const CellPairing& cells, int threads) {
+  std::vector<BoxTree::Item> items;
+  for (std::uint32_t i = 0; i < cells.result.size(); ++i)
+    if (cells.same[i] == no_index) items.push_back({cells.result.centre(i), i});
+  const BoxTree tree(items, threads);
+  std::vector<std::uint32_t> order(tree.size());
+  for (std::uint32_t n = 0; n < tree.size(); ++n) order[n] = tree.source(n);
+  return order;
 }
 
 }  // namespace
@@ -154,17 +176,14 @@ void fill(std::span<const Attribute* const> arrays, const CellPairing& cells, st
 std::vector<Attribute> at_cells(std::span<const Attribute* const> arrays, const CellPairing& cells,
                                 int threads) {
   std::vector<Attribute> results;
-  for (const Attribute* array : arrays) {
-    const auto values = cells.result.size() * static_cast<std::size_t>(array->components);
-    results.push_back({array->name, array->dimension, array->components, array->integer,
-                       std::vector<double>(values)});
-  }
-  parallel_for(cells.result.size(), threads, 64, [&](std::size_t begin, std::size_t end) {
+  for (const Attribute* array : arrays) results.push_back(of_same(*array, cells));
+  const std::vector<std::uint32_t> order = new_cells(cells, threads);
+  parallel_for(order.size(), threads, 64, [&](std::size_t begin, std::size_t end) {
     std::vector<CellPart> parts;
-    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+    for (std::size_t n = begin; n < end; ++n) {
       parts.clear();
-      if (cells.same[i] == no_index) cells.parts.of(i, parts);
-      fill(arrays, cells, i, parts, results);
+      cells.parts.of(order[n], parts);
+      fill(arrays, order[n], parts, results);
     }
   });
   const Balance balance(cells);

@@ -1,6 +1,7 @@
 #include "core/fields/tet_coordinates.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -68,19 +69,26 @@ double share_without_corner(const Piece& p, std::size_t side) {
       {1 - s[1], s[1] * (1 - s[2]), s[1] * s[2] * (1 - s[3])}, side);
 }
 
+/// Two corners of a piece change places; the share does not.
+void bring_forward(Piece& piece, std::size_t from, std::size_t to) {
+  if (from != to) std::swap(piece[from], piece[to]);
+}
+
 /// The share of a piece inside of all sides from `side` on.
 double share_of(const Piece& piece, std::size_t side) {
   for (; side < 4; ++side) {
-    const auto inside = [side](const Weights& w) { return w[side] > 0; };
-    const auto in = std::count_if(piece.begin(), piece.end(), inside);
-    if (in == 4) continue;
+    const unsigned in = unsigned{piece[0][side] > 0} | unsigned{piece[1][side] > 0} << 1 |
+                        unsigned{piece[2][side] > 0} << 2 | unsigned{piece[3][side] > 0} << 3;
+    if (in == 15) continue;
     if (in == 0) return 0;
+    const int corners = std::popcount(in);
+    const unsigned first = corners == 3 ? ~in & 15u : in;  // the one of its kind, or two of a kind
     Piece sorted = piece;
-    std::partition(sorted.begin(), sorted.end(), inside);
-    if (in == 1) return share_of_corner(sorted, side);
-    if (in == 2) return share_of_halves(sorted, side);
-    std::swap(sorted[0], sorted[3]);
-    return share_without_corner(sorted, side);
+    bring_forward(sorted, static_cast<std::size_t>(std::countr_zero(first)), 0);
+    if (corners == 1) return share_of_corner(sorted, side);
+    if (corners == 3) return share_without_corner(sorted, side);
+    bring_forward(sorted, static_cast<std::size_t>(std::bit_width(first)) - 1, 1);
+    return share_of_halves(sorted, side);
   }
   return 1;
 }
@@ -98,29 +106,39 @@ TetCoordinates::TetCoordinates(const Tet& corners)
                       [](const glm::dvec3& g) { return !std::isfinite(glm::dot(g, g)); });
 }
 
-glm::dvec3 TetCoordinates::share(const glm::dvec3& way) const {
-  return {glm::dot(gradients_[0], way), glm::dot(gradients_[1], way), glm::dot(gradients_[2], way)};
-}
-
 Weights TetCoordinates::at(const glm::dvec3& p) const {
-  const glm::dvec3 s = share(p - origin_);
+  const glm::dvec3 s = shares(p - origin_);
   return {1 - s.x - s.y - s.z, s.x, s.y, s.z};
 }
 
 Weights TetCoordinates::refined(const glm::dvec3& p) const {
   const glm::dvec3 way = p - origin_;
-  glm::dvec3 s = share(way);
-  s += share(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
+  glm::dvec3 s = shares(way);
+  s += shares(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
   return {1 - s.x - s.y - s.z, s.x, s.y, s.z};
+}
+
+glm::dvec3 TetCoordinates::shares(const glm::dvec3& way) const {
+  return {glm::dot(gradients_[0], way), glm::dot(gradients_[1], way), glm::dot(gradients_[2], way)};
 }
 
 double least(const Weights& weights) { return *std::min_element(weights.begin(), weights.end()); }
 
+// Most tetrahedra near by lie beyond one of the sides: the others are then not looked at.
 double share_inside(const TetCoordinates& inside, const Tet& tet) {
-  const Piece piece{inside.at(tet[0]), inside.at(tet[1]), inside.at(tet[2]), inside.at(tet[3])};
-  for (std::size_t side = 0; side < 4; ++side)
-    if (!(std::max({piece[0][side], piece[1][side], piece[2][side], piece[3][side]}) > 0)) return 0;
-  return share_of(piece, 0);
+  Piece piece{};
+  for (Weights& corner : piece) corner[0] = 1;
+  const auto lies_beyond = [&](std::size_t side) {
+    return !(std::max({piece[0][side], piece[1][side], piece[2][side], piece[3][side]}) > 0);
+  };
+  for (std::size_t side = 1; side < 4; ++side) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      piece[k][side] = inside.at(tet[k], side);
+      piece[k][0] -= piece[k][side];
+    }
+    if (lies_beyond(side)) return 0;
+  }
+  return lies_beyond(0) ? 0 : share_of(piece, 0);
 }
 
 }  // namespace aomd::fields

@@ -2,7 +2,9 @@
 // Barycentric coordinates of a tetrahedron, and how much of another one lies inside.
 
 #include <array>
+#include <cstddef>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace aomd::fields {
@@ -21,12 +23,16 @@ class TetCoordinates {
   /// coordinates then.
   [[nodiscard]] bool flat() const { return flat_; }
   [[nodiscard]] Weights at(const glm::dvec3& p) const;
+  /// One of them alone, of corner 1, 2 or 3.
+  [[nodiscard]] double at(const glm::dvec3& p, std::size_t corner) const {
+    return glm::dot(gradients_[corner - 1], p - origin_);
+  }
   /// The same with what rounding left of the way to `p` shared out once more, so that the corners
   /// with these weights meet `p` to rounding in thin tetrahedra too.
   [[nodiscard]] Weights refined(const glm::dvec3& p) const;
 
  private:
-  [[nodiscard]] glm::dvec3 share(const glm::dvec3& way) const;
+  [[nodiscard]] glm::dvec3 shares(const glm::dvec3& way) const;
 
   glm::dvec3 origin_;
   std::array<glm::dvec3, 3> edges_, gradients_;

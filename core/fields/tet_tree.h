@@ -49,15 +49,23 @@ class TetTree {
   return box;
 }
 
+/// Box::touches without branches: of boxes that lie close together no comparison can be foretold.
+[[nodiscard]] inline bool touching(const Box& a, const Box& b) {
+  return (a.low.x <= b.high.x) & (b.low.x <= a.high.x) & (a.low.y <= b.high.y) &
+         (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
+}
+
 template <typename Takes, typename Visit>
 void TetTree::each_overlap(const Tet& tet, const Takes& takes, Visit&& visit) const {
   const TetCoordinates inside(tet);
   if (inside.flat()) return;
-  boxes_.touching(box_of(tet), [&](std::uint32_t n) {
-    if (!takes(cells_[n])) return;
-    const double volume = share_inside(inside, tets_[n]) * volumes_[n];
-    if (volume > 0) visit(cells_[n], volume);
-  });
+  const Box box = box_of(tet);
+  boxes_.reached([&](std::uint32_t node) { return touching(boxes_.node(node).box, box); },
+                 [&](std::uint32_t n) {
+                   if (!touching(boxes_.box(n), box) || !takes(cells_[n])) return;
+                   const double volume = share_inside(inside, tets_[n]) * volumes_[n];
+                   if (volume > 0) visit(cells_[n], volume);
+                 });
 }
 
 }  // namespace aomd::fields
