@@ -13,6 +13,7 @@
 #include "core/io/medit.h"
 #include "core/io/notes.h"
 #include "core/io/vtk_dataset.h"
+#include "core/mesh/names.h"
 
 namespace aomd::io {
 namespace {
@@ -130,26 +131,60 @@ void restore(const MeshData& original, MeshData& result) {
   result.periodic = original.periodic;
 }
 
+/// What Medit says of entities is no field, and is followed by its own rules or not at all.
+bool is_of_medit(const Attribute& a) { return a.name.starts_with("medit:"); }
+
+/// The arrays of a volume that are still to be followed.
+std::vector<const Attribute*> open_arrays(const MeshData& original, const MeshData& result) {
+  const Held held(result);
+  std::vector<const Attribute*> arrays;
+  for (const Attribute& a : original.attributes)
+    if (!held.has(a) && !is_of_medit(a)) arrays.push_back(&a);
+  return arrays;
+}
+
+std::vector<std::string> missing_notes(const std::vector<fields::CarriedField>& list) {
+  detail::ItemList missing;
+  for (const fields::CarriedField& field : list)
+    if (field.before.missing + field.after.missing > 0)
+      missing.add(shown(field.name) + " on " + entity_plural(field.dimension) + ' ' +
+                  std::to_string(field.before.missing) + " before and " +
+                  std::to_string(field.after.missing) + " after");
+  if (missing.empty()) return {};
+  return {"values that are no numbers: " + missing.text()};
+}
+
+/// Follows what can be followed; `gone` takes what has lost something though it stays.
+std::vector<fields::CarriedField> follow(const MeshData& original, MeshData& result, int threads,
+                                         detail::ItemList& gone) {
+  std::erase_if(result.attributes, [](const Attribute& a) { return !is_mark(a); });
+  for (Attribute& a : result.attributes)
+    if (a.name == detail::medit_required && unmark_moved(original, result, a))
+      gone.add(shown(a.name));
+  for (const Attribute& a : original.attributes)
+    if (is_label(a)) follow_classes(original, a, result);
+  return fields::carry(open_arrays(original, result), original, result, threads);
+}
+
 }  // namespace
 
-std::vector<std::string> leave_out_unfollowed(const MeshData& original, MeshData& result) {
+CarriedAlong carry_along(const MeshData& original, MeshData& result, int threads) {
   detail::ItemList gone;
+  CarriedAlong done;
   if (unchanged(original, result)) {
+    done.fields = fields::unmoved(open_arrays(original, MeshData()), original);
     restore(original, result);
   } else {
-    std::erase_if(result.attributes, [](const Attribute& a) { return !is_mark(a); });
-    for (Attribute& a : result.attributes)
-      if (a.name == detail::medit_required && unmark_moved(original, result, a))
-        gone.add(shown(a.name));
-    for (const Attribute& a : original.attributes)
-      if (is_label(a)) follow_classes(original, a, result);
+    done.fields = follow(original, result, threads, gone);
     if (!original.periodic.empty()) gone.add("periodic links");
   }
+  done.notes = missing_notes(done.fields);
   const Held held(result);
   for (const Attribute& a : original.attributes)
     if (!held.has(a)) gone.add(shown(a.name));
-  if (gone.empty()) return {};
-  return {"left out, as it does not follow the operations: " + gone.text()};
+  if (!gone.empty())
+    done.notes.push_back("left out, as it does not follow the operations: " + gone.text());
+  return done;
 }
 
 }  // namespace aomd::io

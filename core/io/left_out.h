@@ -1,20 +1,27 @@
 #pragma once
-// What a mesh carries that operations on it do not follow.
+// What a mesh carries that operations on it do not see.
 
 #include <string>
 #include <vector>
 
+#include "core/fields/carry.h"
 #include "core/mesh/mesh_data.h"
 
 namespace aomd::io {
 
+/// What carry_along() did.
+struct CarriedAlong {
+  /// What is to be said about it, a line each: how many values are no numbers, what is left out.
+  std::vector<std::string> notes;
+  std::vector<fields::CarriedField> fields;  ///< the arrays of a volume that went along
+};
+
 /// Makes `result`, to_data() of a Mesh that was built from `original`, true in all that operations
-/// do not follow. Where nothing changed, that is all of the original: arrays too that a Mesh does
-/// not hold. Where something did, arrays go, but for the marks and references of Medit (a mark of
-/// what is required stays on what is where it was) and labels that name the class of their entities
-/// (the materials of VTK), and so do periodic links. Returns what is to be
-/// said about it: a line that names what is left out, or nothing. O(size log size).
-[[nodiscard]] std::vector<std::string> leave_out_unfollowed(const MeshData& original,
-                                                            MeshData& result);
+/// do not see. Where nothing changed, that is all of the original: arrays too that a Mesh does not
+/// hold. Where something did, the arrays of a volume go along (fields::carry); those of a surface
+/// go, but for the marks and references of Medit (a mark of what is required stays on what is where
+/// it was) and labels that name the class of their entities (the materials of VTK), and so do
+/// periodic links. The same for any number of threads. O(size log size).
+[[nodiscard]] CarriedAlong carry_along(const MeshData& original, MeshData& result, int threads = 1);
 
 }  // namespace aomd::io

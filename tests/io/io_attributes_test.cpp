@@ -95,7 +95,7 @@ MeshData with_arrays() {
 TEST(LeftOut, WhereNothingChangedAllStays) {
   const MeshData mesh = with_arrays();
   MeshData result = to_data(Mesh(mesh));
-  EXPECT_EQ(io::leave_out_unfollowed(mesh, result), std::vector<std::string>{});
+  EXPECT_EQ(io::carry_along(mesh, result).notes, std::vector<std::string>{});
   EXPECT_EQ(result.attributes.size(), mesh.attributes.size());
   for (const Attribute& a : mesh.attributes)
     EXPECT_EQ(std::count(result.attributes.begin(), result.attributes.end(), a), 1) << a.name;
@@ -108,7 +108,7 @@ TEST(LeftOut, ArraysAndMarksOfWhatMoved) {
   MeshData result = to_data(Mesh(mesh));
   result.positions[2].x = 2;
   EXPECT_EQ(
-      io::leave_out_unfollowed(mesh, result),
+      io::carry_along(mesh, result).notes,
       std::vector<std::string>{"left out, as it does not follow the operations: "
                                "\"medit:required\", periodic links, \"u\", \"uv\", \"stress\""});
   const std::vector<Attribute> expected{{"medit:required", 0, 1, true, {1, 0, 0, 0}},

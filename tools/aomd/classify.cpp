@@ -33,8 +33,8 @@ int run(const ClassifyArguments& options) {
   if (const auto findings = verify(mesh); !findings.empty())
     throw io::ReadError(options.input, {}, "cannot be classified: " + findings.front().text);
   MeshData classified = to_data(mesh);
-  const std::vector<std::string> left_out = io::leave_out_unfollowed(read.mesh, classified);
-  if (!options.quiet) print_notes(options.output, left_out);
+  const io::CarriedAlong along = io::carry_along(read.mesh, classified);
+  if (!options.quiet) print_notes(options.output, along.notes);
   write_mesh(options.output, format, classified, options.quiet);
   if (options.quiet) return done;
   if (read.mesh.classified() && !options.replace)

@@ -26,6 +26,7 @@
 #include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_options.h"
+#include "tools/aomd/field_report.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/keep_file.h"
 #include "tools/aomd/missed_target.h"
@@ -299,8 +300,7 @@ class Run {
     progress_.show("writing");
     MeshData result = to_data(mesh_);
     GivenClasses(original_).apply(result);
-    const std::vector<std::string> left_out = io::leave_out_unfollowed(original_, result);
-    if (!options_.quiet) print_notes(options_.output, left_out);
+    carry_arrays(result);
     io::OutputFiles files;
     const auto path = output_path(options_.output);
     io::EncodedMesh encoded = io::to_bytes(path, format_, result);
@@ -313,6 +313,13 @@ class Run {
     files.commit();
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
+  }
+
+  void carry_arrays(MeshData& result) {
+    io::CarriedAlong along = io::carry_along(original_, result, steps_.threads);
+    fields_ = std::move(along.fields);
+    if (!fields_.empty()) seconds_["fields"] = watch_.lap();
+    if (!options_.quiet) print_notes(options_.output, along.notes);
   }
 
   /// "stopped" of a report.
@@ -348,6 +355,7 @@ class Run {
             {"quality", quality_report()},
             {"model_regions", volume() ? volume_changes_json(volumes_) : Json(nullptr)},
             {"volume_change_pct", volume() ? Json(largest_percent(volumes_)) : Json(nullptr)},
+            {"fields", fields_json(fields_)},
             {"findings",
              {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", 0}}},
             {"stopped", stopped_json()}};
@@ -380,6 +388,7 @@ class Run {
         << counted(self_intersections_, "self-intersection") << ", " << state_words() << ", "
         << std::llround(1000 * watch_.total()) << " ms\n";
     if (volume()) print_volume_changes(out, volumes_);
+    if (!fields_.empty()) print_fields(out, fields_);
     if (!missed_) return;
     print_notes(options_.output, {sentence(*missed_, steps_, target_, cells(), volume())});
     print_notes(options_.input, dirt_notes(original_, input_, true));
@@ -403,6 +412,7 @@ class Run {
   std::vector<measure::RegionVolume> volumes_before_;
   std::vector<VolumeChange> volumes_;
   std::vector<SweepStatistics> sweeps_;
+  std::vector<fields::CarriedField> fields_;
   std::optional<MissedTarget> missed_;
   std::uint32_t target_ = 0, others_ = 0;  ///< faces or tetrahedra; regions of other shapes
   std::size_t flips_ = 0, self_intersections_ = 0;

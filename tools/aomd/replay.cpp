@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/decimate/decimation.h"
 #include "core/io/journal_file.h"
@@ -66,8 +67,8 @@ int run(const ReplayArguments& options) {
                         "the journal leads to a broken mesh: " + findings.front().text);
   MeshData result = to_data(mesh);
   GivenClasses(read.mesh).apply(result);
-  const std::vector<std::string> left_out = io::leave_out_unfollowed(read.mesh, result);
-  if (!options.quiet) print_notes(options.output, left_out);
+  const io::CarriedAlong along = io::carry_along(read.mesh, result, thread_count(0));
+  if (!options.quiet) print_notes(options.output, along.notes);
   write_mesh(options.output, format, result, options.quiet);
   if (!options.quiet)
     stream_beside(outputs) << printable(options.output) << ": " << counted(step, "step") << " of "

@@ -52,13 +52,14 @@ void model(Session& session, Arguments& arguments) {
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
-/// Takes from the present mesh what its operations do not follow; says what that was.
-std::string leave_out_unfollowed(Document& document, MeshData& data) {
+/// Makes the arrays of the present mesh those that the operations have led to; says what is left
+/// out.
+std::string carry_along(Document& document, MeshData& data) {
   if (document.journal().cursor() == 0 || data.attributes.empty()) return {};
   const MeshData loaded =
       document.can_look_back() ? to_data(document.copy_mesh_as_loaded().mesh()) : MeshData();
   std::string text;
-  for (const std::string& note : io::leave_out_unfollowed(loaded, data)) text += "; " + note;
+  for (const std::string& note : io::carry_along(loaded, data).notes) text += "; " + note;
   return text;
 }
 
@@ -66,7 +67,7 @@ void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
   MeshData data = to_data(session.document().mesh());
-  const std::string left_out = leave_out_unfollowed(session.document(), data);
+  const std::string left_out = carry_along(session.document(), data);
   const std::vector<std::string> notes = io::write(file, data);
   session.document().mark_saved(file);
   session.view.dialog = Dialog::None;

@@ -1,0 +1,136 @@
+#include "core/fields/carry.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+
+#include "core/fields/cell_values.h"
+#include "core/fields/vertex_values.h"
+
+namespace aomd::fields {
+namespace {
+
+using Arrays = std::vector<const Attribute*>;
+
+class Carrier {
+ public:
+  Carrier(const MeshData& original, const MeshData& result, int threads)
+      : threads_(threads),
+        original_(original, 3),
+        result_(result, 3),
+        vertices_(original, result),
+        same_(same_cells(original_, result_, vertices_)),
+        tree_(original_, changed(), threads) {}
+
+  [[nodiscard]] std::vector<Attribute> on_vertices(const Arrays& arrays) const {
+    const auto sources = vertex_sources(original_, tree_, result_, vertices_, threads_);
+    std::vector<Attribute> results;
+    for (const Attribute* array : arrays) results.push_back(at_vertices(*array, sources));
+    return results;
+  }
+
+  [[nodiscard]] std::vector<Attribute> on_regions(const Arrays& arrays) const {
+    const TetParts parts(original_, tree_, result_);
+    return at_cells(arrays, {original_, result_, same_, parts}, threads_);
+  }
+
+  /// On edges or faces.
+  [[nodiscard]] std::vector<Attribute> on_sides(const Arrays& arrays, int dimension) const {
+    const Cells original(original_.mesh(), dimension), result(result_.mesh(), dimension);
+    const SideParts parts(original, result, threads_);
+    const auto same = same_cells(original, result, vertices_);
+    return at_cells(arrays, {original, result, same, parts}, threads_);
+  }
+
+ private:
+  /// The tetrahedra of the original that the result does not have.
+  [[nodiscard]] std::vector<std::uint32_t> changed() const {
+    std::vector<bool> kept(original_.size(), false);
+    for (const std::uint32_t r : same_)
+      if (r != no_index) kept[r] = true;
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t r = 0; r < original_.size(); ++r)
+      if (!kept[r] && original_.shape(r) == Shape::Tetrahedron) others.push_back(r);
+    return others;
+  }
+
+  int threads_;
+  Cells original_, result_;
+  SameVertices vertices_;
+  std::vector<std::uint32_t> same_;
+  TetTree tree_;
+};
+
+std::vector<Attribute> carried(const Carrier& carrier, const Arrays& arrays, int dimension) {
+  if (arrays.empty()) return {};
+  if (dimension == 0) return carrier.on_vertices(arrays);
+  return dimension == 3 ? carrier.on_regions(arrays) : carrier.on_sides(arrays, dimension);
+}
+
+/// Measures of both meshes by dimension, for those that have arrays.
+class Facts {
+ public:
+  Facts(const MeshData& original, const MeshData& result) : original_(original), result_(result) {}
+
+  [[nodiscard]] CarriedField of(const Attribute& before, const Attribute& after, int dimension) {
+    auto& pair = measures_[static_cast<std::size_t>(dimension)];
+    if (!pair)
+      pair = std::make_unique<Pair>(
+          Pair{measures(original_, dimension), measures(result_, dimension)});
+    return {before.name,
+            dimension,
+            before.components,
+            kind_of(before),
+            facts_of(before, pair->before),
+            facts_of(after, pair->after)};
+  }
+
+ private:
+  struct Pair {
+    std::vector<double> before, after;
+  };
+  const MeshData &original_, &result_;
+  std::array<std::unique_ptr<Pair>, 4> measures_;
+};
+
+bool has_some(const MeshData& mesh, int dimension) {
+  return dimension == 0 ? !mesh.positions.empty() : !mesh.list(dimension).empty();
+}
+
+}  // namespace
+
+bool can_carry(const MeshData& original, const MeshData& result) {
+  return !original.regions.empty() && !result.regions.empty();
+}
+
+std::vector<CarriedField> carry(std::span<const Attribute* const> arrays, const MeshData& original,
+                                MeshData& result, int threads) {
+  std::vector<CarriedField> list;
+  std::vector<Attribute> all;
+  if (arrays.empty() || !can_carry(original, result)) return list;
+  const Carrier carrier(original, result, threads);
+  Facts facts(original, result);
+  for (int dimension = 0; dimension <= 3; ++dimension) {
+    if (!has_some(original, dimension) || !has_some(result, dimension)) continue;
+    Arrays here;
+    for (const Attribute* array : arrays)
+      if (array->dimension == dimension) here.push_back(array);
+    std::vector<Attribute> results = carried(carrier, here, dimension);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      list.push_back(facts.of(*here[i], results[i], dimension));
+    std::move(results.begin(), results.end(), std::back_inserter(all));
+  }
+  std::move(all.begin(), all.end(), std::back_inserter(result.attributes));
+  return list;
+}
+
+std::vector<CarriedField> unmoved(std::span<const Attribute* const> arrays, const MeshData& mesh) {
+  std::vector<CarriedField> list;
+  if (mesh.regions.empty()) return list;
+  Facts facts(mesh, mesh);
+  for (const Attribute* array : arrays) list.push_back(facts.of(*array, *array, array->dimension));
+  return list;
+}
+
+}  // namespace aomd::fields

@@ -1,0 +1,86 @@
+#include "core/fields/same_place.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace aomd::fields {
+namespace {
+
+bool before(const glm::dvec3& a, const glm::dvec3& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+using Row = std::vector<std::uint32_t>;
+
+/// Cells by their smallest vertex.
+class BySmallest {
+ public:
+  explicit BySmallest(const Cells& cells) : starts_(cells.mesh().positions.size() + 1, 0) {
+    each(cells, [&](std::uint32_t, std::uint32_t low) { ++starts_[low + 1]; });
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    cells_.resize(cells.size());
+    Row next(starts_.begin(), starts_.end() - 1);
+    each(cells, [&](std::uint32_t i, std::uint32_t low) { cells_[next[low]++] = i; });
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t vertex) const {
+    return std::span(cells_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
+  }
+
+ private:
+  template <typename Visit>
+  static void each(const Cells& cells, Visit&& visit) {
+    for (std::uint32_t i = 0; i < cells.size(); ++i) {
+      const auto v = cells.vertices(i);
+      visit(i, *std::min_element(v.begin(), v.end()));
+    }
+  }
+
+  Row starts_, cells_;
+};
+
+}  // namespace
+
+SameVertices::SameVertices(const MeshData& original, const MeshData& result)
+    : sorted_(original.positions.size()) {
+  const std::vector<glm::dvec3>& places = original.positions;
+  std::iota(sorted_.begin(), sorted_.end(), 0u);
+  std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return places[a] == places[b] ? a < b : before(places[a], places[b]);
+  });
+  first_.reserve(result.positions.size());
+  count_.reserve(result.positions.size());
+  for (const glm::dvec3& p : result.positions) {
+    const auto from = std::lower_bound(
+        sorted_.begin(), sorted_.end(), p,
+        [&](std::uint32_t v, const glm::dvec3& q) { return before(places[v], q); });
+    auto to = from;
+    while (to != sorted_.end() && places[*to] == p) ++to;
+    first_.push_back(static_cast<std::uint32_t>(from - sorted_.begin()));
+    count_.push_back(static_cast<std::uint32_t>(to - from));
+  }
+}
+
+std::vector<std::uint32_t> same_cells(const Cells& original, const Cells& result,
+                                      const SameVertices& vertices) {
+  const BySmallest known(original);
+  std::vector<std::uint32_t> same(result.size(), no_index);
+  Row wanted, found;
+  for (std::uint32_t i = 0; i < result.size(); ++i) {
+    wanted.clear();
+    for (const std::uint32_t v : result.vertices(i)) wanted.push_back(vertices.only(v));
+    std::sort(wanted.begin(), wanted.end());
+    if (wanted.back() == no_index) continue;
+    for (const std::uint32_t k : known.at(wanted.front())) {
+      const auto corners = original.vertices(k);
+      found.assign(corners.begin(), corners.end());
+      std::sort(found.begin(), found.end());
+      if (found != wanted || original.shape(k) != result.shape(i)) continue;
+      same[i] = k;
+      break;
+    }
+  }
+  return same;
+}
+
+}  // namespace aomd::fields
