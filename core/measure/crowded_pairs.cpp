@@ -70,39 +70,106 @@ class CrowdedPairs {
     trees.reserve(parts.size());
     for (const auto& part : parts)
       trees.push_back(tree_of(part, [&](const Item& item) { return box_of(item, shared); }));
-    parallel_for(trees[0].nodes(), threads_, nodes_a_share, [&](std::size_t b, std::size_t e) {
-      trees[0].touching_pairs(b, e, visiting(parts[0], trees[0], parts[0], trees[0]));
-    });
+    if (shared != 1 || parts.size() == 1 || !meet_along(parts[0], parts[1][0]))
+      meet_themselves(parts[0], trees[0]);
     for (std::size_t i = 0; i < trees.size(); ++i)
       for (std::size_t j = i + 1; j < trees.size(); ++j)
-        if (shared > 0 || !meet_in_view(parts[i], trees[i].box(), parts[j], trees[j].box()))
+        if (shared > 1 || !meet_in_view(parts[i], trees[i].box(), parts[j], trees[j].box(), shared))
           trees[i].touching_pairs(trees[j], visiting(parts[i], trees[i], parts[j], trees[j]));
     trees.clear();
     for (std::size_t i = 1; i < parts.size(); ++i) meet(parts[i], shared + 1);
   }
 
-  // The pairs of a crowd and others that come as near to it in great numbers, told apart as they
-  // are seen from the corner of the crowd: triangles around two corners pile up in any boxes. False
-  // where there are few.
-  [[nodiscard]] bool meet_in_view(const std::vector<Item>& others, const Box& around_others,
-                                  const std::vector<Item>& crowd, const Box& around_crowd) const {
-    const std::vector<Item> x = touching(others, around_crowd), y = touching(crowd, around_others);
-    if (std::min(x.size(), y.size()) <= most_at_a_corner) return false;
-    const std::uint32_t corner = crowd[0].points[0];
-    const auto view = [&](const Item& item) { return view_of(item, corner); };
-    const BoxTree of_x = tree_of(x, view), of_y = tree_of(y, view);
-    of_x.touching_pairs(of_y, [&](std::uint32_t n, std::uint32_t m) {
-      const Item &s = x[of_x.source(n)], &t = y[of_y.source(m)];
-      if (box_of(s, 0).touches(box_of(t, 0))) visit_(s.triangle, t.triangle);
+  void meet_themselves(const std::vector<Item>& items, const BoxTree& tree) const {
+    parallel_for(tree.nodes(), threads_, nodes_a_share, [&](std::size_t b, std::size_t e) {
+      tree.touching_pairs(b, e, visiting(items, tree, items, tree));
     });
+  }
+
+  // The pairs of those at a corner, seen along a crowded edge there; false where that tells no more
+  // of them apart.
+  [[nodiscard]] bool meet_along(const std::vector<Item>& items, const Item& at_edge) const {
+    const auto along = [&](const Item& item) { return view_along(item, at_edge); };
+    const auto from_corner = [&](const Item& item) { return box_of(item, 1); };
+    if (overlapping(items, items, along) >= overlapping(items, items, from_corner)) return false;
+    meet_themselves(items, tree_of(items, along));
     return true;
   }
 
-  [[nodiscard]] std::vector<Item> touching(const std::vector<Item>& items, const Box& box) const {
+  // The pairs of a crowd and others that come as near to it in great numbers, told apart as they
+  // are seen from the corner of the crowd, or along its edge: triangles around two corners or edges
+  // pile up in any boxes. False where there are few.
+  bool meet_in_view(const std::vector<Item>& others, const Box& around_others,
+                    const std::vector<Item>& crowd, const Box& around_crowd, std::size_t shared) {
+    const std::vector<Item> x = touching(others, around_crowd, shared);
+    const std::vector<Item> y = touching(crowd, around_others, shared);
+    if (std::min(x.size(), y.size()) <= most_at_a_corner) return false;
+    if (shared == 1)
+      meet_along(x, y, shared);
+    else
+      meet_in_views(parted(x, 1), parted(y, 1));
+    return true;
+  }
+
+  // Two sets, each in its crowds at edges and the rest, the second around one corner.
+  void meet_in_views(const std::vector<std::vector<Item>>& xs,
+                     const std::vector<std::vector<Item>>& ys) const {
+    for (std::size_t j = 1; j < ys.size(); ++j)
+      for (const auto& x : xs) meet_along(x, ys[j], 0);
+    if (ys[0].empty()) return;
+    for (std::size_t i = 1; i < xs.size(); ++i) meet_along(ys[0], xs[i], 0);
+    const std::uint32_t corner = ys[0][0].points[0];
+    meet_as_seen(xs[0], ys[0], 0, [&](const Item& item) { return view_of(item, corner); });
+  }
+
+  // A crowd at an edge and others, seen in the way that tells more of them apart.
+  void meet_along(const std::vector<Item>& others, const std::vector<Item>& crowd,
+                  std::size_t shared) const {
+    if (others.empty()) return;
+    const auto along = [&](const Item& item) { return view_along(item, crowd[0]); };
+    const auto from_corner = [&](const Item& item) {
+      return shared == 0 ? view_of(item, crowd[0].points[0]) : box_of(item, shared);
+    };
+    if (overlapping(others, crowd, along) < overlapping(others, crowd, from_corner))
+      meet_as_seen(others, crowd, shared, along);
+    else
+      meet_as_seen(others, crowd, shared, from_corner);
+  }
+
+  // Of pairs of a few, how many overlap.
+  template <typename View>
+  [[nodiscard]] static std::size_t overlapping(const std::vector<Item>& x,
+                                               const std::vector<Item>& y, const View& view) {
+    const auto few = [&](const std::vector<Item>& items) {
+      constexpr std::size_t most = 64;
+      std::vector<Box> boxes;
+      for (std::size_t i = 0; i < std::min(most, items.size()); ++i)
+        boxes.push_back(view(items[i * items.size() / std::min(most, items.size())]));
+      return boxes;
+    };
+    const std::vector<Box> of_x = few(x), of_y = few(y);
+    std::size_t count = 0;
+    for (const Box& box : of_x)
+      for (const Box& other : of_y) count += box.touches(other) ? 1 : 0;
+    return count;
+  }
+
+  template <typename View>
+  void meet_as_seen(const std::vector<Item>& x, const std::vector<Item>& y, std::size_t shared,
+                    const View& view) const {
+    const BoxTree of_x = tree_of(x, view), of_y = tree_of(y, view);
+    of_x.touching_pairs(of_y, [&](std::uint32_t n, std::uint32_t m) {
+      const Item &s = x[of_x.source(n)], &t = y[of_y.source(m)];
+      if (box_of(s, shared).touches(box_of(t, shared))) visit_(s.triangle, t.triangle);
+    });
+  }
+
+  [[nodiscard]] std::vector<Item> touching(const std::vector<Item>& items, const Box& box,
+                                           std::size_t shared) const {
     std::vector<Item> near;
     if (box.empty()) return near;
     for (const Item& item : items)
-      if (box_of(item, 0).touches(box)) near.push_back(item);
+      if (box_of(item, shared).touches(box)) near.push_back(item);
     return near;
   }
 
@@ -114,6 +181,11 @@ class CrowdedPairs {
                        direction(from, points_[item.points[(k + 2) % 3]]));
       }
     return view_box(points_[corner], triangles_[item.triangle]);
+  }
+
+  [[nodiscard]] Box view_along(const Item& item, const Item& at_edge) const {
+    return turn_box(points_[at_edge.points[0]], points_[at_edge.points[1]],
+                    triangles_[item.triangle]);
   }
 
   // The crowd at each crowded corner, behind the rest. An item goes to the fullest of its corners,

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <glm/geometric.hpp>
+
+#include "core/model/triangle_intersection.h"
 
 namespace aomd::measure {
 namespace {
@@ -32,14 +35,37 @@ void add_axes_within(Box& box, const std::array<dvec3, 3>& d) {
   for (int k = 0; k < 3; ++k)
     for (const double sign : {-1.0, 1.0}) {
       double least = 1, most = -1;
+      bool ahead = false;  // what is seen edge-on lies on the same circle as the axis behind
       for (std::size_t i = 0; i < 3; ++i) {
         const double side = volume(d[i], d[(i + 1) % 3], sign * axis(k));
         least = std::min(least, side), most = std::max(most, side);
+        ahead = ahead || sign * d[i][k] > -direction_doubt;
       }
       const bool within = all > -direction_doubt && least > -direction_doubt;
       const bool turned = all < direction_doubt && most < direction_doubt;
-      if (within || turned) box.add(sign * axis(k));
+      if (ahead && (within || turned)) box.add(sign * axis(k));
     }
+}
+
+// What rounding may do to the way from an axis to a point no nearer than this, seen from one end.
+constexpr double least_away = 1e-6, turn_doubt = 1e-8;
+
+// Around directions that are all at right angles to an axis: the shorter way between each two,
+// which is all the way round where they lie on every side of it.
+Box turns_box(std::span<const dvec3> turns, const dvec3& axis) {
+  Box box;
+  double least = 1, most = -1;
+  bool ahead = true;  // no two of them further apart than a right angle
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const dvec3 &a = turns[i], &b = turns[(i + 1) % turns.size()];
+    const double side = volume(a, b, axis);
+    least = std::min(least, side), most = std::max(most, side);
+    const bool near = glm::dot(a, b) > turn_doubt;
+    ahead = ahead && near;
+    box.add(grown(arc_box(a, b), turn_doubt / (near ? 1 : std::abs(side))));
+  }
+  const bool around = turns.size() == 3 && (least > -turn_doubt || most < turn_doubt);
+  return around && !ahead ? all_directions() : box;
 }
 
 }  // namespace
@@ -78,6 +104,21 @@ Box half_plane_box(const dvec3& a, const dvec3& b) {
   Box box;
   box.add(normal / sine);
   return grown(box, direction_doubt + 1e-15 / sine);
+}
+
+Box turn_box(const dvec3& from, const dvec3& to, const Triangle& t) {
+  const dvec3 axis = direction(from, to);
+  std::array<dvec3, 3> turns;
+  std::size_t count = 0;
+  double least = 1;
+  for (const dvec3& p : t) {
+    if (without_area({from, to, p})) continue;  // on the axis, at which all ways meet
+    const dvec3 d = direction(from, p), away = d - glm::dot(d, axis) * axis;
+    least = std::min(least, glm::length(away));
+    turns[count++] = glm::normalize(away);
+  }
+  if (count == 0 || !(least > least_away)) return all_directions();
+  return turns_box(std::span(turns).first(count), axis);
 }
 
 Box view_box(const dvec3& from, const Triangle& t) {

@@ -25,6 +25,10 @@ inline constexpr double direction_doubt = 1e-12;
 /// there is no plane.
 [[nodiscard]] Box half_plane_box(const glm::dvec3& a, const glm::dvec3& b);
 
+/// A box around the ways in which one may turn from the line between two points to a triangle, as
+/// directions at right angles to it; around all where the triangle lies on the line or around it.
+[[nodiscard]] Box turn_box(const glm::dvec3& from, const glm::dvec3& to, const Triangle& t);
+
 /// A box around the directions in which a triangle lies from a point; around all where the point
 /// lies on it.
 [[nodiscard]] Box view_box(const glm::dvec3& from, const Triangle& t);

@@ -40,7 +40,7 @@ std::vector<double> border_gaps(const Surface& surface, const std::vector<std::u
     double least = std::numeric_limits<double>::infinity();
     points.each_near(surface.position(v), [&](std::uint32_t u) {
       const double d = glm::distance(surface.position(u), surface.position(v));
-      if (u != v && d < least && around.faces(v, u).empty()) least = d;
+      if (u != v && d < least && !around.meet(v, u)) least = d;
     });
     if (least > 0 && least <= limit) gaps.push_back(least);
   }

@@ -84,6 +84,7 @@ class Surface {
 
   /// Fewer corners than before.
   void shrink(std::uint32_t f, std::span<const std::uint32_t> corners);
+  void set_vertex(std::uint32_t corner, std::uint32_t v) { data_.faces.vertices[corner] = v; }
   void move_vertex(std::uint32_t v, const glm::dvec3& to) { data_.positions[v] = to; }
   /// A new vertex like v.
   std::uint32_t copy_vertex(std::uint32_t v);

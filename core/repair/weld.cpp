@@ -55,8 +55,9 @@ class BorderWeld {
 
   [[nodiscard]] std::vector<std::uint32_t> in_its_faces(std::uint32_t v) const {
     std::vector<std::uint32_t> others;
-    for (const std::uint32_t f : around_.faces(v))
-      for (const std::uint32_t u : surface_.vertices(f)) others.push_back(stands_for_[u]);
+    for (const std::uint32_t c : around_.corners(v))
+      for (const std::uint32_t u : surface_.vertices(surface_.face_of(c)))
+        others.push_back(stands_for_[u]);
     std::sort(others.begin(), others.end());
     return others;
   }

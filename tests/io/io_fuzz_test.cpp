@@ -1,10 +1,12 @@
 // Tens of thousands of damaged small files of every format through the readers: no crash, no hang,
-// no allocation out of proportion. The mutations are the same on every run.
+// no allocation out of proportion. The mutations are the same on every run; AOMD_FUZZ_SEED in the
+// environment asks for others.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -44,7 +46,12 @@ class Random {
   }
 
  private:
-  std::uint64_t state_ = 0;
+  static std::uint64_t seed() {
+    const char* wanted = std::getenv("AOMD_FUZZ_SEED");
+    return wanted ? std::strtoull(wanted, nullptr, 10) << 32 : 0;
+  }
+
+  std::uint64_t state_ = seed();
 };
 
 void add_written(Seeds& seeds, const MeshData& mesh, std::initializer_list<std::string> names,

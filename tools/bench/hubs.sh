@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tools/bench/hubs.sh [-n RUNS] [-f FACES] [MESH...]: whether time follows the number of faces where thousands of them
 # share a vertex, an edge or a place. Makes surfaces of FACES (100000) faces: disc, cone, drum, tips, book, copies, line,
-# point, flatfan, tiny. Decimates each to 10 % of its faces by both strategies, in turn with the sample `scan` of as many
+# point, flatfan, flathubs, strips, tiny. Decimates each to 10 % of its faces by both strategies, in turn with the sample `scan` of as many
 # faces, compares it with itself, checks and repairs it, and prints user CPU seconds as ratios to those of the scan
 # (least of the runs). AOMD names the program (build/bin/aomd). Needs python3.
 set -euo pipefail
@@ -53,6 +53,25 @@ def tiny(count):
     return points, faces
 
 
+def hubs_without_area(count, each):
+    points, faces = [], []
+    for first in range(0, count // each * (each + 1), each + 1):
+        points += [(float(i), float(first), 0.0) for i in range(each + 1)]
+        faces += fan(each, first, first + 1)
+    return points, faces
+
+
+def strips(count, length):
+    line = [(0.0, 0.0, float(j)) for j in range(length + 1)]
+    points, faces = list(line), []
+    for x, y, _ in ring(count):
+        outer = len(points)
+        points += [(x, y, float(j)) for j in range(length + 1)]
+        for j in range(length):
+            faces += [(j, j + 1, outer + j), (j + 1, outer + j + 1, outer + j)]
+    return points, faces
+
+
 kinds = {
     "disc": lambda: ([(0, 0, 0)] + ring(n), fan(n, 0, 1)),
     "cone": lambda: ([(0, 0, 0.2)] + ring(n), fan(n, 0, 1)),
@@ -63,6 +82,8 @@ kinds = {
     "line": lambda: ([(i, 0, 0) for i in range(n + 2)], [(i, i + 1, i + 2) for i in range(n)]),
     "point": lambda: ([(1, 2, 3)] * (n + 1), fan(n, 0, 1)),
     "flatfan": lambda: ([(i, 0, 0) for i in range(n + 1)], fan(n, 0, 1)),
+    "flathubs": lambda: hubs_without_area(n, 500),
+    "strips": lambda: strips(n // 40, 20),
     "tiny": lambda: tiny(n // 4),
 }
 
