@@ -10,67 +10,20 @@
 
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/side_groups.h"
 
 namespace aomd::measure {
 namespace {
 
-// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no
-// hash and no sort of the whole.
-class Sides {
- public:
-  explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool) { ++begin_[std::min(a, b) + 1]; });
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    ends_.resize(begin_.back());
-    std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool of_face) {
-      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face ? 1u : 0u};
-    });
-  }
-
-  void count(Counts& counts) {
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const auto ends = std::span(ends_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-      std::sort(ends.begin(), ends.end(),
-                [](const End& a, const End& b) { return a.vertex < b.vertex; });
-      for (std::size_t i = 0; i < ends.size();) {
-        std::uint32_t faces = 0;
-        const std::uint32_t other = ends[i].vertex;
-        for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
-        ++counts.edges;
-        counts.boundary_edges += faces == 1;
-        counts.nonmanifold_edges += faces > 2;
-      }
-    }
-  }
-
- private:
-  struct End {
-    std::uint32_t vertex, faces;
-  };
-
-  template <typename Visit>
-  static void each(const Mesh& mesh, Visit&& visit) {
-    VertexBuffer buffer;
-    for (const Face f : mesh.faces()) {
-      const auto v = mesh.vertices_of(f, buffer);
-      for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[k + 1 < v.size() ? k + 1 : 0], true);
-    }
-    for (const Edge e : mesh.edges()) {
-      const auto [a, b] = mesh.edge_vertices(e);
-      visit(a.index, b.index, false);
-    }
-    for (const Region r : mesh.regions()) {
-      const auto v = mesh.vertices_of(r, buffer);
-      const ShapeTemplate& shape = shape_template(mesh.shape(r));
-      for (int k = 0; k < shape.edge_count; ++k)
-        visit(v[shape.sub(1, k).vertices[0]], v[shape.sub(1, k).vertices[1]], false);
-    }
-  }
-
-  std::vector<std::uint32_t> begin_;
-  std::vector<End> ends_;
-};
+void count_edges(const Mesh& mesh, Counts& counts) {
+  SideGroups<1>(mesh).each([&](std::span<const SideUse> uses) {
+    const auto faces = std::count_if(uses.begin(), uses.end(),
+                                     [](const SideUse& use) { return use.dimension == 2; });
+    ++counts.edges;
+    counts.boundary_edges += faces == 1;
+    counts.nonmanifold_edges += faces > 2;
+  });
+}
 
 // Sets of vertices that faces and regions connect.
 class Components {
@@ -92,7 +45,8 @@ class Components {
   void connect(const Mesh& mesh, EntityRef e) {
     VertexBuffer buffer;
     const auto v = mesh.vertices_of(e, buffer);
-    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = root(v[0]);
+    const std::uint32_t together = root(v[0]);
+    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = together;
   }
 
   std::uint32_t root(std::uint32_t v) {
@@ -130,7 +84,7 @@ void count_classes(const Mesh& mesh, Counts& counts) {
 Counts count_entities(const Mesh& mesh) {
   Counts counts;
   count_vertices(mesh, counts);
-  Sides(mesh).count(counts);
+  count_edges(mesh, counts);
   counts.faces = mesh.count(2);
   counts.regions = mesh.count(3);
   if (counts.regions > 0) count_volume_faces(mesh, counts);
