@@ -98,9 +98,9 @@ bool has_edges_without_face(const Mesh& mesh) {
     ends[a] = ends[b] = 1;
   }
   for (const Face f : mesh.faces()) {
-    const auto t = mesh.triangle(f);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const Vertex a = t[k], b = t[(k + 1) % 3]; ends[a] != 0 && ends[b] != 0)
+    const Row<0> v = mesh.row<0>(f);
+    for (std::size_t k = 0; k < v.size(); ++k)
+      if (const Vertex a = v[k], b = v[k + 1 < v.size() ? k + 1 : 0]; ends[a] != 0 && ends[b] != 0)
         bare.erase(key_of(a, b));
   }
   return !bare.empty();

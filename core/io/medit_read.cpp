@@ -159,6 +159,7 @@ class MeditReader {
     part = {true, list.size(), count(name, kind.nodes + 1)};
     list.shapes.reserve(list.size() + part.count);
     list.vertices.reserve(list.vertices.size() + corners * part.count);
+    list.classes.reserve(list.size() + part.count);
     std::array<std::int64_t, 8> v{};
     const std::span<std::int64_t> used(v.data(), corners);
     for (std::size_t i = 0; i < part.count; ++i) {

@@ -39,6 +39,7 @@ class MshElements {
       body.count("the largest element tag");
     }
     msh_check_room(source_, body, n, 2 * (wide() ? Body::long_size : Body::int_size), "elements");
+    mesh_.promise(n);
     std::uint64_t found = 0;
     for (std::uint64_t b = 0; b < blocks; ++b) found += block(body, n - found);
     if (found != n) {
@@ -84,6 +85,7 @@ class MshElements {
   void list(Body& body) {
     const std::uint64_t n = msh_count_line(body, "the number of elements");
     msh_check_room(source_, body, n, Body::int_size * 2, "elements");
+    mesh_.promise(n);
     if constexpr (std::is_same_v<Body, MshText>) {
       for (std::uint64_t i = 0; i < n; ++i) listed(body);
     } else {

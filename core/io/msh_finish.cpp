@@ -29,6 +29,7 @@ std::vector<std::size_t> starts_of(const EntityList& list) {
 EntityList picked(const EntityList& list, const std::vector<std::uint32_t>& order) {
   const std::vector<std::size_t> starts = starts_of(list);
   EntityList result;
+  result.vertices.reserve(list.vertices.size());
   result.shapes.reserve(order.size());
   result.classes.reserve(order.size());
   for (const std::uint32_t i : order) {
@@ -50,9 +51,12 @@ std::uint64_t scrambled(std::uint64_t x) {
 /// Finds entities with the vertices and class of an earlier one, in any order of the vertices.
 class Repetitions {
  public:
-  explicit Repetitions(const EntityList& list) : list_(list), starts_(starts_of(list)) {
+  explicit Repetitions(const EntityList& list) : list_(list) {
+    const bool one_shape = std::adjacent_find(list.shapes.begin(), list.shapes.end(),
+                                              std::not_equal_to<>()) == list.shapes.end();
+    if (!one_shape) starts_ = starts_of(list);
     std::size_t size = 16;
-    while (size < 2 * list.size()) size *= 2;
+    while (3 * size < 4 * list.size()) size *= 2;
     slots_.assign(size, no_index);
   }
 
@@ -71,7 +75,7 @@ class Repetitions {
  private:
   [[nodiscard]] std::span<const std::uint32_t> vertices(std::uint32_t i) const {
     const auto n = static_cast<std::size_t>(shape_template(list_.shapes[i]).vertex_count);
-    return std::span(list_.vertices).subspan(starts_[i], n);
+    return std::span(list_.vertices).subspan(starts_.empty() ? i * n : starts_[i], n);
   }
   [[nodiscard]] std::uint64_t hash(std::uint32_t i) const {
     std::uint64_t sum = list_.classes[i].bits();
@@ -85,7 +89,7 @@ class Repetitions {
   }
 
   const EntityList& list_;
-  std::vector<std::size_t> starts_;
+  std::vector<std::size_t> starts_;  ///< of the vertices; none where all have one shape
   std::vector<std::uint32_t> slots_;
 };
 
@@ -111,33 +115,40 @@ void MshMesh::finish(NodeClasses known, bool make_table) {
     element_tags_[dim].build(std::move(elements_[dim].tags));
 }
 
+void MshMesh::Elements::permute(const std::vector<std::uint32_t>& order) {
+  list = picked(list, order);
+  MshTagList permuted;
+  for (const std::uint32_t i : order) permuted.push_back(tags[i]);
+  tags = std::move(permuted);
+  if (!physical.empty()) detail::permute(physical, order);
+}
+
 void MshMesh::sort(Elements& elements) {
-  const std::vector<std::uint32_t> order = ascending_order(elements.tags);
-  if (order.empty()) return;
-  elements.list = picked(elements.list, order);
-  permute(elements.tags, order);
-  permute(elements.physical, order);
+  const std::vector<std::uint32_t> order = elements.tags.ascending_order();
+  if (!order.empty()) elements.permute(order);
 }
 
 std::size_t MshMesh::drop_repeated(int dim) {
   Elements& elements = elements_[static_cast<std::size_t>(dim)];
-  Repetitions repetitions(elements.list);
+  std::vector<std::uint32_t> repeated;
+  {
+    Repetitions repetitions(elements.list);
+    for (std::uint32_t i = 0; i < elements.tags.size(); ++i)
+      if (repetitions.seen(i)) repeated.push_back(i);
+  }
+  if (repeated.empty()) return 0;
   std::vector<std::uint32_t> kept;
-  kept.reserve(elements.tags.size());
-  for (std::uint32_t i = 0; i < elements.tags.size(); ++i) {
-    if (!repetitions.seen(i)) {
+  for (std::uint32_t i = 0, next = 0; i < elements.tags.size(); ++i) {
+    if (next == repeated.size() || repeated[next] != i) {
       kept.push_back(i);
       continue;
     }
+    ++next;
     dropped_.push_back(elements.tags[i]);
-    further_groups_.emplace_back(elements.list.classes[i], elements.physical[i]);
+    further_groups_.emplace_back(elements.list.classes[i], elements.physical_of(i));
   }
-  const std::size_t dropped = elements.tags.size() - kept.size();
-  if (dropped == 0) return 0;
-  elements.list = picked(elements.list, kept);
-  permute(elements.tags, kept);
-  permute(elements.physical, kept);
-  return dropped;
+  elements.permute(kept);
+  return repeated.size();
 }
 
 void MshMesh::drop_unused_nodes() {

@@ -17,6 +17,43 @@ std::vector<std::uint32_t> ascending_order(const std::vector<std::uint64_t>& tag
   return order;
 }
 
+void MshTagList::push_back(std::uint64_t tag) {
+  if (size_ == 0) first_ = tag;
+  if (is_run_ && tag != first_ + size_) {
+    tags_ = take();
+    size_ = tags_.size();
+    is_run_ = false;
+  }
+  if (!is_run_) tags_.push_back(tag);
+  ++size_;
+}
+
+void MshTagList::pop_back() {
+  if (!is_run_) tags_.pop_back();
+  --size_;
+}
+
+std::vector<std::uint64_t> MshTagList::take() {
+  std::vector<std::uint64_t> all = std::move(tags_);
+  if (is_run_) {
+    all.resize(size_);
+    std::iota(all.begin(), all.end(), first_);
+  }
+  *this = MshTagList();
+  return all;
+}
+
+std::vector<std::uint32_t> MshTagList::ascending_order() const {
+  return is_run_ ? std::vector<std::uint32_t>() : detail::ascending_order(tags_);
+}
+
+void MshTags::build(MshTagList&& ascending) {
+  if (!ascending.is_run()) return build(ascending.take());
+  *this = MshTags();
+  first_ = ascending.empty() ? 0 : ascending[0];
+  count_ = ascending.size();
+}
+
 void MshTags::build(std::vector<std::uint64_t> ascending) {
   tags_ = std::move(ascending);
   table_.clear();
@@ -24,6 +61,8 @@ void MshTags::build(std::vector<std::uint64_t> ascending) {
   const std::uint64_t range = tags_.empty() ? 0 : tags_.back() - first_ + 1;
   contiguous_ =
       range == tags_.size() && std::adjacent_find(tags_.begin(), tags_.end()) == tags_.end();
+  count_ = tags_.size();
+  if (contiguous_) tags_ = {};
   if (contiguous_ || range > 8 * tags_.size() + 1024) return;
   table_.assign(static_cast<std::size_t>(range), no_index);
   for (std::size_t i = tags_.size(); i-- > 0;)
@@ -62,6 +101,15 @@ std::string MshMesh::finish_nodes() {
   return {};
 }
 
+// Twice as much, as vectors do, but no more than what is promised can fill.
+template <class Value>
+void MshMesh::make_room(std::vector<Value>& values, std::size_t each) const {
+  const std::size_t needed = values.size() + each;
+  if (needed <= values.capacity()) return;
+  const std::size_t to_come = promised_ > added_ ? promised_ - added_ : 1;
+  values.reserve(std::max(needed, std::min(2 * needed, values.size() + each * to_come)));
+}
+
 namespace {
 
 /// The first node that is there twice; there is one.
@@ -82,6 +130,7 @@ std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::u
   std::vector<std::uint32_t>& vertices = elements.list.vertices;
   const std::size_t start = vertices.size();
   bool repeats = false;
+  make_room(vertices, corners);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::uint32_t v = nodes_.find(nodes[i]);
     if (v == no_index)
@@ -93,10 +142,14 @@ std::string MshMesh::add(std::uint64_t tag, MshType type, std::span<const std::u
     repeats = repeats || std::find(first, vertices.end(), v) != vertices.end();
     vertices.push_back(v);
   }
+  make_room(elements.list.shapes, 1);
+  make_room(elements.list.classes, 1);
   elements.list.shapes.push_back(type.shape);
   elements.list.classes.push_back(model);
+  if (physical != 0) elements.physical.resize(elements.tags.size());
+  if (physical != 0 || !elements.physical.empty()) elements.physical.push_back(physical);
   elements.tags.push_back(tag);
-  elements.physical.push_back(physical);
+  ++added_;
   higher_order_ += nodes.size() > corners;
   return repeats ? mend_last(elements, nodes.first(corners)) : std::string();
 }
@@ -122,7 +175,7 @@ std::string MshMesh::mend_last(Elements& elements, std::span<const std::uint64_t
   dropped_.push_back(elements.tags.back());
   list.classes.pop_back();
   elements.tags.pop_back();
-  elements.physical.pop_back();
+  if (!elements.physical.empty()) elements.physical.pop_back();
   return {};
 }
 

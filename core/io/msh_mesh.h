@@ -13,17 +13,43 @@
 
 namespace aomd::io::detail {
 
+/// Tags in the order in which they come. As long as each is one more than the one before, as Gmsh
+/// numbers them, only the first is stored.
+class MshTagList {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] std::uint64_t operator[](std::size_t i) const {
+    return is_run_ ? first_ + i : tags_[i];
+  }
+  [[nodiscard]] std::uint64_t back() const { return (*this)[size_ - 1]; }
+  void push_back(std::uint64_t tag);
+  void pop_back();
+  /// Each is one more than the one before.
+  [[nodiscard]] bool is_run() const { return is_run_; }
+  /// All of them, one by one; afterwards the list has none.
+  [[nodiscard]] std::vector<std::uint64_t> take();
+  /// The order that makes them ascend; empty where they do already.
+  [[nodiscard]] std::vector<std::uint32_t> ascending_order() const;
+
+ private:
+  std::uint64_t first_ = 0;
+  std::size_t size_ = 0;
+  bool is_run_ = true;
+  std::vector<std::uint64_t> tags_;  ///< where they are no run
+};
+
 /// Places of arbitrary tags in an ascending list.
 class MshTags {
  public:
   /// `ascending` may hold a tag twice: the first counts.
   void build(std::vector<std::uint64_t> ascending);
+  void build(MshTagList&& ascending);
   /// no_index where there is no such tag. O(1) where the tags are dense, otherwise O(log n).
   [[nodiscard]] std::uint32_t find(std::uint64_t tag) const {
     const std::uint64_t k = tag - first_;  // wraps below the first
     if (k < table_.size()) return table_[k];
-    return contiguous_ ? (k < tags_.size() ? static_cast<std::uint32_t>(k) : no_index)
-                       : search(tag);
+    return contiguous_ ? (k < count_ ? static_cast<std::uint32_t>(k) : no_index) : search(tag);
   }
 
  private:
@@ -32,6 +58,7 @@ class MshTags {
   std::vector<std::uint64_t> tags_;
   std::vector<std::uint32_t> table_;  ///< by tag - first_, where gaps are few
   std::uint64_t first_ = 0;
+  std::size_t count_ = 0;  ///< where they are contiguous, and not stored
   bool contiguous_ = true;
 };
 
@@ -65,6 +92,8 @@ class MshMesh {
   /// All nodes are there. Returns what is wrong with them, or an empty string.
   [[nodiscard]] std::string finish_nodes();
 
+  /// So many elements are to come in all: lists grow to hold no more.
+  void promise(std::uint64_t elements) { promised_ = elements; }
   /// Adds an element by its node tags; edges and faces with repeated nodes are mended or dropped.
   /// `physical` is that of MSH 2, 0 where there is none. Returns
   /// what is wrong, or an empty string.
@@ -72,7 +101,10 @@ class MshMesh {
                                 std::span<const std::uint64_t> nodes, ModelRef model,
                                 std::int32_t physical);
   /// An element that the mesh does not keep, though views may refer to it.
-  void drop(std::uint64_t tag) { dropped_.push_back(tag); }
+  void drop(std::uint64_t tag) {
+    ++added_;
+    dropped_.push_back(tag);
+  }
   [[nodiscard]] ModelTable& model() { return mesh_.model; }
 
   /// What a file says about where its vertices lie: nothing, by blocks of nodes, or for certain.
@@ -96,10 +128,17 @@ class MshMesh {
   /// Elements of one dimension.
   struct Elements {
     EntityList list;
-    std::vector<std::uint64_t> tags;
-    std::vector<std::int32_t> physical;
+    MshTagList tags;
+    std::vector<std::int32_t> physical;  ///< one each, or none where all are 0
+
+    [[nodiscard]] std::int32_t physical_of(std::size_t i) const {
+      return physical.empty() ? 0 : physical[i];
+    }
+    void permute(const std::vector<std::uint32_t>& order);
   };
 
+  template <class Value>
+  void make_room(std::vector<Value>& values, std::size_t each) const;
   std::string mend_last(Elements& elements, std::span<const std::uint64_t> nodes);
   static void sort(Elements& elements);
   std::size_t drop_repeated(int dim);
@@ -119,6 +158,7 @@ class MshMesh {
   std::vector<std::pair<ModelRef, std::int32_t>> further_groups_;
   Repeats repeats_;
   std::size_t higher_order_ = 0;
+  std::uint64_t promised_ = 0, added_ = 0;  ///< elements
   std::vector<std::string> notes_;
 };
 

@@ -10,74 +10,20 @@
 
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
+#include "core/mesh/side_groups.h"
 
 namespace aomd::measure {
 namespace {
 
-// The sides of all faces and the listed edges, each filed under its lower vertex: counting needs no
-// hash and no sort.
-class Sides {
- public:
-  explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool) { ++begin_[std::min(a, b) + 1]; });
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    ends_.resize(begin_.back());
-    std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool of_face) {
-      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face};
-    });
-  }
-
-  void count(Counts& counts) const {
-    std::vector<std::uint32_t> lower(begin_.size(), no_index), faces(begin_.size());
-    for (std::uint32_t v = 0; v + std::size_t{1} < begin_.size(); ++v) {
-      for (std::uint32_t i = begin_[v]; i < begin_[v + 1]; ++i) {
-        const auto [other, face] = ends_[i];
-        if (lower[other] != v) {
-          lower[other] = v;
-          faces[other] = 0;
-          ++counts.edges;
-        }
-        if (face) count_face(++faces[other], counts);
-      }
-    }
-  }
-
- private:
-  struct End {
-    std::uint32_t vertex;
-    bool face;
-  };
-
-  // What an edge is after its first, second and third face.
-  static void count_face(std::uint32_t n, Counts& counts) {
-    if (n == 1) ++counts.boundary_edges;
-    if (n == 2) --counts.boundary_edges;
-    if (n == 3) ++counts.nonmanifold_edges;
-  }
-
-  template <typename Visit>
-  static void each(const Mesh& mesh, Visit&& visit) {
-    VertexBuffer buffer;
-    for (const Face f : mesh.faces()) {
-      const auto v = mesh.vertices_of(f, buffer);
-      for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[k + 1 < v.size() ? k + 1 : 0], true);
-    }
-    for (const Edge e : mesh.edges()) {
-      const auto [a, b] = mesh.edge_vertices(e);
-      visit(a.index, b.index, false);
-    }
-    for (const Region r : mesh.regions()) {
-      const auto v = mesh.vertices_of(r, buffer);
-      const ShapeTemplate& shape = shape_template(mesh.shape(r));
-      for (int k = 0; k < shape.edge_count; ++k)
-        visit(v[shape.sub(1, k).vertices[0]], v[shape.sub(1, k).vertices[1]], false);
-    }
-  }
-
-  std::vector<std::uint32_t> begin_;
-  std::vector<End> ends_;
-};
+void count_edges(const Mesh& mesh, Counts& counts) {
+  SideGroups<1>(mesh).each([&](std::span<const SideUse> uses) {
+    const auto faces = std::count_if(uses.begin(), uses.end(),
+                                     [](const SideUse& use) { return use.dimension == 2; });
+    ++counts.edges;
+    counts.boundary_edges += faces == 1;
+    counts.nonmanifold_edges += faces > 2;
+  });
+}
 
 // Sets of vertices that faces and regions connect.
 class Components {
@@ -99,7 +45,8 @@ class Components {
   void connect(const Mesh& mesh, EntityRef e) {
     VertexBuffer buffer;
     const auto v = mesh.vertices_of(e, buffer);
-    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = root(v[0]);
+    const std::uint32_t together = root(v[0]);
+    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = together;
   }
 
   std::uint32_t root(std::uint32_t v) {
@@ -137,7 +84,7 @@ void count_classes(const Mesh& mesh, Counts& counts) {
 Counts count_entities(const Mesh& mesh) {
   Counts counts;
   count_vertices(mesh, counts);
-  Sides(mesh).count(counts);
+  count_edges(mesh, counts);
   counts.faces = mesh.count(2);
   counts.regions = mesh.count(3);
   if (counts.regions > 0) count_volume_faces(mesh, counts);

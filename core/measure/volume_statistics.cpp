@@ -5,13 +5,14 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <tuple>
+#include <span>
 
 #include <glm/geometric.hpp>
 
 #include "core/base/parallel.h"
 #include "core/mesh/bulk.h"
 #include "core/mesh/tet_geometry.h"
+#include "core/mesh/side_groups.h"
 
 namespace aomd::measure {
 namespace {
@@ -78,31 +79,14 @@ void take_means(VolumeQuality& quality) {
 }  // namespace
 
 void count_volume_faces(const Mesh& mesh, Counts& counts) {
-  using Side =
-      std::tuple<std::uint32_t, std::uint64_t, bool>;  // smallest vertex, tag, side of a region
-  std::vector<Side> sides;
-  const auto add = [&](std::span<const std::uint32_t> v, bool of_region) {
-    const FaceKey key(v);
-    sides.emplace_back(key.low, v.size() == 3 ? key.tag : ~key.tag, of_region);
-  };
-  const VertexRows faces(mesh, 2), regions(mesh, 3);
-  faces.each([&](std::uint32_t id, const std::uint32_t*) { add(faces.vertices(id), false); });
-  regions.each([&](std::uint32_t id, const std::uint32_t* v) {
-    const ShapeTemplate& shape = regions.shape(id);
-    for (int k = 0; k < shape.face_count; ++k) add(SideVertices(shape.sub(2, k), v).span(), true);
-  });
-  std::sort(sides.begin(), sides.end());
   counts.faces = 0;
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t used = 0, first = i;
-    for (; i < sides.size() && std::get<0>(sides[i]) == std::get<0>(sides[first]) &&
-           std::get<1>(sides[i]) == std::get<1>(sides[first]);
-         ++i)
-      used += std::get<2>(sides[i]);
+  SideGroups<2>(mesh).each([&](std::span<const SideUse> uses) {
+    const auto used = std::count_if(uses.begin(), uses.end(),
+                                    [](const SideUse& use) { return use.dimension == 3; });
     ++counts.faces;
     counts.boundary_faces += used == 1;
     counts.nonmanifold_faces += used > 2;
-  }
+  });
 }
 
 double signed_volume(const Mesh& mesh, Region r) {

@@ -120,9 +120,11 @@ std::uint32_t UpRows::take_block(std::uint32_t block) {
     first = pool_[begin];
     return begin;
   }
-  const std::size_t begin = pool_.size();
-  AOMD_CHECK(begin + block_sizes[block] < no_index);
-  pool_.resize(begin + block_sizes[block]);
+  const std::size_t begin = pool_.size(), end = begin + block_sizes[block];
+  AOMD_CHECK(end < no_index);
+  // The blocks left behind are used again, so that a pool grows by a part of itself at most.
+  if (end > pool_.capacity()) pool_.reserve(std::max(end, pool_.capacity() / 4 * 5));
+  pool_.resize(end);
   return static_cast<std::uint32_t>(begin);
 }
 
@@ -175,6 +177,10 @@ bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
   --entries_;
+  if (head.size == 0) {  // as after its vertex has gone: others may have the block
+    give_block(head);
+    head = {};
+  }
   return true;
 }
 

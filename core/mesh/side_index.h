@@ -30,6 +30,10 @@ struct SideVertices {
       : count(static_cast<std::uint32_t>(shape_template(sub.shape).vertex_count)) {
     for (std::uint32_t k = 0; k < count; ++k) ids[k] = whole[sub.vertices[k]];
   }
+  explicit SideVertices(std::span<const std::uint32_t> all)
+      : count(static_cast<std::uint32_t>(all.size())) {
+    std::copy(all.begin(), all.end(), ids.begin());
+  }
   [[nodiscard]] std::span<const std::uint32_t> span() const { return {ids.data(), count}; }
 };
 

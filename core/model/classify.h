@@ -21,6 +21,10 @@ struct ClassifyOptions {
   /// Keep what is classified already (it came with the file, and wins) and derive only the rest.
   /// Regions keep their model regions either way.
   bool keep_present = true;
+  /// All edges and faces of a volume become entities. Without it only those on model edges and
+  /// model faces do, beside what is listed; all the same where an edge on a model edge, or one that
+  /// nothing implies, bounds no model face.
+  bool complete = true;
 };
 
 /// How many model entities of each dimension the mesh is classified on afterwards.

@@ -86,7 +86,7 @@ class Run {
       throw io::LimitError(options_.input, {}, obstacle);
     check_kind();
     count_cells();
-    if (volume() && !options_.quiet) tell_inside_out();
+    if (volume()) look_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
   }
@@ -115,9 +115,14 @@ class Run {
   }
 
   // Where some are upright the others may be folded, which turning does not mend.
-  void tell_inside_out() const {
-    for (const Region r : mesh_.regions())
-      if (!(measure::signed_volume(mesh_, r) < 0)) return;
+  void look_inside_out() {
+    std::uint32_t turned = 0;
+    for (const Region r : mesh_.regions()) {
+      const double volume = measure::signed_volume(mesh_, r);
+      inverted_ += !(volume > 0);
+      turned += volume < 0;
+    }
+    if (options_.quiet || turned < mesh_.count(3)) return;
     print_notes(options_.input, {std::string("all ") + (others_ == 0 ? "tetrahedra" : "regions") +
                                  " (" + grouped(mesh_.count(3)) +
                                  ") stand inside out: aomd convert --split-to-tets turns them"});
@@ -150,8 +155,11 @@ class Run {
 
   void classify_mesh() {
     progress_.show("classifying");
+    const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
+    how_.complete = looks_at_all || options_.paper();
+    if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
-    if (!model_ && !options_.snaps()) {  // models look at all edges, and faces of a volume
+    if (!looks_at_all) {
       if (volume()) mesh_.keep_model_faces_only();
       if (!options_.paper()) keep_edges_for_quality(mesh_);
     }
@@ -238,6 +246,7 @@ class Run {
         progress_.shown() ? std::optional<std::chrono::microseconds>(100ms) : std::nullopt;
     while (decimation.run(slice) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
+    balls_ = {};
     seconds_["decimate"] = watch_.lap();
     memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
@@ -272,13 +281,12 @@ class Run {
 
   // No operation turns a tetrahedron inside out; an input may have some.
   void check_volume() {
-    const std::size_t before = measure::measure_volume(Mesh(original_)).inverted.size();
     volume_quality_ = measure::measure_volume(mesh_);
     volumes_ = volume_changes(volumes_before_, measure::region_volumes(mesh_));
     const std::size_t after = volume_quality_.inverted.size();
-    if (after > before)
+    if (after > inverted_)
       throw InternalFault(options_.input +
-                          ": internal fault: " + counted(after - before, "region") +
+                          ": internal fault: " + counted(after - inverted_, "region") +
                           " inside out in the result, which was not written");
   }
 
@@ -404,6 +412,7 @@ class Run {
   MeshData original_;  ///< as read, or as repaired
   RepairReport repaired_;
   Mesh mesh_;
+  Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
   measure::Counts input_, output_;
@@ -416,6 +425,7 @@ class Run {
   std::optional<MissedTarget> missed_;
   std::uint32_t target_ = 0, others_ = 0;  ///< faces or tetrahedra; regions of other shapes
   std::size_t flips_ = 0, self_intersections_ = 0;
+  std::size_t inverted_ = 0;  ///< regions of the input
 };
 
 }  // namespace
