@@ -54,6 +54,8 @@ constexpr std::array lines = std::to_array<LineHelp>({
     {"topology safe",
      "Refuses collapses that would change the topology: pinch, tear or close a hole."},
     {"topology paper", "Leaves the check of the topology out, as the paper does."},
+    {"volume keep", "Refuses what would change the volume of a model region by more than 0.1 %."},
+    {"volume free", "Lets model regions grow and shrink with their surfaces."},
     {"snap none", "Smoothed vertices stay where smoothing puts them."},
     {"snap model",
      "Puts smoothed vertices back onto the model, or onto the mesh as loaded where no model is "
