@@ -23,15 +23,16 @@ struct OutputTarget {
   int descriptor = -1;         ///< Descriptor only
 };
 
-/// Finds it. Throws WriteError for a folder, a chain of links without an end, a file that may not
-/// be written, and a target whose folder is missing, none, or may not be written.
+/// Finds the target of a path. Throws WriteError for a folder, a chain of links without an end, a
+/// file that may not be written, and a target whose folder is missing, none, or may not be written.
 [[nodiscard]] OutputTarget find_output_target(const std::filesystem::path& path);
 
 /// What tells an output from other files, however its path is spelled: where it lies on the disk if
 /// it is there, else its folder and its name, all symbolic links followed. None for a device such
 /// as a terminal, and where links lead nowhere: nothing is lost there.
 [[nodiscard]] std::optional<std::string> output_identity(const std::filesystem::path& path);
-/// The same for an input; none for what no output replaces, such as a pipe, or is not there.
+/// What tells an input from outputs, however its path is spelled; none for what no output replaces,
+/// such as a pipe, and for what is not there.
 [[nodiscard]] std::optional<std::string> input_identity(const std::filesystem::path& path);
 
 /// Writes all bytes to a descriptor; false with errno where that fails.

@@ -55,7 +55,7 @@ void match(const VertexRows& rows, int j, const SideIndex<Key>& index, ShapeOf s
   });
 }
 
-// Where keys are exact.
+// What is asked of a hit where equal keys are equal sides: nothing more.
 constexpr auto no_second_look = [](std::uint32_t, const ShapeTemplate&, int, const std::uint32_t*) {
   return true;
 };

@@ -83,7 +83,7 @@ std::vector<std::pair<int, int>> Mesh::compact_relations(
   return upward;
 }
 
-// Those on model entities of no higher dimension, and of the unclassified ones those that nothing
+// Entities on model entities of no higher dimension stay, and so do unclassified ones that nothing
 // else implies.
 std::vector<std::uint8_t> Mesh::entities_to_keep(int dim) {
   std::vector<std::uint8_t> stays(capacity(dim), 0);

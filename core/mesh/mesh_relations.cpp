@@ -170,7 +170,7 @@ Mesh::Derived Mesh::release_derived() {
 
 void Mesh::build_again(const Derived& derived) {
   const auto& relations = derived.relations;
-  // Each from T(j,0) alone, and the lists from none.
+  // Each relation is built from T(j,0) alone, and the lists from none.
   parallel_for(relations.size() + 1, 2, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (k == relations.size()) {

@@ -38,7 +38,7 @@ void each_tetrahedron(const ShapeTemplate& shape, Vertices v, Visit&& visit) {
   }
 }
 
-// Six times it.
+// Six times the volume of a tetrahedron.
 double volume(const MeshData& mesh, const Corners& v) {
   const glm::dvec3 origin = mesh.positions[v[0]];
   return glm::dot(glm::cross(mesh.positions[v[1]] - origin, mesh.positions[v[2]] - origin),

@@ -285,7 +285,7 @@ class Verifier {
   std::vector<Finding> findings_;
 };
 
-// The first of a level that a vertex of higher class bounds.
+// The first entity of a level that a vertex of higher class bounds.
 std::optional<Finding> first_misclassified_of(const Mesh& mesh, int dim) {
   std::optional<Finding> first;
   const VertexRows rows(mesh, dim);

@@ -118,7 +118,7 @@ class ClassEditor {
     classes_.set(v, passes ? classes_.of(ends.edges[0]) : fresh(0));
   }
 
-  // After edges have left one.
+  // After edges have left a model edge.
   void release_end(Vertex v) {
     const CurveEnds ends = curve(v);
     if (ends.count == 0) {

@@ -82,7 +82,7 @@ bool FacetJudge::leave(Walk& w, Edge& through) const {
   return true;
 }
 
-// Into the next face; false where the way is blocked.
+// Steps into the next face; false where the way is blocked.
 bool FacetJudge::go(Walk& w) const {
   Edge e;
   if (!leave(w, e)) return false;

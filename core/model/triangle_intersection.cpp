@@ -78,7 +78,7 @@ int orientation(const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) 
   return volume > doubt ? 1 : volume < -doubt ? -1 : 0;
 }
 
-// All three of t strictly on one side of the plane of s.
+// Whether all three corners of t lie strictly on one side of the plane of s.
 bool on_one_side(const Triangle& s, const Triangle& t) {
   const int first = orientation(s[0], s[1], s[2], t[0]);
   return first != 0 && orientation(s[0], s[1], s[2], t[1]) == first &&

@@ -28,7 +28,7 @@ struct Triangles {
 
 /// O(faces); the faces must hold their vertices or edges.
 [[nodiscard]] Triangles triangles_of(const Mesh& mesh);
-/// The same for plain arrays; the n-th of `faces` is Face(n).
+/// The faces of plain arrays as triangles; the n-th of `faces` is Face(n).
 [[nodiscard]] Triangles triangles_of(const MeshData& data);
 
 /// The boxes of triangles, sorted by their centres. The same tree for any number of threads.

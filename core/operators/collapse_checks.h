@@ -45,7 +45,8 @@ namespace aomd {
 /// may turn too far. `star` is around that end.
 [[nodiscard]] Verdict judge_curve(const Mesh& mesh, const Star& star, ModelRef model,
                                   const Contraction& contraction, const TurnLimit& limit);
-/// The same beyond the kept end, where that moves; `star` is around it.
+/// A model edge whose kept end moves: none of its old directions around that end may turn too far.
+/// `star` is around it.
 [[nodiscard]] Verdict judge_rest_of_curve(const Mesh& mesh, const Star& star, ModelRef model,
                                           const Contraction& contraction, const TurnLimit& limit);
 

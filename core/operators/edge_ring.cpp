@@ -40,7 +40,8 @@ bool all_tetrahedra(const Mesh& mesh) {
   return all && all->vertex_count == 4;
 }
 
-// The same without asking for the shape, in the inner loop.
+// Whether a region that is known to be a tetrahedron has all of some vertices: the inner loop, which
+// does not ask for the shape.
 template <std::size_t N>
 bool tetrahedron_has_all(const Mesh& mesh, Region r, const std::array<Vertex, N>& wanted) {
   const auto t = mesh.tetrahedron(r);
@@ -139,7 +140,7 @@ bool find_sides(const Links& links, EdgeRing& ring) {
   return used == links.count;
 }
 
-// Each side within one model region.
+// Whether each side of the ring lies within one model region.
 Verdict judge_classes(const Mesh& mesh, const EdgeRing& ring) {
   for (std::uint32_t s = 0; s < ring.side_count; ++s) {
     const RingSide& side = ring.sides[s];

@@ -43,7 +43,7 @@ bool same_round(const Surface& surface, const Round& a, const Round& b) {
          (u.size() == 3 || canonical(u, a.forward) == canonical(v, b.forward));
 }
 
-// Two faces that cancel each other.
+// A pair of faces that cancel each other.
 struct Pair {
   std::uint32_t group;  ///< the first face on these vertices
   std::uint32_t first, second;

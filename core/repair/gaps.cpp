@@ -62,7 +62,7 @@ std::vector<double> border_gaps(const Surface& surface, double limit) {
   return {};
 }
 
-// Two digits, never less than the value.
+// A value rounded to two digits, and never down.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(1.001 * value / unit) * unit;

@@ -58,7 +58,7 @@ class ListedEdges {
     });
   }
 
-  // To a part that is not listed yet, if there is one.
+  // Gives an edge to a part that is not listed yet, if there is one.
   void move(std::uint32_t e) {
     Parts& parts = parts_[base(e)];
     while (parts.free < parts.keys.size() && listed_.contains(parts.keys[parts.free])) ++parts.free;

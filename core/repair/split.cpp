@@ -219,7 +219,7 @@ class FanSplitter {
     return surface_.copy_vertex(given);
   }
 
-  // The vertex that a name was copied from, or itself.
+  // The vertex that another was copied from, or that other itself.
   [[nodiscard]] std::uint32_t origin(std::uint32_t name) const {
     return name < given_count_ ? name : copied_[name - given_count_];
   }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace repair_detail;
 
-// Without attributes: what a survey works on and spoils.
+// The surface without its attributes: what a survey works on and spoils.
 MeshData bare_surface(const MeshData& data) {
   MeshData bare;
   bare.positions = data.positions;
@@ -104,7 +104,7 @@ class Survey {
          counted(edges_.border.count(), "edge") + " of one face");
   }
 
-  // Those whose mending would change the surface stay, and a repair says so.
+  // Faces without area whose mending would change the surface stay, and a repair says so.
   void flat_faces() {
     Tally flat;
     surface_.each_face([&](std::uint32_t f) {
@@ -132,7 +132,7 @@ class Survey {
     return 0;
   }
 
-  // Takes them out; whether there were any.
+  // Takes repeated and opposite faces out; whether there were any.
   bool coincident() {
     const Coincident r = mend_coincident(surface_, true, true);
     tell(r.repeated, 2, "repeated faces", SurfaceProperty::Distinct, Remedy::Repair,

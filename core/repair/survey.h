@@ -38,7 +38,7 @@ struct SurfaceFinding {
 /// What is dirty in a surface, kind by kind: border edges, borders that lie on each other, gaps,
 /// repeated, opposite and turned faces, pieces that cannot be oriented, non-manifold edges,
 /// bow-ties (vertices that join several fans of faces), faces without area and isolated vertices.
-/// Not where it cuts itself: measure::count_self_intersections tells that.
+/// Where a surface cuts itself is told by measure::count_self_intersections alone.
 ///
 /// Non-manifold edges are those of the file. Orientation, bow-ties and borders that could be welded
 /// are told of the surface without its repeated faces, which would hide them; the edges of

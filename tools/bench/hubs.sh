@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# tools/bench/hubs.sh [-n RUNS] [-f FACES] [MESH...]: whether time follows the number of faces where thousands of them
-# share a vertex, an edge or a place. Makes surfaces of FACES (100000) faces: disc, cone, drum, tips, book, copies, line,
-# point, flatfan, flathubs, strips, tiny. Decimates each to 10 % of its faces by both strategies, in turn with the sample `scan` of as many
-# faces, compares it with itself, checks and repairs it, and prints user CPU seconds as ratios to those of the scan
-# (least of the runs). AOMD names the program (build/bin/aomd). Needs python3.
+# tools/bench/hubs.sh [-n RUNS] [-f FACES] [MESH...]: whether time follows the number of faces where
+# thousands of them share a vertex, an edge or a place. Makes surfaces of FACES (100000) faces: disc,
+# cone, drum, tips, book, copies, line, point, flatfan, flathubs, strips, tiny. Decimates each to 10 %
+# of its faces by both strategies, in turn with the sample `scan` of as many faces, compares it with
+# itself, checks and repairs it, and prints user CPU seconds as ratios to those of the scan (least of
+# the runs). AOMD names the program (build/bin/aomd). Needs python3.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=${AOMD:-$root/build/bin/aomd}
