@@ -56,7 +56,8 @@ struct DecimationOptions {
   /// of that model edge, in the mesh's units; 0: no such guarantee.
   double max_distance = 0;
   /// Quality, of a volume: vertices go where no model region's volume changes, and what cannot be
-  /// helped comes to 0.1 % of it at most. Paper places no vertex and keeps no volume.
+  /// helped comes to 0.1 % of it at most. Paper places no vertex and keeps no volume; with a model
+  /// to snap to, volumes are what that makes of them.
   bool keep_volumes = true;
   bool no_intersections = false;  ///< no operation adds a pair of faces that cut each other
   TopologyRule topology = TopologyRule::Safe;

@@ -9,6 +9,7 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
+#include "core/model/analytic_model.h"
 #include "tests/support/tet_zoo.h"
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
@@ -171,6 +172,27 @@ TEST(VolumeQualityTest, RegularityTradesClosenessForShape) {
     EXPECT_GT(present_shape, shape) << regularity;
     EXPECT_GT(present_off, off) << regularity;
     shape = present_shape, off = present_off;
+  }
+}
+
+TEST(VolumeQualityTest, WithAModelAllThatLiesOnItStaysOnIt) {
+  const AnalyticModel sphere = sphere_model(1);
+  for (const double regularity : {0.0, 0.5, 1.0}) {
+    VolumeBench b(make_sample("tet-ball", 6), Levels::Listed, smooth_skin);
+    for (const Vertex v : b.mesh.vertices())
+      if (b.mesh.classification(v).dimension() == 2) snap(sphere, b.mesh, v);
+    DecimationOptions options = quality(b.mesh, 0.3, regularity);
+    options.model = &sphere;
+    std::uint32_t moves = 0;
+    Decimation decimation(b.mesh, options);
+    while (const auto step = decimation.step()) moves += step->kind == StepKind::Smooth;
+    EXPECT_EQ(b.finding(), "");
+    EXPECT_GT(moves, 100u);
+    EXPECT_LE(b.mesh.count(3), options.target_faces);
+    for (const Vertex v : b.mesh.vertices()) {
+      if (b.mesh.classification(v).dimension() != 2) continue;
+      ASSERT_NEAR(glm::length(b.mesh.position(v)), 1, 1e-12);
+    }
   }
 }
 

@@ -102,6 +102,8 @@ class Run {
     if (options_.volume_rule == "keep" && options_.paper())
       throw UsageError(
           "--volume keep is for --strategy quality: the printed loop places no vertex");
+    if (options_.volume_rule == "keep" && options_.snaps())
+      throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
     if (volume() && steps_.exchange && !options_.quiet)
       print_notes(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
   }

@@ -240,7 +240,7 @@ DecimationOptions DecimateOptions::for_library() const {
   result.strategy = paper() ? Strategy::Paper : Strategy::Quality;
   result.angle_deg = angle_deg.value_or(
       usual_angle_deg(paper() ? Strategy::Paper : Strategy::Quality, decimation.coarsest));
-  result.keep_volumes = volume_rule != "free";
+  result.keep_volumes = volume_rule != "free" && !snaps();
   result.topology = topology == "paper" ? TopologyRule::Paper : TopologyRule::Safe;
   for (int i = 0; i < idea_count; ++i)
     if (std::find(without.begin(), without.end(), idea_name(static_cast<Idea>(i))) != without.end())

@@ -141,7 +141,17 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
     relaxation_.add_surface(of_positions(s.quadric), double(surface_ / (area * s.size * s.size)));
-  return relaxation_.step(floor_, shift, x) && keeps_faces(v, scratch.star, mesh_.position(v) + x);
+  return relaxation_.step(floor_, shift, x) && (!options_.model || end_on_model(v, x)) &&
+         keeps_faces(v, scratch.star, mesh_.position(v) + x);
+}
+
+// Ends the way on the model; false where a tetrahedron there is poorer than the floor and than all
+// are now.
+bool VolumeQualityLoop::end_on_model(Vertex v, glm::dvec3& x) {
+  const glm::dvec3 from = mesh_.position(v);
+  x = options_.model->snap(state_[v].model, from + x) - from;
+  const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
+  return x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least;
 }
 
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges

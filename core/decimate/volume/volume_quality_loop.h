@@ -160,6 +160,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
                                    Change& change);
   bool move(Vertex v, const glm::dvec3& x);
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
+  bool end_on_model(Vertex v, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;

@@ -42,11 +42,12 @@ void VolumeQualityLoop::restart(const DecimationOptions& options) {
 
 void VolumeQualityLoop::start(const DecimationOptions& options) {
   options_ = options;
+  options_.keep_volumes = options.keep_volumes && !options.model;
   target_ = options.target_faces;
   start_regions_ = mesh_.count(3);
   state_.assign(mesh_.capacity(0), {});
   debts_.reset(mesh_.capacity(0));
-  if (options.keep_volumes) limit_debts();
+  if (options_.keep_volumes) limit_debts();
   stir_.assign(mesh_.capacity(0), 0);
   stir_now_ = stir_limit_ = 0;
   refusal_.assign(mesh_.complete(1) ? mesh_.capacity(1) : 0, Reason::None);
@@ -231,7 +232,7 @@ bool VolumeQualityLoop::relax() {
 // What regions are owed at the end is paid in a few passes.
 void VolumeQualityLoop::end_settling() {
   constexpr int passes = 32;
-  if (settling_ < passes && options_.keep_volumes && options_.smooth && !options_.model) {
+  if (settling_ < passes && options_.keep_volumes && options_.smooth) {
     ++settling_;
     enter(Phase::Smooth);
     return;
