@@ -133,9 +133,9 @@ TEST_F(VolumeOptions, EachInterfaceStaysNearItself) {
   const auto compared = nlohmann::json::parse(run.out);
   int measured = 0;
   for (const auto& surface : compared["interfaces"]) {
-    if (!surface.contains("result_to_original")) continue;
+    if (!surface.contains("hausdorff_pct")) continue;
     ++measured;
-    EXPECT_LE(surface["result_to_original"]["hausdorff_pct"], 1 + 1e-9) << surface["between"];
+    EXPECT_LE(surface["hausdorff_pct"], 1 + 1e-3) << surface["between"];
   }
   EXPECT_GT(measured, 2);
 }

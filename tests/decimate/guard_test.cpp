@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/decimate/guard/coverage.h"
 #include "core/decimate/guard/distance_guard.h"
 #include "core/decimate/guard/intersection_guard.h"
 #include "core/measure/intersections.h"
@@ -185,6 +186,35 @@ TEST(DistanceGuard, AnInterfaceIsNotNearBecauseAnotherOneIs) {
     EXPECT_GT(far.number(), 0.15);
     EXPECT_LE(far.number(), 0.21);
   }
+}
+
+//   1       3     a model edge with a corner at 2, 0.3 below the line from 1 to 3, whose points are
+//    \_   _/      no further than 0.288 from the legs
+//      \2/
+TEST(Coverage, ACornerOfTheOriginalIsNotCutOff) {
+  MeshData bent = zoo::tet_grid({4, 2, 2}, [](const zoo::Cell&) { return 1; });
+  for (glm::dvec3& p : bent.positions) p.y += 0.3 * std::abs(p.x - 2);
+  const VolumeBench b(bent, Levels::Listed);
+  const Vertex corner = vertex_at(b.mesh, {2, 2, 2}), end = vertex_at(b.mesh, {1, 2.3, 2});
+  ASSERT_EQ(b.mesh.classification(corner).dimension(), 1);
+  Star deleted, kept;
+  gather_model_faces(b.mesh, corner, deleted);
+  gather_model_faces(b.mesh, end, kept);
+  Change change;
+  describe(b.mesh, {corner, end, b.mesh.position(end)}, deleted, kept, change);
+  EXPECT_TRUE(DistanceGuard(b.mesh, 0.29).judge(change).accepted());
+  const Verdict cut = Coverage(b.mesh, 0.29).judge(change);
+  EXPECT_EQ(cut.reason, Reason::Distance);
+  EXPECT_EQ(cut.entity, EntityRef(end));
+  EXPECT_NEAR(cut.number(), 0.3, 1e-12);
+  Coverage enough(b.mesh, 0.301);
+  EXPECT_TRUE(enough.judge(change).accepted());
+  enough.applied(change);
+  const Edge piece = change.pieces[0].edge;
+  Change back;  // what now stands for the corner may not go to the other side
+  back.old_pieces = {piece};
+  back.pieces = {{change.pieces[0].curve, end, {glm::dvec3(1, 2.4, 2), {3, 2.4, 2}}, piece}};
+  EXPECT_NEAR(enough.judge(back).number(), 0.4, 1e-12);
 }
 
 // A tetrahedron above a cube, whose tip goes down through either half of the cube's upper side.

@@ -33,6 +33,7 @@ struct NewPiece {
   ModelRef curve;
   Vertex at;  ///< its end that moves or takes over
   std::array<glm::dvec3, 2> ends;
+  Edge edge;
 };
 
 /// One operation: the faces that would go or change, and what would take their place. Reused, it
@@ -41,8 +42,15 @@ struct Change {
   std::vector<Face> replaced;
   std::vector<NewFace> created;  ///< each has the id of one that is replaced
   std::vector<NewPiece> pieces;  ///< model edges that change
+  std::vector<Edge> old_pieces;  ///< what they were; of a volume also what goes
+  /// Of a volume, what stays as it is around the vertex that is kept.
+  std::vector<NewFace> beside;
+  std::vector<NewPiece> pieces_beside;
 
-  void clear() { replaced.clear(), created.clear(), pieces.clear(); }
+  void clear() {
+    replaced.clear(), created.clear(), pieces.clear(), old_pieces.clear();
+    beside.clear(), pieces_beside.clear();
+  }
 };
 
 /// The change that a contraction makes, from the faces around both its ends, as a CollapsePlan has
