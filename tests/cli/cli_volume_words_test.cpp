@@ -94,10 +94,7 @@ TEST_F(VolumeWords, MaterialsFollowTheOperations) {
   file[file.find("Material_ds") + 8] = 'I';  // under its own name it would come with classes
   put("m.vtk", file);
   const std::string notes = said("decimate m.vtk o.vtk --target-tets 50%");
-  EXPECT_NE(notes.find("note: o.vtk: left out, as it does not follow the operations: \"heat\""),
-            std::string::npos)
-      << notes;
-  EXPECT_EQ(notes.find("operations: \"MaterialIds\""), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("left out"), std::string::npos) << notes;
   const MeshData result = io::read(at("o.vtk")).mesh;
   ASSERT_LT(result.regions.size(), mesh.regions.size());
   const auto found =

@@ -41,9 +41,9 @@ struct Comparison {
   }
 };
 
-Mesh read(const std::string& file, bool quiet, Progress& progress) {
+MeshData read(const std::string& file, bool quiet, Progress& progress) {
   progress.show("reading " + file);
-  return Mesh(read_mesh(file, quiet).mesh);
+  return read_mesh(file, quiet).mesh;
 }
 
 Side measured(const std::string& file, Mesh mesh, Progress& progress, int threads) {
@@ -197,12 +197,15 @@ int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result
 
 int run(const CompareArguments& options) {
   Progress progress(false);
-  Mesh original = read(options.original, options.json, progress),
-       result = read(options.result, options.json, progress);
+  MeshData original = read(options.original, options.json, progress),
+           result = read(options.result, options.json, progress);
+  const bool volumes = !original.regions.empty() && !result.regions.empty();
+  progress.show("comparing fields");
+  const auto fields = measure::compare_fields(original, result, thread_count(options.threads));
+  Mesh first(std::exchange(original, {})), second(std::exchange(result, {}));
   progress.wipe();
-  return original.count(3) > 0 && result.count(3) > 0
-             ? compare_volumes(options, original, result)
-             : compare_surfaces(options, std::move(original), std::move(result));
+  return volumes ? compare_volumes(options, first, second, fields)
+                 : compare_surfaces(options, std::move(first), std::move(second));
 }
 
 void add_limits(CLI::App* command, CompareArguments& options) {

@@ -5,10 +5,13 @@
 #include <iostream>
 
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/measure/volume_comparison.h"
+#include "core/mesh/names.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/field_report.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/volume_report.h"
 
@@ -43,6 +46,7 @@ struct VolumeSide {
 struct Compared {
   VolumeSide original, result;
   measure::VolumeComparison changes;
+  std::vector<measure::FieldDifference> fields;
   std::size_t flips = 0;
 
   /// A length in percent of the original's diagonal.
@@ -67,7 +71,7 @@ Compared compared(const CompareArguments& options, const Mesh& original, const M
   progress.show("measuring " + options.result);
   VolumeSide after(options.result, result, threads);
   progress.show("measuring distances");
-  Compared c{std::move(before), std::move(after), {}, 0};
+  Compared c{std::move(before), std::move(after), {}, {}, 0};
   c.changes =
       measure::compare_volumes(c.original.volume, c.result.volume, options.samples, threads);
   const measure::Surface skin(c.original.skin, threads);
@@ -199,6 +203,7 @@ Json comparison_json(const Compared& c, const std::vector<std::string>& objectio
           {"model_faces", list_json(c, c.changes.model_faces)},
           {"model_edges", curves_json(c)},
           {"model_vertices", vertices_json(c.changes.vertices)},
+          {"fields", differences_json(c.fields)},
           {"original", side_json(c.original)},
           {"result", side_json(c.result)},
           {"objections", objections}};
@@ -311,6 +316,24 @@ void print_sides(const Compared& c) {
   sides("self-intersections", c, [](const VolumeSide& s) { return s.self_intersections; });
 }
 
+std::string field_name(const measure::FieldDifference& d) {
+  return "  " + shown(d.name) + " on " + entity_plural(d.dimension);
+}
+
+void print_fields(const Compared& c) {
+  if (c.fields.empty()) return;
+  columns("field, % of its range", "rms", "max", "% of volume");
+  const std::size_t shown = std::min(c.fields.size(), most_lines);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const measure::FieldDifference& d = c.fields[i];
+    if (d.label)
+      columns(field_name(d), "-", "-", 100 * d.differing);
+    else
+      columns(field_name(d), d.percent(d.rms), d.percent(d.largest), 100 * d.differing);
+  }
+  print_rest(shown, c.fields.size());
+}
+
 void print_histograms(const Compared& c) {
   columns("smallest dihedral, deg", "original, %", "result, %");
   const measure::Histogram &a = c.original.dihedrals, &b = c.result.dihedrals;
@@ -329,14 +352,17 @@ void print(const Compared& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n';
   print_regions(c);
   print_surfaces(c);
+  print_fields(c);
   print_sides(c);
   print_histograms(c);
 }
 
 }  // namespace
 
-int compare_volumes(const CompareArguments& options, const Mesh& original, const Mesh& result) {
-  const Compared c = compared(options, original, result);
+int compare_volumes(const CompareArguments& options, const Mesh& original, const Mesh& result,
+                    std::vector<measure::FieldDifference> fields) {
+  Compared c = compared(options, original, result);
+  c.fields = std::move(fields);
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
     std::cout << text_of(comparison_json(c, list));

@@ -1,9 +1,11 @@
 #include "tools/aomd/field_report.h"
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 
 #include "core/base/text.h"
+#include "core/fields/cells.h"
 #include "core/mesh/names.h"
 
 namespace aomd::cli {
@@ -29,9 +31,12 @@ Json facts_json(const FieldFacts& facts) {
           {"missing", facts.missing}};
 }
 
+/// Over all components.
 std::string range_words(const FieldFacts& facts) {
-  const ComponentFacts& c = facts.components.front();
-  return number_text(c.low) + " to " + number_text(c.high);
+  double low = facts.components.front().low, high = facts.components.front().high;
+  for (const ComponentFacts& c : facts.components)
+    low = std::min(low, c.low), high = std::max(high, c.high);
+  return number_text(low) + " to " + number_text(high);
 }
 
 std::string change_words(const CarriedField& field) {
@@ -39,10 +44,24 @@ std::string change_words(const CarriedField& field) {
     return counted(static_cast<std::uint64_t>(field.components), "component");
   const std::string before = range_words(field.before), after = range_words(field.after);
   std::string text = before == after ? before : before + " -> " + after;
+  if (field.components > 1)
+    return counted(static_cast<std::uint64_t>(field.components), "component") + ", " + text;
   if (field.kind == fields::FieldKind::Label) return text;
   const std::string sum = number_text(field.before.components[0].integral, 12),
                     now = number_text(field.after.components[0].integral, 12);
   return text + ", integral " + sum + (sum == now ? " kept" : " -> " + now);
+}
+
+const char* type_name(const Attribute& a) { return a.integer ? "whole" : "real"; }
+
+template <typename Visit>
+void each_array(const MeshData& mesh, Visit&& visit) {
+  std::array<std::vector<double>, 4> measures;
+  for (const Attribute& a : mesh.attributes) {
+    std::vector<double>& own = measures[static_cast<std::size_t>(a.dimension)];
+    if (own.empty()) own = fields::measures(mesh, a.dimension);
+    visit(a, fields::facts_of(a, own));
+  }
 }
 
 }  // namespace
@@ -66,6 +85,48 @@ void print_fields(std::ostream& out, const std::vector<CarriedField>& list) {
         << kind_name(list[i].kind) << ": " << change_words(list[i]) << '\n';
   if (shown_lines < list.size())
     out << "  and " << list.size() - shown_lines << " more; --report has all\n";
+}
+
+Json arrays_json(const MeshData& mesh) {
+  Json json = Json::array();
+  each_array(mesh, [&](const Attribute& a, const FieldFacts& facts) {
+    json.push_back({{"name", a.name},
+                    {"on", entity_plural(a.dimension)},
+                    {"components", a.components},
+                    {"type", type_name(a)}});
+    json.back().update(facts_json(facts));
+  });
+  return json;
+}
+
+void print_arrays(std::ostream& out, const MeshData& mesh) {
+  std::size_t lines = 0;
+  each_array(mesh, [&](const Attribute& a, const FieldFacts& facts) {
+    if (++lines > most_lines) return;
+    out << "  " << shown(a.name) << " on " << entity_plural(a.dimension) << ", "
+        << counted(static_cast<std::uint64_t>(a.components), std::string(type_name(a)) + " number")
+        << ": " << range_words(facts);
+    if (facts.missing > 0) out << ", " << counted(facts.missing, "value") << " no number";
+    out << '\n';
+  });
+  if (lines > most_lines) out << "  and " << lines - most_lines << " more; --json has all\n";
+}
+
+Json differences_json(const std::vector<measure::FieldDifference>& list) {
+  Json json = Json::array();
+  for (const measure::FieldDifference& d : list)
+    json.push_back({{"name", d.name},
+                    {"on", entity_plural(d.dimension)},
+                    {"components", d.components},
+                    {"rms", d.label ? Json(nullptr) : Json(d.rms)},
+                    {"largest", d.label ? Json(nullptr) : Json(d.largest)},
+                    {"rms_pct", d.label ? Json(nullptr) : Json(d.percent(d.rms))},
+                    {"largest_pct", d.label ? Json(nullptr) : Json(d.percent(d.largest))},
+                    {"differing_pct", 100 * d.differing},
+                    {"missing", d.missing},
+                    {"original", facts_json(d.before)},
+                    {"result", facts_json(d.after)}});
+  return json;
 }
 
 }  // namespace aomd::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/fields/carry.h"
+#include "core/measure/field_comparison.h"
 #include "tools/aomd/report.h"
 
 namespace aomd::cli {
@@ -15,5 +16,12 @@ namespace aomd::cli {
 /// A line for each, 20 at most: its range and its integral before and after, of vectors by
 /// component in JSON alone.
 void print_fields(std::ostream& out, const std::vector<fields::CarriedField>& list);
+
+/// The arrays of a mesh by themselves: name, place, components, type and range.
+[[nodiscard]] Json arrays_json(const MeshData& mesh);
+void print_arrays(std::ostream& out, const MeshData& mesh);
+
+/// What arrays of two volumes differ by.
+[[nodiscard]] Json differences_json(const std::vector<measure::FieldDifference>& list);
 
 }  // namespace aomd::cli

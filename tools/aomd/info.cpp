@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/field_report.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
 #include "tools/aomd/volume_report.h"
@@ -87,6 +88,7 @@ int run(const InfoArguments& options) {
   if (!options.json) {
     print(options.file, mesh, counts, quality);
     if (counts.regions > 0) print(complex, volume);
+    print_arrays(std::cout, read.mesh);
     for (const SurfaceFinding& finding : dirt)
       if (finding.breaks != SurfaceProperty::Closed)
         std::cout << "  " << line_of(finding, options.file) << '\n';
@@ -101,6 +103,7 @@ int run(const InfoArguments& options) {
               {"adjacency", mesh.adjacency_bytes()},
               {"peak", peak_bytes()}}},
             {"surface", surface_json(dirt, options.file)},
+            {"fields", arrays_json(read.mesh)},
             {"notes", read.notes}};
   add_volume_quality(json["quality"], volume);
   if (counts.regions > 0) json["volume"] = volume_json(complex, volume);

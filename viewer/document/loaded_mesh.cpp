@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "core/base/text.h"
 #include "core/decimate/spacing/spacing.h"
 #include "core/io/io.h"
+#include "core/io/notes.h"
 #include "core/samples/samples.h"
 #include "viewer/document/saved_work.h"
 
@@ -91,6 +94,19 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
 
 namespace {
 
+/// Names the arrays that a Mesh does not hold, so that they are not lost in silence.
+void note_arrays_lost(const MeshData& data, LoadedMesh& loaded) {
+  std::array<std::set<std::string>, 4> held;
+  for (int dim = 0; dim <= 3; ++dim)
+    for (const auto& column : loaded.mesh.attached(dim))
+      held[static_cast<std::size_t>(dim)].insert(column->name());
+  io::detail::ItemList lost;
+  for (const Attribute& a : data.attributes)
+    if (!held[static_cast<std::size_t>(a.dimension)].contains(a.name))
+      lost.add("attribute " + shown(a.name));
+  io::detail::note_left_out(loaded.notes, lost);
+}
+
 std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   if (request.data) return make_loaded(*request.data, request.sample, request.classify);
   if (request.file.empty())
@@ -102,6 +118,7 @@ std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   auto loaded = make_loaded(result.mesh, request.file.filename().string(), request.classify);
   loaded->file = request.file;
   loaded->notes = std::move(result.notes);
+  note_arrays_lost(result.mesh, *loaded);
   loaded->up = usual_up_axis(result.format);
   return loaded;
 }

@@ -1,0 +1,218 @@
+#include "core/measure/field_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/fields/tet_tree.h"
+#include "core/mesh/split_tets.h"
+
+namespace aomd::measure {
+namespace {
+
+using fields::Cells;
+using fields::TetTree;
+using fields::Weights;
+
+/// A volume in which arrays can be evaluated.
+class Side {
+ public:
+  Side(const MeshData& mesh, int threads) : split_(cut(mesh)), cells_(split_, 3) {
+    std::vector<std::uint32_t> all(cells_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    tree_.emplace(cells_, all, threads);
+  }
+
+  [[nodiscard]] const Cells& cells() const { return cells_; }
+  [[nodiscard]] const MeshData& mesh() const { return split_; }
+  [[nodiscard]] std::uint32_t region_at(const glm::dvec3& p) const { return tree_->region_at(p); }
+
+  /// The value of a component at a point of a region.
+  [[nodiscard]] double value(const Attribute& a, std::uint32_t region, const Weights& weights,
+                             std::size_t component) const {
+    const auto stride = static_cast<std::size_t>(a.components);
+    if (a.dimension == 3) return a.values[stride * region + component];
+    const auto corners = cells_.vertices(region);
+    const auto at = [&](std::size_t k) { return a.values[stride * corners[k] + component]; };
+    if (a.integer)
+      return at(static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
+                                         weights.begin()));
+    double change = 0;
+    for (std::size_t k = 1; k < 4; ++k) change += weights[k] * (at(k) - at(0));
+    return at(0) + change;
+  }
+  [[nodiscard]] Weights weights(std::uint32_t region, const glm::dvec3& p) const {
+    return fields::TetCoordinates(cells_.tet(region)).refined(p);
+  }
+
+ private:
+  static MeshData cut(const MeshData& mesh) {
+    const std::vector<Shape>& shapes = mesh.regions.shapes;
+    const bool tets =
+        std::all_of(shapes.begin(), shapes.end(), [](Shape s) { return s == Shape::Tetrahedron; });
+    return tets ? mesh : split_to_tets(mesh).mesh;
+  }
+
+  MeshData split_;
+  Cells cells_;
+  std::optional<TetTree> tree_;
+};
+
+/// A place where both meshes are asked, with a region of each.
+struct Place {
+  std::uint32_t before = no_index, after = no_index;
+  Weights in_before{}, in_after{};
+  double volume = 0;
+};
+
+class Places {
+ public:
+  Places(const Side& original, const Side& result, int threads)
+      : original_(original), result_(result), threads_(threads) {
+    add_middles();
+    add_vertices();
+  }
+
+  /// Middles of the tetrahedra of both, and vertices of both.
+  [[nodiscard]] const std::vector<Place>& middles() const { return middles_; }
+  [[nodiscard]] const std::vector<Place>& vertices() const { return vertices_; }
+
+ private:
+  void add_middles() {
+    const std::uint32_t n = original_.cells().size();
+    fill(middles_, n, result_.cells().size(), [this, n](std::size_t i) {
+      const bool first = i < n;
+      const Cells& cells = first ? original_.cells() : result_.cells();
+      const auto r = static_cast<std::uint32_t>(first ? i : i - n);
+      Place place =
+          first ? found(cells.centre(r), r, no_index) : found(cells.centre(r), no_index, r);
+      place.volume = cells.measure(r);
+      return place;
+    });
+  }
+  void add_vertices() {
+    const std::vector<glm::dvec3>&a = original_.mesh().positions, &b = result_.mesh().positions;
+    fill(vertices_, a.size(), b.size(), [&](std::size_t i) {
+      return found(i < a.size() ? a[i] : b[i - a.size()], no_index, no_index);
+    });
+  }
+
+  template <typename At>
+  void fill(std::vector<Place>& places, std::size_t n, std::size_t m, const At& at) const {
+    places.resize(n + m);
+    parallel_for(n + m, threads_, 128, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) places[i] = at(i);
+    });
+  }
+
+  [[nodiscard]] Place found(const glm::dvec3& p, std::uint32_t before, std::uint32_t after) const {
+    Place place;
+    place.before = before != no_index ? before : original_.region_at(p);
+    place.after = after != no_index ? after : result_.region_at(p);
+    if (place.before != no_index) place.in_before = original_.weights(place.before, p);
+    if (place.after != no_index) place.in_after = result_.weights(place.after, p);
+    return place;
+  }
+
+  const Side &original_, &result_;
+  int threads_;
+  std::vector<Place> middles_, vertices_;
+};
+
+class Difference {
+ public:
+  Difference(const Side& original, const Side& result, const Attribute& before,
+             const Attribute& after)
+      : original_(original), result_(result), before_(before), after_(after) {}
+
+  void add(const Place& place) {
+    if (place.before == no_index || place.after == no_index) return;
+    double squares = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(before_.components); ++k) {
+      const double d = result_.value(after_, place.after, place.in_after, k) -
+                       original_.value(before_, place.before, place.in_before, k);
+      squares += d * d;
+    }
+    if (!std::isfinite(squares)) {
+      ++missing_;
+      return;
+    }
+    largest_ = std::max(largest_, std::sqrt(squares));
+    squares_.add(place.volume * squares);
+    if (squares > 0) differing_.add(place.volume);
+    volume_.add(place.volume);
+  }
+
+  void write(FieldDifference& d) const {
+    const double volume = volume_.value();
+    d.missing = missing_;
+    d.differing = volume > 0 ? differing_.value() / volume : 0;
+    if (d.label) return;
+    d.rms = volume > 0 ? std::sqrt(squares_.value() / volume) : 0;
+    d.largest = largest_;
+  }
+
+ private:
+  const Side &original_, &result_;
+  const Attribute &before_, &after_;
+  fields::Sum squares_, differing_, volume_;
+  double largest_ = 0;
+  std::size_t missing_ = 0;
+};
+
+/// An array of both meshes, by its place in each.
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Pairs arrays_of_both(const MeshData& original, const MeshData& result) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < original.attributes.size(); ++i) {
+    const Attribute& a = original.attributes[i];
+    const auto found =
+        std::find_if(result.attributes.begin(), result.attributes.end(), [&](const Attribute& b) {
+          return a.name == b.name && a.dimension == b.dimension && a.components == b.components;
+        });
+    if (found != result.attributes.end() && (a.dimension == 0 || a.dimension == 3))
+      pairs.emplace_back(i, static_cast<std::size_t>(found - result.attributes.begin()));
+  }
+  return pairs;
+}
+
+FieldDifference described(const MeshData& original, const MeshData& result, const Attribute& before,
+                          const Attribute& after) {
+  FieldDifference d;
+  d.name = before.name;
+  d.dimension = before.dimension;
+  d.components = before.components;
+  d.label = before.integer && after.integer;
+  d.before = fields::facts_of(before, fields::measures(original, d.dimension));
+  d.after = fields::facts_of(after, fields::measures(result, d.dimension));
+  for (const fields::ComponentFacts& c : d.before.components)
+    d.range = std::max(d.range, c.high - c.low);
+  return d;
+}
+
+}  // namespace
+
+std::vector<FieldDifference> compare_fields(const MeshData& original, const MeshData& result,
+                                            int threads) {
+  const Pairs pairs = arrays_of_both(original, result);
+  if (pairs.empty() || original.regions.empty() || result.regions.empty()) return {};
+  const Side before(original, threads), after(result, threads);
+  const Places places(before, after, threads);
+  std::vector<FieldDifference> list;
+  for (const auto& [i, k] : pairs) {
+    const Attribute &a = before.mesh().attributes[i], &b = after.mesh().attributes[k];
+    list.push_back(described(original, result, original.attributes[i], result.attributes[k]));
+    Difference difference(before, after, a, b);
+    for (const Place& place : places.middles()) difference.add(place);
+    if (a.dimension == 0)
+      for (const Place& place : places.vertices()) difference.add(place);
+    difference.write(list.back());
+  }
+  return list;
+}
+
+}  // namespace aomd::measure

@@ -1,0 +1,36 @@
+#pragma once
+// What arrays of a volume differ by from those of its original, at the same places.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/fields/field.h"
+#include "core/mesh/mesh_data.h"
+
+namespace aomd::measure {
+
+/// An array that both meshes have: one name, on vertices or regions, as many components.
+struct FieldDifference {
+  std::string name;
+  int dimension = 0, components = 1;
+  bool label = false;           ///< whole numbers in both
+  double range = 0;             ///< of the original: the largest over its components
+  double rms = 0, largest = 0;  ///< lengths of the difference; 0 for labels
+  double differing = 0;         ///< the share of the volume where they are not the same
+  std::size_t missing = 0;      ///< places where one has no number
+  fields::FieldFacts before, after;
+
+  /// In percent of the range; infinite where that is 0 and the difference is not.
+  [[nodiscard]] double percent(double difference) const {
+    return difference > 0 ? 100 * difference / range : 0;
+  }
+};
+
+/// Arrays are compared in the middle of every tetrahedron of either mesh, weighted by its volume,
+/// and those on vertices at all vertices too, which count for the largest difference alone. Other
+/// regions are cut into tetrahedra. The same for any number of threads. O(n log n).
+[[nodiscard]] std::vector<FieldDifference> compare_fields(const MeshData& original,
+                                                          const MeshData& result, int threads = 1);
+
+}  // namespace aomd::measure
