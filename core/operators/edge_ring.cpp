@@ -40,8 +40,8 @@ bool all_tetrahedra(const Mesh& mesh) {
   return all && all->vertex_count == 4;
 }
 
-// Whether a region that is known to be a tetrahedron has all of some vertices: the inner loop, which
-// does not ask for the shape.
+// Whether a region that is known to be a tetrahedron has all of some vertices: the inner loop,
+// which does not ask for the shape.
 template <std::size_t N>
 bool tetrahedron_has_all(const Mesh& mesh, Region r, const std::array<Vertex, N>& wanted) {
   const auto t = mesh.tetrahedron(r);

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "core/decimate/decimation.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -101,7 +103,7 @@ class Draw {
           if (any != a && any != b) data.faces.add(Shape::Triangle, {a, b, any});
           break;
         default:
-          data.positions[any] *= 1e6;
+          if (glm::length(data.positions[any]) < 1e9) data.positions[any] *= 1e6;
       }
     }
     text_ << ", dirty";
