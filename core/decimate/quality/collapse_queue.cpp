@@ -14,6 +14,8 @@ void prefetch(const void* place) { __builtin_prefetch(place); }
 
 constexpr float inverse_typical =
     1e3f;  // of the distance, by the diagonal, whose third power is as large as its square
+constexpr float steady =
+    1e-3f;  // of the quadric's trace: flat places leave the minimum open otherwise
 
 }  // namespace
 
@@ -27,12 +29,19 @@ bool CollapseQueue::may_collapse(Vertex v, Vertex w, double length2) const {
   return length2 < reach * reach;
 }
 
+// Squared distances become third powers, nearly: few large errors count more than many small ones.
+float CollapseQueue::price(float squares, float area) const {
+  const float scaled = std::max(0.0f, squares * rules_.scale);
+  return rules_.cubes && area > 0 ? scaled * std::sqrt(scaled / area) * inverse_typical : scaled;
+}
+
 float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
   const State &at_v = state_[v], &at_w = state_[w];
   const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
   const glm::vec3 along(from - to);
   const float length2 = glm::dot(along, along);
   if (!may_collapse(v, w, double(length2))) return unlimited;
+  if (on_curves(v, w)) return cost_along_curve(v, w, c);
   const Freedom freedom = freedom_of(v, w);
   if (freedom == Freedom::None) return unlimited;
   LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
@@ -43,28 +52,63 @@ float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
     c = {w, v, from};
     x = along;
   } else if (freedom == Freedom::Any) {
-    constexpr float steady =
-        1e-3f;  // of the quadric's trace: flat places leave the minimum open otherwise
     const glm::vec3 middle = 0.5f * along;
     if (!q.minimum(middle, steady * q.trace(), x) ||
         !(glm::dot(x - middle, x - middle) <= 4 * length2))
       x = middle;
     c.position = to + glm::dvec3(x);
   }
-  // Squared distances become third powers, nearly: few large errors count more than many small
-  // ones.
-  const float area = at_v.area + at_w.area, squares = std::max(0.0f, q(x) * rules_.scale);
-  const float error =
-      rules_.cubes && area > 0 ? squares * std::sqrt(squares / area) * inverse_typical : squares;
-  return error + rules_.edge_weight * area * length2 * rules_.scale;
+  const float area = at_v.area + at_w.area;
+  return price(q(x), area) + rules_.edge_weight * area * length2 * rules_.scale;
+}
+
+// A curve counts like a strip of surface as wide as the curve is long there: then an edge of it and
+// an edge beside it go at the same error.
+float CollapseQueue::cost_along_curve(Vertex v, Vertex w, Contraction& c) const {
+  CurvePlace place;
+  const Freedom freedom = freedom_of(v, w);
+  if (freedom == Freedom::None || !curves_.between(v, w, place)) return unlimited;
+  const State &at_v = state_[v], &at_w = state_[w];
+  const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
+  const glm::vec3 along(from - to);
+  LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
+  q += at_w.quadric;
+  c = freedom == Freedom::OntoFirst ? Contraction{w, v, from} : Contraction{v, w, to};
+  if (freedom == Freedom::Any) c.position = least_on_curve(place, Quadric(q), from, to);
+  const CurveError e = curves_.error(mesh_, place, c.position);
+  const float area = at_v.area + at_w.area;
+  const float strip = static_cast<float>(e.length * e.length / rules_.unit_area);
+  const float squares = static_cast<float>(e.squares * e.length / rules_.unit_area);
+  return price(q(glm::vec3(c.position - to)) + squares, area + strip) +
+         rules_.edge_weight * area * glm::dot(along, along) * rules_.scale;
+}
+
+// Where the quadric, which is about `to`, and the error of the curve together are least: which
+// piece of the curve a point is nearest to depends on the place, so twice.
+glm::dvec3 CollapseQueue::least_on_curve(const CurvePlace& place, const Quadric& quadric,
+                                         const glm::dvec3& from, const glm::dvec3& to) const {
+  const glm::dvec3 middle = (from + to) / 2.0;
+  const double length2 = glm::dot(from - to, from - to);
+  glm::dvec3 x = middle;
+  for (int i = 0; i < 2; ++i) {
+    Quadric error = curves_.quadric(mesh_, place, x);
+    error *= curves_.error(mesh_, place, x).length / rules_.unit_area;
+    error += quadric.about(x - to);
+    glm::dvec3 step;
+    if (!error.minimum(middle - x, double(steady) * error.trace(), step)) return middle;
+    x += step;
+    if (!(glm::dot(x - middle, x - middle) <= 4 * length2)) return middle;
+  }
+  return x;
 }
 
 // Whether the place is free, or one of the ends stays where it is: on a lower model entity, by the
 // user's wish, or on the model, where no place between is as good as one on it.
 CollapseQueue::Freedom CollapseQueue::freedom_of(Vertex v, Vertex w) const {
   const int dim_v = state_[v].model.dimension(), dim_w = state_[w].model.dimension();
-  const bool v_stays = dim_v < dim_w || options_.kept(v),
-             w_stays = dim_w < dim_v || options_.kept(w);
+  const bool along = dim_v <= 1 && dim_w <= 1;
+  const bool v_stays = dim_v < dim_w || options_.kept(v) || (along && !curves_.inside(v)),
+             w_stays = dim_w < dim_v || options_.kept(w) || (along && !curves_.inside(w));
   if (v_stays && w_stays) return Freedom::None;
   if (v_stays) return Freedom::OntoFirst;
   if (w_stays) return Freedom::OntoSecond;
@@ -103,6 +147,7 @@ void CollapseQueue::dequeue(Vertex v) {
 
 void CollapseQueue::fill() {
   order_.reset(mesh_.capacity(0));
+  level_ = 0;
   parallel_for(mesh_.capacity(0), options_.threads, vertices_a_piece,
                [&](std::size_t begin, std::size_t end) {
                  Star star;
@@ -139,7 +184,6 @@ void CollapseQueue::measure(bool by_points) {
       mesh_.capacity(0), options_.threads, vertices_a_piece,
       [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
   if (by_points) quadrics_of_points();
-  quadrics_of_model_edges();
   fill();
 }
 
@@ -148,9 +192,23 @@ void CollapseQueue::refill() {
   fill();
 }
 
-bool CollapseQueue::cheapest(Vertex v, Contraction& c) const {
+Vertex CollapseQueue::pop() {
+  const Vertex v = order_.pop();
+  if (v.valid()) level_ = std::max(level_, state_[v].cost);
+  return v;
+}
+
+void CollapseQueue::wait(Vertex v, float cost) {
+  State& s = state_[v];
+  s.cost = s.second = cost;
+  order_.put(v, cost);
+}
+
+bool CollapseQueue::cheapest(Vertex v, Candidate& c) const {
   const Vertex partner = state_[v].partner;
-  return partner.valid() && cost(v, partner, c) < unlimited;
+  if (!partner.valid()) return false;
+  c.cost = cost(v, partner, c.contraction);
+  return c.cost < unlimited;
 }
 
 const std::vector<CollapseQueue::Candidate>& CollapseQueue::take_all(Vertex v) {
@@ -161,13 +219,13 @@ const std::vector<CollapseQueue::Candidate>& CollapseQueue::take_all(Vertex v) {
   return found_;
 }
 
-bool CollapseQueue::put_off(Vertex v, std::size_t i) {
+bool CollapseQueue::put_off(Vertex v, std::size_t i, float bound) {
   const auto& [c, present] = found_[i];
   if (!(present > known_) || order_.is_next(present)) return false;
   State& s = state_[v];
   s.partner = c.kept == v ? c.deleted : c.kept;
   s.cost = present;
-  s.second = i + 1 < found_.size() ? found_[i + 1].cost : unlimited;
+  s.second = i + 1 < found_.size() ? std::min(bound, found_[i + 1].cost) : bound;
   order_.put(v, present);
   return true;
 }
@@ -211,6 +269,19 @@ void CollapseQueue::refresh_around(Vertex kept) {
     update(w, kept, w < kept ? known : unlimited);
   });
   if (state_[kept].partner.valid()) order_.put(kept, state_[kept].cost);
+  if (curves_.inside(kept)) refresh_curve(kept);
+}
+
+// What a collapse along a curve costs depends on where the vertices to either side are.
+void CollapseQueue::refresh_curve(Vertex kept) {
+  for (const Vertex near : curves_.neighbours(kept)) {
+    if (!curves_.inside(near)) continue;
+    for (const Vertex far : curves_.neighbours(near)) {
+      if (far == kept) continue;
+      Contraction c;
+      update(std::min(near, far), std::max(near, far), cost(near, far, c));
+    }
+  }
 }
 
 }  // namespace aomd

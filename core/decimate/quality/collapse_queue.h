@@ -7,6 +7,7 @@
 
 #include "core/decimate/options.h"
 #include "core/decimate/quality/cheapest.h"
+#include "core/decimate/quality/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
@@ -35,8 +36,9 @@ class CollapseQueue {
     float cost = 0;
   };
 
-  CollapseQueue(const Mesh& mesh, const OriginalSurface& original, const DecimationOptions& options)
-      : mesh_(mesh), original_(original), options_(options) {}
+  CollapseQueue(const Mesh& mesh, const OriginalSurface& original, const OriginalCurves& curves,
+                const DecimationOptions& options)
+      : mesh_(mesh), original_(original), curves_(curves), options_(options) {}
 
   /// Knows nothing of any vertex any more.
   void reset(const CostRules& rules);
@@ -58,14 +60,18 @@ class CollapseQueue {
   [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
 
   /// The vertex whose cheapest candidate is next, which leaves; an invalid one when there is none.
-  [[nodiscard]] Vertex pop() { return order_.pop(); }
+  [[nodiscard]] Vertex pop();
+  /// The highest cost at which a vertex has left since the queue was filled.
+  [[nodiscard]] float level() const { return level_; }
   /// Its cheapest candidate, where that is known and still possible.
-  [[nodiscard]] bool cheapest(Vertex v, Contraction& contraction) const;
+  [[nodiscard]] bool cheapest(Vertex v, Candidate& candidate) const;
   /// All candidates of a vertex, cheapest first, until the next call. The vertex leaves.
   [[nodiscard]] const std::vector<Candidate>& take_all(Vertex v);
   /// Whether the i-th of those has become so dear that others come first: then the vertex is back
-  /// in the queue with it.
-  [[nodiscard]] bool put_off(Vertex v, std::size_t i);
+  /// in the queue with it. `bound` is one from below for what those before it cost now.
+  [[nodiscard]] bool put_off(Vertex v, std::size_t i, float bound);
+  /// A vertex that has left comes back when the level is as high as this.
+  void wait(Vertex v, float cost);
 
   /// A collapse is about to be made: the kept vertex takes in what the other one stands for.
   void merge(const Contraction& contraction);
@@ -91,6 +97,14 @@ class CollapseQueue {
   void find_candidates(Vertex v);
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
+  [[nodiscard]] bool on_curves(Vertex v, Vertex w) const {
+    return state_[v].model.dimension() <= 1 && state_[w].model.dimension() <= 1;
+  }
+  [[nodiscard]] float price(float squares, float area) const;
+  [[nodiscard]] float cost_along_curve(Vertex v, Vertex w, Contraction& contraction) const;
+  [[nodiscard]] glm::dvec3 least_on_curve(const CurvePlace& place, const Quadric& quadric,
+                                          const glm::dvec3& from, const glm::dvec3& to) const;
+  void refresh_curve(Vertex kept);
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
   void fill();
@@ -99,16 +113,17 @@ class CollapseQueue {
   void add_normal(Vertex v, const glm::vec3& normal);
   void quadric_of_faces(Vertex v);
   void quadrics_of_points();
-  void quadrics_of_model_edges();
 
   const Mesh& mesh_;
   const OriginalSurface& original_;
+  const OriginalCurves& curves_;
   const DecimationOptions& options_;
   CostRules rules_;
   Column<Vertex, State> state_;
   Column<Vertex, glm::vec3> normal_;
   VertexQueue order_;
   std::vector<Candidate> found_;  ///< of the vertex that was taken last
+  float level_ = 0;               ///< see level()
   float known_ = 0;               ///< the cost by which that one stood in the queue
   Star star_;                     ///< scratch
 };

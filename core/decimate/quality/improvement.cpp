@@ -106,7 +106,7 @@ bool QualityLoop::try_smooth(Vertex v) {
 
 std::uint32_t QualityLoop::swap_pass() {
   std::uint32_t count = 0;
-  original_.locate(mesh_, options_.threads);
+  locate();
   measure_energy();
   SwapBatch batch;
   for (bool made = false; next_swap(batch, made); made = false) count += made;
@@ -115,7 +115,7 @@ std::uint32_t QualityLoop::swap_pass() {
 
 std::uint32_t QualityLoop::smooth_pass() {
   std::uint32_t count = 0;
-  original_.locate(mesh_, options_.threads);
+  locate();
   measure_energy();
   for (const Vertex v : mesh_.vertices()) count += try_smooth(v);
   return pass_done(count);
@@ -124,7 +124,7 @@ std::uint32_t QualityLoop::smooth_pass() {
 // Between two collapses the queue knows neither the new edges nor the new places, and in a pass of
 // swaps what was judged ahead is out of date.
 std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
-  original_.locate(mesh_, options_.threads);
+  locate();
   if (made > 0 && phase_ == Phase::Collapse) queue_.measure(true);
   std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::array<Face, 3>());
   return made;

@@ -68,6 +68,50 @@ bool Fitter::least_squares(Vertex v, const Star& star, const FitRules& rules,
   return error.minimum(at, 1e-3 * weights, target);
 }
 
+// The points on the faces around the vertex count as planes through their faces, and those of the
+// curve by their distance across it, as if each stood for a strip of surface. Along the curve the
+// vertex is pulled to the middle, which costs nothing where the curve is straight.
+bool Fitter::least_squares_on_curve(Vertex v, const Star& star, const FitRules& rules,
+                                    glm::dvec3& target) const {
+  constexpr double width = 2;  // of the strip, by the length of the curve around the vertex
+  constexpr double along = 10;
+  const glm::dvec3 at = mesh_.position(v);
+  const CurvePlace place = curves_.around(v);
+  const double length = curves_.error(mesh_, place, at).length;
+  const glm::dvec3 a = mesh_.position(place.far[0]) - at, b = mesh_.position(place.far[1]) - at;
+  const double chord = glm::length(b - a);
+  if (!(length > 0) || !(chord > 0)) return false;
+  Quadric error = curves_.quadric(mesh_, place, at);  // as seen from the vertex
+  error *= width * length;
+  const double weights = width * length * length / 3 + add_points(v, star, error);
+  const glm::dvec3 tangent = (b - a) / chord;
+  error.add_plane(tangent, -glm::dot(tangent, a + b) / 2, along * rules.pull * weights);
+  if (!error.minimum(glm::dvec3(0.0), 1e-3 * weights, target)) return false;
+  target += at;
+  return true;
+}
+
+double Fitter::add_points(Vertex v, const Star& star, Quadric& error) const {
+  const glm::dvec3 at = mesh_.position(v);
+  double weights = 0;
+  for (const StarFace& f : star) {
+    const glm::dvec3 p = mesh_.position(f.next) - at, q = mesh_.position(f.previous) - at;
+    const glm::dvec3 n = glm::cross(p, q);
+    const double length = glm::length(n);
+    if (!(length > 0)) continue;
+    const int slot = static_cast<int>(f.slot);
+    original_.for_points(f.face, [&](const OriginalPoint& point) {
+      const double own = point.barycentric[slot];
+      const glm::dvec3 rest = double(point.barycentric[(slot + 1) % 3]) * p +
+                              double(point.barycentric[(slot + 2) % 3]) * q;
+      error.add_plane(own / length * n, -glm::dot(n / length, point.position - at - rest),
+                      point.weight);
+      weights += double(point.weight) * own * own;
+    });
+  }
+  return weights;
+}
+
 bool Fitter::looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                         const FitRules& rules) {
   return original != glm::dvec3(0.0) && !rules.max_away.allows(original, normal);
@@ -97,19 +141,31 @@ Verdict Fitter::judge_target(Vertex v, const Star& star, const glm::dvec3& targe
 }
 
 Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dvec3& target) const {
-  if (mesh_.classification(v).dimension() < 2) return {Reason::Classification, v};
+  const bool on_curve = mesh_.classification(v).dimension() < 2;
+  if (on_curve && !curves_.inside(v)) return {Reason::Classification, v};
   gather(mesh_, v, star);
   const glm::dvec3 from = mesh_.position(v);
   glm::dvec3 wanted;
-  if (!least_squares(v, star, rules, wanted)) return {Reason::Flat, v};
+  if (!(on_curve ? least_squares_on_curve(v, star, rules, wanted)
+                 : least_squares(v, star, rules, wanted)))
+    return {Reason::Flat, v};
   Verdict verdict;
   for (double part = 1; part > 0.2; part /= 2) {
     target = from + part * (wanted - from);
     if (rules.model) target = rules.model->snap(mesh_.classification(v), target);
-    verdict = judge_target(v, star, target, rules);
+    verdict = on_curve && leaves_curve(v, target) ? Verdict(Reason::Quality, v)
+                                                  : judge_target(v, star, target, rules);
     if (verdict.accepted()) break;
   }
   return verdict;
+}
+
+// What the surface beside a curve would gain must not cost the curve much.
+bool Fitter::leaves_curve(Vertex v, const glm::dvec3& target) const {
+  constexpr double most = 1.2;  // of its error before
+  const CurvePlace place = curves_.around(v);
+  return curves_.error(mesh_, place, target).squares >
+         most * curves_.error(mesh_, place, mesh_.position(v)).squares;
 }
 
 double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules) const {
@@ -117,11 +173,14 @@ double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules) const {
                    c = mesh_.position(pair.c), d = mesh_.position(pair.d);
   const double shapes =
       misshape(a, b, c) + misshape(b, a, d) - misshape(d, b, c) - misshape(c, a, d);
-  const double gain = rules.shape * rules.face_energy * shapes;
   double before = 0;
   for (const Face f : {pair.f, pair.g})
     original_.for_points(
         f, [&](const OriginalPoint& p) { before += double(p.weight) * double(p.distance2); });
+  double unit = rules.face_energy;
+  if (rules.local > 0)
+    unit *= std::pow(std::min(1.0, before / (2 * rules.face_energy)), rules.local);
+  const double gain = rules.shape * unit * shapes;
   if (gain + before <= 0) return gain;  // even without any error left it would not pay
   double after = 0;
   for (const Face f : {pair.f, pair.g})

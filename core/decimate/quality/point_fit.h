@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/decimate/quality/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/model/model.h"
 #include "core/operators/star.h"
@@ -20,6 +21,9 @@ struct FitRules {
   double pull = 0.01;  ///< how strongly the neighbourhood's centre pulls along the surface
   double stay =
       0.1;  ///< how strongly a vertex keeps to the plane of the nearest point of the original
+  /// 0: face_energy counts for all faces alike; 1: for each in proportion to its own error, where
+  /// that is smaller. Thin triangles that lie right then cost little.
+  double local = 0;
   double face_energy = 0;  ///< the error of an average face, set from the present state
   double far = 1;          ///< how much more points count that are further off than the average
   double mean_square = 1;  ///< the squared distance of an average point, set from the present state
@@ -41,13 +45,16 @@ struct FitRules {
 /// on them).
 class Fitter {
  public:
-  Fitter(const Mesh& mesh, OriginalSurface& original) : mesh_(mesh), original_(original) {}
+  Fitter(const Mesh& mesh, OriginalSurface& original, const OriginalCurves& curves)
+      : mesh_(mesh), original_(original), curves_(curves) {}
 
   /// Where a vertex inside a model face would go: the least-squares place for the points on the
   /// faces around it, each seen as a plane through its face, pulled along the surface towards the
-  /// neighbourhood's centre. Half or a quarter of the way where all of it goes too far. Refusals:
+  /// neighbourhood's centre; inside a model edge that for these points and those of the edge,
+  /// pulled along it. Half or a quarter of the way where all of it goes too far. Refusals:
   /// Classification, Flat (no area around it), Angle (against what the face was, or the original
-  /// under it), Quality (a poor face would get poorer), Shape (below the least angle). `star`
+  /// under it), Quality (a poor face would get poorer, or the model edge
+  /// further off), Shape (below the least angle). `star`
   /// receives the faces around the vertex.
   [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, Star& star,
                                    glm::dvec3& target) const;
@@ -66,12 +73,18 @@ class Fitter {
                                      const FitRules& rules) const;
   [[nodiscard]] bool least_squares(Vertex v, const Star& star, const FitRules& rules,
                                    glm::dvec3& target) const;
+  [[nodiscard]] bool least_squares_on_curve(Vertex v, const Star& star, const FitRules& rules,
+                                            glm::dvec3& target) const;
+  /// Adds the points on the faces around a vertex, as seen from it; returns their weight.
+  double add_points(Vertex v, const Star& star, Quadric& error) const;
+  [[nodiscard]] bool leaves_curve(Vertex v, const glm::dvec3& target) const;
   [[nodiscard]] static bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                                        const FitRules& rules);
   [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
 
   const Mesh& mesh_;
   OriginalSurface& original_;
+  const OriginalCurves& curves_;
 };
 
 }  // namespace aomd

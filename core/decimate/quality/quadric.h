@@ -43,6 +43,11 @@ class QuadricOf {
     b_ -= weight * p;
     c_ += weight * glm::dot(p, p);
   }
+  QuadricOf& operator*=(Number factor) {
+    for (Number* a : {&xx_, &yy_, &zz_, &xy_, &xz_, &yz_, &c_}) *a *= factor;
+    b_ *= factor;
+    return *this;
+  }
   QuadricOf& operator+=(const QuadricOf& o) {
     xx_ += o.xx_, yy_ += o.yy_, zz_ += o.zz_, xy_ += o.xy_, xz_ += o.xz_, yz_ += o.yz_;
     b_ += o.b_;

@@ -46,28 +46,4 @@ void CollapseQueue::quadrics_of_points() {
   }
 }
 
-// A model edge is a plane at right angles to each face beside it, by the square of its length.
-// These are looked for around the end that has few faces, should the other be crowded.
-void CollapseQueue::quadrics_of_model_edges() {
-  for (const Edge e : mesh_.edges()) {
-    if (mesh_.classification(e).dimension() > 1) continue;
-    auto [a, b] = mesh_.edge_vertices(e);
-    if (crowded(mesh_, a) && mesh_.row<2>(b).size() < mesh_.row<2>(a).size()) std::swap(a, b);
-    const glm::dvec3 along = mesh_.position(b) - mesh_.position(a);
-    gather(mesh_, a, star_);
-    for (const StarFace& f : star_) {
-      if (!f.uses(b)) continue;
-      const glm::dvec3 normal =
-          area_normal(mesh_.position(a), mesh_.position(f.next), mesh_.position(f.previous));
-      const glm::dvec3 across = glm::cross(along, normal);
-      const double length = glm::length(across);
-      if (!(length > 0)) continue;
-      for (const Vertex v : {a, b})
-        state_[v].quadric.add_plane(
-            glm::vec3(across / length), 0,
-            static_cast<float>(3 * glm::dot(along, along) / rules_.unit_area));
-    }
-  }
-}
-
 }  // namespace aomd

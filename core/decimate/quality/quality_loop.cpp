@@ -22,17 +22,24 @@ bool QualityLoop::advance_collapse() {
     if (!relax()) begin_improvement();
     return false;
   }
-  if (Contraction c; queue_.cheapest(v, c) && collapse(c)) return true;
+  if (CollapseQueue::Candidate c; queue_.cheapest(v, c) && try_collapse(c) == Reason::None)
+    return true;
   return try_others(v);
 }
 
-// The cheapest candidate is not known any more, or not allowed.
+// The cheapest candidate is not known any more, or not allowed. One that would leave a sliver waits
+// until others cost so much more.
 bool QualityLoop::try_others(Vertex v) {
   const std::vector<CollapseQueue::Candidate>& found = queue_.take_all(v);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (queue_.put_off(v, i)) return false;
-    if (collapse(found[i].contraction)) return true;
+  float later = CollapseQueue::unlimited;
+  for (std::size_t i = 0; i < found.size() && found[i].cost <= later; ++i) {
+    if (queue_.put_off(v, i, later)) return false;
+    const Reason reason = try_collapse(found[i]);
+    if (reason == Reason::None) return true;
+    if (reason == Reason::Shape && !pays_for_sliver(found[i]))
+      later = std::min(later, sliver_price_ * found[i].cost);
   }
+  if (later < CollapseQueue::unlimited) queue_.wait(v, later);
   return false;
 }
 
@@ -43,22 +50,34 @@ Verdict QualityLoop::judge(const Contraction& c, Plan& plan) {
   return guards_.judge(mesh_, plan.change, c, collapse.around_deleted(), collapse.around_kept());
 }
 
-bool QualityLoop::collapse(const Contraction& c) {
-  const Verdict verdict = judge(c, plan_);
-  if (!verdict.accepted()) {
-    ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
-    if (mesh_.stored(0, 1))
-      if (const Edge e = mesh_.find_edge(c.deleted, c.kept); e.valid() && e.index < refusal_.size())
-        refusal_[e] = verdict.reason;
-    return false;
-  }
+Reason QualityLoop::try_collapse(const CollapseQueue::Candidate& candidate) {
+  const Contraction& c = candidate.contraction;
+  const LeastAngle usual = rules_.least_around;
+  if (pays_for_sliver(candidate)) rules_.least_around = LeastAngle(0);
+  const Reason reason = judge(c, plan_).reason;
+  rules_.least_around = usual;
+  if (reason == Reason::None)
+    collapse(c);
+  else
+    refused(c, reason);
+  return reason;
+}
+
+void QualityLoop::refused(const Contraction& c, Reason reason) {
+  ++sweeps_.back().refused[static_cast<std::size_t>(reason)];
+  if (!mesh_.stored(0, 1)) return;
+  if (const Edge e = mesh_.find_edge(c.deleted, c.kept); e.valid() && e.index < refusal_.size())
+    refusal_[e] = reason;
+}
+
+void QualityLoop::collapse(const Contraction& c) {
   queue_.merge(c);
   original_.merged(c.deleted, c.kept);
   collapser_.apply(mesh_, plan_.collapse);
+  curves_.merged(mesh_, c.deleted, c.kept);
   queue_.refresh_around(c.kept);
   if (rules_.topology == TopologyRule::Paper) queue_.forget_lost_edges(plan_.collapse);
   made(StepKind::Collapse, c.kept, plan_.change);
-  return true;
 }
 
 }  // namespace aomd

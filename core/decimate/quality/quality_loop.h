@@ -10,6 +10,7 @@
 
 #include "core/decimate/loop.h"
 #include "core/decimate/quality/collapse_queue.h"
+#include "core/decimate/quality/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/point_fit.h"
 
@@ -41,7 +42,14 @@ class QualityLoop final : public Loop {
   bool advance_collapse();
   bool relax();
   bool try_others(Vertex v);
-  bool collapse(const Contraction& contraction);
+  /// None where it was made.
+  Reason try_collapse(const CollapseQueue::Candidate& candidate);
+  void collapse(const Contraction& contraction);
+  void refused(const Contraction& contraction, Reason reason);
+  /// Whether others have become so dear that it may leave a sliver.
+  [[nodiscard]] bool pays_for_sliver(const CollapseQueue::Candidate& candidate) const {
+    return sliver_price_ * candidate.cost <= queue_.level();
+  }
   [[nodiscard]] Verdict judge(const Contraction& contraction, Plan& plan);
 
   // What is said without being done (outlook.cpp)
@@ -53,6 +61,7 @@ class QualityLoop final : public Loop {
   // Stages (stages.cpp)
   void start(const DecimationOptions& options);
   void begin_stage();
+  void locate();
   void measure_energy();
   void begin_improvement();
   void enter(Phase phase);
@@ -89,10 +98,12 @@ class QualityLoop final : public Loop {
   bool try_smooth(Vertex v);
 
   OriginalSurface original_;
+  OriginalCurves curves_;
   Collapser collapser_;
   Fitter fitter_;
   CollapseRules rules_;
   FitRules fit_;
+  float sliver_price_ = 1;  ///< how many times dearer others must be before one is made
   CollapseQueue queue_;
   Column<Edge, Reason> refusal_;
 

@@ -33,9 +33,10 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
       original_(mesh, sampling(mesh, options), options.threads),
+      curves_(mesh),
       collapser_(mesh),
-      fitter_(mesh, original_),
-      queue_(mesh, original_, options_) {
+      fitter_(mesh, original_, curves_),
+      queue_(mesh, original_, curves_, options_) {
   start(options);
 }
 
@@ -49,9 +50,11 @@ void QualityLoop::set_rules() {
   fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
   rules_.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_around = LeastAngle(usual_least_deg);
+  sliver_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   fit_.shape = between(w, 0.3, 1.5, 4);
-  fit_.pull = between(w, 0.001, 0.022, 0.07);
+  fit_.local = w < 0.5 ? 0.5 - w : 0;
+  fit_.pull = between(w, 1e-4, 0.022, 0.07);
   fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
   fit_.model = options_.model;
 }
@@ -60,7 +63,7 @@ CostRules QualityLoop::cost_rules() const {
   CostRules rules;
   const double diagonal = original_.diagonal(),
                points = static_cast<double>(original_.points().size());
-  rules.edge_weight = static_cast<float>(between(options_.regularity, 3e-6, 3e-4, 5e-3));
+  rules.edge_weight = static_cast<float>(between(options_.regularity, 1e-7, 3e-4, 5e-3));
   if (original_.area() > 0) rules.unit_area = original_.area() / points;
   if (diagonal > 0) rules.scale = static_cast<float>(1 / (diagonal * diagonal));
   rules.cubes = options_.has(Idea::ThirdPowers);
@@ -96,6 +99,7 @@ void QualityLoop::set_goals() {
 
 void QualityLoop::restart(const DecimationOptions& options) {
   original_.locate_anywhere(mesh_, options.threads);
+  curves_.locate_anywhere(mesh_);
   guards_.restart(mesh_, options);
   start(options);
 }
@@ -119,9 +123,14 @@ void QualityLoop::begin_stage() {
 }
 
 void QualityLoop::begin_improvement() {
-  original_.locate(mesh_, options_.threads);
+  locate();
   measure_energy();
   enter(options_.swap ? Phase::Swap : Phase::Smooth);
+}
+
+void QualityLoop::locate() {
+  original_.locate(mesh_, options_.threads);
+  curves_.locate(mesh_);
 }
 
 void QualityLoop::measure_energy() {
@@ -151,7 +160,7 @@ void QualityLoop::end_round() {
     phase_ = Phase::Done;
     return;
   }
-  original_.locate(mesh_, options_.threads);
+  locate();
   if (round_ < rounds()) {
     open_sweep();
     enter(options_.swap ? Phase::Swap : Phase::Smooth);
