@@ -194,7 +194,7 @@ TEST(DistanceGuard, AnInterfaceIsNotNearBecauseAnotherOneIs) {
 TEST(Coverage, ACornerOfTheOriginalIsNotCutOff) {
   MeshData bent = zoo::tet_grid({4, 2, 2}, [](const zoo::Cell&) { return 1; });
   for (glm::dvec3& p : bent.positions) p.y += 0.3 * std::abs(p.x - 2);
-  const VolumeBench b(bent, Levels::Listed);
+  const VolumeBench b(bent, Levels::Listed, {.feature_angle_deg = 40});
   const Vertex corner = vertex_at(b.mesh, {2, 2, 2}), end = vertex_at(b.mesh, {1, 2.3, 2});
   ASSERT_EQ(b.mesh.classification(corner).dimension(), 1);
   Star deleted, kept;

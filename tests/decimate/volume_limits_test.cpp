@@ -91,6 +91,37 @@ TEST(VolumeLimits, ARefusalSaysByHowMuchARegionWouldChange) {
             std::string::npos);
 }
 
+TEST(VolumeLimits, AtMostSixPartsOfASentence) {
+  EdgesByReason edges{};
+  for (int r = 0; r < 6; ++r) edges[static_cast<std::size_t>(r) + 2] = 100 - 10 * r;
+  EXPECT_EQ(words_of_edges_left(edges, {}, true),
+            "of 450 edges left, 100 join parts of the model that stay, 90 would pinch or tear the "
+            "model, 80 would leave a face without area, 70 would turn a face by more than 10 "
+            "degrees, 60 would make the shape worse and 50 are to stay");
+  edges[static_cast<std::size_t>(Reason::Volume)] = 5;
+  const std::string words = words_of_edges_left(edges, {}, true);
+  EXPECT_TRUE(words.ends_with(", 60 would make the shape worse and 55 stay for other reasons"))
+      << words;
+}
+
+// With everything as entities too, and with both halves of the distance.
+TEST(VolumeLimits, ADistanceIsHeldTheSameWhateverHoldsTheInside) {
+  const MeshData data = make_sample("ball-in-box", 2);
+  std::vector<MeshData> results;
+  for (const Levels levels : both_levels) {
+    VolumeBench b(data, levels);
+    DecimationOptions options = quality(b.mesh, 0.05);
+    options.max_distance = 0.02;
+    Decimation decimation(b.mesh, options);
+    decimation.run();
+    EXPECT_GT(decimation.edges_left()[static_cast<std::size_t>(Reason::Distance)], 0);
+    results.push_back(to_data(b.mesh));
+    results.back().edges = {};
+  }
+  EXPECT_EQ(results[0].positions, results[1].positions);
+  EXPECT_EQ(results[0].regions, results[1].regions);
+}
+
 TEST(VolumeLimits, FreeVolumesChangeAndKeptOnesDoNot) {
   std::array<std::uint32_t, 2> left{};
   for (const bool keep : {true, false}) {

@@ -162,7 +162,8 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
   smallest->type_name("DEG")->check(between(0, 60));
   CLI::Option* distance = command.add_option(
       "--max-distance", o.max_distance_pct,
-      "No point of the result is further from the original, percent of the diagonal");
+      "No point of the result is further from the original, percent of the diagonal;\n"
+      "of a volume each model face and edge by itself, and the other way round too");
   distance->type_name("PCT")->transform(percent())->check(positive_number());
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");

@@ -124,7 +124,7 @@ std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& g
 std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
                      std::uint64_t target, std::uint64_t cells, bool volume) {
   return grouped(cells) + (volume ? " tetrahedra" : " faces") + ", above the target of " +
-         grouped(target) + ": " + words_of_edges_left(missed.edges, steps) +
+         grouped(target) + ": " + words_of_edges_left(missed.edges, steps, volume) +
          (missed.would_help.empty() ? "" : "; " + missed.would_help + " would help");
 }
 

@@ -45,8 +45,8 @@ void Document::note_last_work() {
 
 /// The run has gone to its end; its command is closed. One that changed nothing has left no mark.
 void Document::note_stop(std::size_t made) {
-  last_work_.stop = stop_words(loaded_->decimation->edges_left(), options(), loaded_->cells(),
-                               loaded_->volume() ? "tetrahedron" : "face");
+  last_work_.stop =
+      stop_words(loaded_->decimation->edges_left(), options(), loaded_->cells(), loaded_->volume());
   if (made == 0) return;
   marks_.back().stop = last_work_.stop;
   marks_.back().stopped_at = journal().cursor();

@@ -64,6 +64,22 @@ std::string said_of(Reason reason, bool one, const DecimationOptions& options) {
   return "would cut the surface with itself";
 }
 
+/// The same where a volume has other words for it.
+std::string said_of_volume(Reason reason, bool one, const DecimationOptions& options) {
+  switch (reason) {
+    case Reason::Classification:
+      return one ? "joins parts of the model that stay" : "join parts of the model that stay";
+    case Reason::Topology:
+      return "would pinch or tear the model";
+    case Reason::Shape:
+      return "would make a tetrahedron or face too flat";
+    case Reason::Intersection:
+      return "would let model faces cut each other";
+    default:
+      return said_of(reason, one, options);
+  }
+}
+
 /// "1 edge", "7,160 faces".
 std::string grouped_count(std::int64_t n, const char* one) {
   return grouped(n) + " " + (n == 1 ? std::string(one) : plural(one));
@@ -84,17 +100,27 @@ std::vector<ReasonCount> by_number(const EdgesByReason& edges) {
   return counts;
 }
 
-std::string words_of_edges_left(const EdgesByReason& edges, const DecimationOptions& options) {
+std::string words_of_edges_left(const EdgesByReason& edges, const DecimationOptions& options,
+                                bool volume) {
+  constexpr std::size_t most_parts = 6;
+  const std::vector<ReasonCount> counts = by_number(edges);
+  const std::size_t named = counts.size() > most_parts ? most_parts - 1 : counts.size();
+  std::int64_t others = total(edges);
   std::vector<std::string> parts;
-  for (const auto& [reason, n] : by_number(edges))
-    parts.push_back(grouped(n) + " " + said_of(reason, n == 1, options));
+  for (std::size_t i = 0; i < named; ++i) {
+    const auto [reason, n] = counts[i];
+    parts.push_back(grouped(n) + " " +
+                    (volume ? said_of_volume : said_of)(reason, n == 1, options));
+    others -= n;
+  }
+  if (named < counts.size()) parts.push_back(grouped(others) + " stay for other reasons");
   if (parts.empty()) return "no edge is left";
   return "of " + grouped_count(total(edges), "edge") + " left, " + joined(parts, " and ");
 }
 
 std::string stop_words(const EdgesByReason& edges, const DecimationOptions& options,
-                       std::int64_t cells, const char* cell) {
-  const std::string target = grouped_count(options.target_faces, cell);
+                       std::int64_t cells, bool volume) {
+  const std::string target = grouped_count(options.target_faces, volume ? "tetrahedron" : "face");
   if (options.target_faces > 0 && cells <= options.target_faces)
     return "Stopped at the aim of " + target + ".";
   std::string text = options.target_faces > 0 ? "Stopped above the aim of " + target : "Stopped";
@@ -103,7 +129,7 @@ std::string stop_words(const EdgesByReason& edges, const DecimationOptions& opti
     if (reason != Reason::None && 2 * most > total(edges))
       text += std::string(", mostly by ") + decider(reason);
   }
-  return text + ": " + words_of_edges_left(edges, options) + ".";
+  return text + ": " + words_of_edges_left(edges, options, volume) + ".";
 }
 
 }  // namespace aomd
