@@ -86,6 +86,7 @@ class Run {
     count_cells();
     if (volume()) look_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
+    diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
     seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
   }
@@ -215,7 +216,7 @@ class Run {
   /// What the decimation is told that needs the mesh.
   void add_what_needs_the_mesh() {
     if (options_.max_distance_pct > 0)
-      steps_.max_distance = options_.max_distance_pct / 100 * diagonal_of(original_);
+      steps_.max_distance = options_.max_distance_pct / 100 * diagonal_;
     if (!options_.keep.empty()) steps_.keep = read_keep_file(options_.keep, mesh_);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, steps_.keep, required);
@@ -392,6 +393,7 @@ class Run {
   Stopwatch watch_;
   Json seconds_, memory_;
   MeshData original_;  ///< as read, or as repaired
+  double diagonal_ = 0;
   bool forgotten_ = false;  ///< the vertices of the regions of `original_`
   RepairReport repaired_;
   Mesh mesh_;
