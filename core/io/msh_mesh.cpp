@@ -62,7 +62,7 @@ void MshTags::build(std::vector<std::uint64_t> ascending) {
   contiguous_ =
       range == tags_.size() && std::adjacent_find(tags_.begin(), tags_.end()) == tags_.end();
   count_ = tags_.size();
-  if (contiguous_) tags_ = {};
+  if (contiguous_) tags_ = std::vector<std::uint64_t>();
   if (contiguous_ || range > 8 * tags_.size() + 1024) return;
   table_.assign(static_cast<std::size_t>(range), no_index);
   for (std::size_t i = tags_.size(); i-- > 0;)

@@ -41,6 +41,27 @@ std::uint32_t block_for(std::uint32_t size) {
   return static_cast<std::uint32_t>(it - block_sizes.begin());
 }
 
+// Moves all rows to the front, in their order, each into the smallest block that holds it. That
+// takes away a quarter of the pool or more, and is not needed again before edits have used it up.
+template <typename Heads>
+void close_up(Heads& heads, RawVector<std::uint32_t>& pool) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < heads.size(); ++i)
+    if (heads[i].block != 0) order.push_back(i);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return heads[a].begin < heads[b].begin; });
+  std::uint32_t end = 0;
+  for (const std::uint32_t i : order) {
+    const std::uint32_t size = heads[i].size, block = block_for(size), begin = end + is_long(block);
+    std::copy_n(pool.begin() + heads[i].begin, size, pool.begin() + begin);
+    if (is_long(block)) pool[begin - 1] = 0;
+    heads[i].begin = begin;
+    heads[i].block = block;
+    end += block_sizes[block];
+  }
+  pool.resize(end);
+}
+
 }  // namespace
 
 void DownRows::allocate(std::uint32_t rows, std::uint32_t stride, bool with_directions, bool fill) {
@@ -97,7 +118,10 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
 }
 
 void UpRows::resize(std::uint32_t rows) {
-  for (std::size_t i = rows; i < heads_.size(); ++i) give_block(heads_[i]);
+  for (std::size_t i = rows; i < heads_.size(); ++i) {
+    give_block(heads_[i]);
+    entries_ -= heads_[i].size;
+  }
   heads_.resize(rows);
 }
 
@@ -120,11 +144,16 @@ std::uint32_t UpRows::take_block(std::uint32_t block) {
     first = pool_[begin];
     return begin;
   }
-  const std::size_t begin = pool_.size(), end = begin + block_sizes[block];
-  AOMD_CHECK(end < no_index);
-  // The blocks left behind are used again, so that a pool grows by a part of itself at most.
-  if (end > pool_.capacity()) pool_.reserve(std::max(end, pool_.capacity() / 4 * 5));
-  pool_.resize(end);
+  const auto is_full = [&] { return pool_.size() + block_sizes[block] > pool_.capacity(); };
+  if (is_full() && pool_.size() > entries_ / 8 * 11) {
+    close_up(heads_, pool_);
+    free_blocks_.assign(block_sizes.size(), no_index);
+  }
+  if (is_full())
+    pool_.reserve(std::max(pool_.size() + block_sizes[block], pool_.capacity() / 8 * 9));
+  const std::size_t begin = pool_.size();
+  AOMD_CHECK(begin + block_sizes[block] < no_index);
+  pool_.resize(begin + block_sizes[block]);
   return static_cast<std::uint32_t>(begin);
 }
 
@@ -179,7 +208,7 @@ bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   --entries_;
   if (head.size == 0) {  // as after its vertex has gone: others may have the block
     give_block(head);
-    head = {};
+    head = Head();
   }
   return true;
 }

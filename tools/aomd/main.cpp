@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "core/base/text.h"
 #include "core/io/error.h"
 #include "core/model/model.h"
@@ -123,6 +127,11 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace aomd::cli;
+#ifdef __GLIBC__
+  // Large arrays go back to the system as soon as they are freed, so that what one stage needs does
+  // not add to what the next one does.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
   end_on_signals();
   name_internal_faults();
   return run([=] { return parse_and_run(argc, argv); });
