@@ -120,6 +120,7 @@ class Balance {
     });
     each(result, component, [&](std::uint32_t i, double x) {
       Total& total = totals[classes_.result[i]];
+      total.missing = total.missing || !std::isfinite(x);
       total.after.add(after_[i] * x);
       if (!is_new(i)) return;
       total.size.add(after_[i] * std::abs(x));
