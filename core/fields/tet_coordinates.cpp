@@ -116,7 +116,8 @@ Weights TetCoordinates::at(const glm::dvec3& p) const {
 Weights TetCoordinates::refined(const glm::dvec3& p) const {
   const glm::dvec3 way = p - origin_;
   glm::dvec3 s = shares(way);
-  s += shares(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
+  for (int round = 0; round < 2; ++round)
+    s += shares(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
   return {1 - s.x - s.y - s.z, s.x, s.y, s.z};
 }
 
