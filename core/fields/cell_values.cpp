@@ -75,6 +75,7 @@ struct Total {
   /// long as the others can make up for what is lacking.
   [[nodiscard]] double balanced(double x) const {
     const double lack = before.value() - after.value();
+    if (!std::isfinite(lack)) return x;  // too large to be added up
     if (std::abs(lack) < size.value()) return x + lack / size.value() * std::abs(x);
     return measure.value() > 0 ? x + lack / measure.value() : x;
   }
