@@ -75,6 +75,7 @@ struct Total {
   /// long as the others can make up for what is lacking.
   [[nodiscard]] double balanced(double x) const {
     const double lack = before.value() - after.value();
+    if (!std::isfinite(lack)) return x;  // too large to be added up
     if (std::abs(lack) < size.value()) return x + lack / size.value() * std::abs(x);
     return measure.value() > 0 ? x + lack / measure.value() : x;
   }
@@ -120,6 +121,7 @@ class Balance {
     });
     each(result, component, [&](std::uint32_t i, double x) {
       Total& total = totals[classes_.result[i]];
+      total.missing = total.missing || !std::isfinite(x);
       total.after.add(after_[i] * x);
       if (!is_new(i)) return;
       total.size.add(after_[i] * std::abs(x));

@@ -23,10 +23,10 @@ Weights between(const Weights& from, const Weights& to, double t) {
   return result;
 }
 
-double share_of(const Piece& piece, std::size_t side);
+double share_of(const Piece& piece, unsigned sides);
 
 /// The corner `a` of a piece, the others beyond the side.
-double share_of_corner(const Piece& p, std::size_t side) {
+double share_of_corner(const Piece& p, std::size_t side, unsigned others) {
   Piece tip{p[0], {}, {}, {}};
   double share = 1;
   for (std::size_t k = 1; k < 4; ++k) {
@@ -34,30 +34,30 @@ double share_of_corner(const Piece& p, std::size_t side) {
     tip[k] = between(p[0], p[k], t);
     share *= t;
   }
-  return share > 0 ? share * share_of(tip, side + 1) : 0;
+  return share > 0 ? share * share_of(tip, others) : 0;
 }
 
 /// A wedge as three tetrahedra, by what share of the whole each is.
 double share_of_wedge(const std::array<Piece, 3>& tets, const std::array<double, 3>& shares,
-                      std::size_t side) {
+                      unsigned others) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    if (shares[k] > 0) sum += shares[k] * share_of(tets[k], side + 1);
+    if (shares[k] > 0) sum += shares[k] * share_of(tets[k], others);
   return sum;
 }
 
 /// Two corners on either side: p[0] and p[1] stay.
-double share_of_halves(const Piece& p, std::size_t side) {
+double share_of_halves(const Piece& p, std::size_t side, unsigned others) {
   const double s = place_of_cut(p[0], p[2], side), t = place_of_cut(p[0], p[3], side),
                u = place_of_cut(p[1], p[2], side), v = place_of_cut(p[1], p[3], side);
   const Weights ac = between(p[0], p[2], s), ad = between(p[0], p[3], t),
                 bc = between(p[1], p[2], u), bd = between(p[1], p[3], v);
   return share_of_wedge({{{p[0], ac, ad, p[1]}, {ac, ad, p[1], bd}, {ac, p[1], bc, bd}}},
-                        {s * t, s * (1 - t) * v, u * v * (1 - s)}, side);
+                        {s * t, s * (1 - t) * v, u * v * (1 - s)}, others);
 }
 
 /// p[0] lies beyond the side, the others stay.
-double share_without_corner(const Piece& p, std::size_t side) {
+double share_without_corner(const Piece& p, std::size_t side, unsigned others) {
   std::array<double, 4> s{};
   Piece cut{};
   for (std::size_t k = 1; k < 4; ++k) {
@@ -66,7 +66,7 @@ double share_without_corner(const Piece& p, std::size_t side) {
   }
   return share_of_wedge(
       {{{p[1], p[2], p[3], cut[1]}, {p[2], p[3], cut[1], cut[2]}, {p[3], cut[1], cut[2], cut[3]}}},
-      {1 - s[1], s[1] * (1 - s[2]), s[1] * s[2] * (1 - s[3])}, side);
+      {1 - s[1], s[1] * (1 - s[2]), s[1] * s[2] * (1 - s[3])}, others);
 }
 
 /// Two corners of a piece change places; the share does not.
@@ -74,21 +74,23 @@ void bring_forward(Piece& piece, std::size_t from, std::size_t to) {
   if (from != to) std::swap(piece[from], piece[to]);
 }
 
-/// The share of a piece inside of all sides from `side` on.
-double share_of(const Piece& piece, std::size_t side) {
-  for (; side < 4; ++side) {
+/// The share of a piece inside of some sides, one bit each.
+double share_of(const Piece& piece, unsigned sides) {
+  for (; sides != 0; sides &= sides - 1) {
+    const auto side = static_cast<std::size_t>(std::countr_zero(sides));
     const unsigned in = unsigned{piece[0][side] > 0} | unsigned{piece[1][side] > 0} << 1 |
                         unsigned{piece[2][side] > 0} << 2 | unsigned{piece[3][side] > 0} << 3;
     if (in == 15) continue;
     if (in == 0) return 0;
     const int corners = std::popcount(in);
     const unsigned first = corners == 3 ? ~in & 15u : in;  // the one of its kind, or two of a kind
+    const unsigned others = sides & (sides - 1);
     Piece sorted = piece;
     bring_forward(sorted, static_cast<std::size_t>(std::countr_zero(first)), 0);
-    if (corners == 1) return share_of_corner(sorted, side);
-    if (corners == 3) return share_without_corner(sorted, side);
+    if (corners == 1) return share_of_corner(sorted, side, others);
+    if (corners == 3) return share_without_corner(sorted, side, others);
     bring_forward(sorted, static_cast<std::size_t>(std::bit_width(first)) - 1, 1);
-    return share_of_halves(sorted, side);
+    return share_of_halves(sorted, side, others);
   }
   return 1;
 }
@@ -114,7 +116,8 @@ Weights TetCoordinates::at(const glm::dvec3& p) const {
 Weights TetCoordinates::refined(const glm::dvec3& p) const {
   const glm::dvec3 way = p - origin_;
   glm::dvec3 s = shares(way);
-  s += shares(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
+  for (int round = 0; round < 2; ++round)
+    s += shares(way - (s.x * edges_[0] + s.y * edges_[1] + s.z * edges_[2]));
   return {1 - s.x - s.y - s.z, s.x, s.y, s.z};
 }
 
@@ -124,21 +127,26 @@ glm::dvec3 TetCoordinates::shares(const glm::dvec3& way) const {
 
 double least(const Weights& weights) { return *std::min_element(weights.begin(), weights.end()); }
 
-// Most tetrahedra near by lie beyond one of the sides: the others are then not looked at.
+// Most tetrahedra near by lie beyond one of the sides: the others are then not looked at. A side
+// that has all corners within has all of their pieces too.
 double share_inside(const TetCoordinates& inside, const Tet& tet) {
   Piece piece{};
   for (Weights& corner : piece) corner[0] = 1;
-  const auto lies_beyond = [&](std::size_t side) {
-    return !(std::max({piece[0][side], piece[1][side], piece[2][side], piece[3][side]}) > 0);
+  unsigned sides = 0;
+  const auto reaches = [&](std::size_t side) {
+    const auto [low, high] =
+        std::minmax({piece[0][side], piece[1][side], piece[2][side], piece[3][side]});
+    sides |= unsigned{!(low > 0)} << side;
+    return high > 0;
   };
   for (std::size_t side = 1; side < 4; ++side) {
     for (std::size_t k = 0; k < 4; ++k) {
       piece[k][side] = inside.at(tet[k], side);
       piece[k][0] -= piece[k][side];
     }
-    if (lies_beyond(side)) return 0;
+    if (!reaches(side)) return 0;
   }
-  return lies_beyond(0) ? 0 : share_of(piece, 0);
+  return reaches(0) ? share_of(piece, sides) : 0;
 }
 
 }  // namespace aomd::fields

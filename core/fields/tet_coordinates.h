@@ -27,7 +27,7 @@ class TetCoordinates {
   [[nodiscard]] double at(const glm::dvec3& p, std::size_t corner) const {
     return glm::dot(gradients_[corner - 1], p - origin_);
   }
-  /// The same with what rounding left of the way to `p` shared out once more, so that the corners
+  /// The same with what rounding left of the way to `p` shared out twice more, so that the corners
   /// with these weights meet `p` to rounding in thin tetrahedra too.
   [[nodiscard]] Weights refined(const glm::dvec3& p) const;
 

@@ -11,6 +11,10 @@ TetTree::TetTree(const Cells& regions, const std::vector<std::uint32_t>& cells, 
   for (const std::uint32_t r : cells) items.push_back({regions.centre(r), r});
   boxes_ = BoxTree(items, threads);
   std::vector<Box> boxes;
+  boxes.reserve(cells.size());
+  tets_.reserve(cells.size());
+  volumes_.reserve(cells.size());
+  cells_.reserve(cells.size());
   for (std::uint32_t n = 0; n < boxes_.size(); ++n) {
     cells_.push_back(boxes_.source(n));
     tets_.push_back(regions.tet(cells_[n]));

@@ -149,8 +149,10 @@ class Difference {
   void write(FieldDifference& d) const {
     const double volume = volume_.value();
     d.missing = missing_;
-    d.differing = volume > 0 ? differing_.value() / volume : 0;
-    if (d.label) return;
+    if (d.label) {
+      d.differing = volume > 0 ? differing_.value() / volume : 0;
+      return;
+    }
     d.rms = volume > 0 ? std::sqrt(squares_.value() / volume) : 0;
     d.largest = largest_;
   }

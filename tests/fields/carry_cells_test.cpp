@@ -98,6 +98,14 @@ TEST(CarryCells, WhereAllNumbersAreNothingSoAreTheNewOnes) {
   EXPECT_EQ(result.attributes[0].values, std::vector<double>(result.regions.size(), 0));
 }
 
+TEST(CarryCells, NumbersTooLargeToBeAddedUpStayNumbers) {
+  MeshData mesh = make_sample("tet-box", 5);
+  for (glm::dvec3& p : mesh.positions) p *= 10;
+  mesh.attributes = {field(mesh, "huge", 3, [](const glm::dvec3& p) { return 1e307 * p.x; })};
+  const MeshData result = decimated(mesh, 0.5).mesh;
+  for (const double x : result.attributes[0].values) EXPECT_TRUE(x > 0 && x < 1.1e308);
+}
+
 TEST(CarryCells, WithoutClassesTheWholeIsOne) {
   MeshData mesh = make_sample("ball-in-box", 4);
   mesh.attributes = {field(mesh, "w", 3, [](const glm::dvec3& p) { return 3 + wave(p); })};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fields/vertex_values.h"
 #include "tests/support/field_helpers.h"
 
 namespace aomd::test {
@@ -88,6 +89,19 @@ TEST(Carry, LabelsAreNeverMixed) {
     }
     EXPECT_EQ(c.values[2 * i + 1], 1e6);
   }
+}
+
+TEST(Carry, WhatCornersAreWorth) {
+  const double nan = std::nan("");
+  const fields::VertexSource most{{0, 1, 2, 3}, {0.1, 0.2, 0.3, 0.4}},
+      second{{0, 1, 2, 3}, {0.1, 0.6, 0.2, 0.1}}, none{{0, 1, 2, 3}, {0.5, 0, 0.5, 0}};
+  const Attribute label{"l", 0, 1, true, {7, 8, 9, 5}}, real{"u", 0, 1, false, {1, nan, 3, 4}};
+  EXPECT_EQ(fields::at_vertices(label, {most, second}).values, (std::vector<double>{5, 8}));
+  const std::vector<double> values = fields::at_vertices(real, {most, second, none}).values;
+  EXPECT_DOUBLE_EQ(values[0], (0.1 * 1 + 0.3 * 3 + 0.4 * 4) / 0.8) << "what is known decides";
+  EXPECT_TRUE(std::isnan(values[1]));
+  EXPECT_DOUBLE_EQ(values[2], 2);
+  EXPECT_TRUE(std::isnan(fields::at_vertices(real, {fields::VertexSource()}).values[0]));
 }
 
 /// The first mesh and a copy of it beside, whose vertices are its own.

@@ -74,13 +74,18 @@ TEST(Overlap, FlatOnesHaveNone) {
 
 // In a sliver a weight is only as good as its height; the point that the weights name is better.
 TEST(Place, WeightsNameThePointInSliversToo) {
-  const Tet sliver{{{0, 0, 1e-9}, {1, 0, 0}, {1, 1, 1e-9}, {0, 1, 0}}};
-  const glm::dvec3 p(0.3, 0.4, 0.7e-9);
-  const Weights w = TetCoordinates(sliver).refined(p);
-  glm::dvec3 named(0);
-  for (std::size_t k = 0; k < 4; ++k) named += w[k] * sliver[k];
-  EXPECT_LT(glm::length(named - p), 1e-15);
-  EXPECT_DOUBLE_EQ(std::accumulate(w.begin(), w.end(), 0.0), 1);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto any = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 o = any(), u = any(), v = any(), up = 1e-8 * any();
+    const Tet sliver{{o, o + u + up, o + u + v, o + v + up}};
+    const glm::dvec3 p = o + 0.4 * u + 0.3 * v + 0.5 * up;
+    const Weights w = TetCoordinates(sliver).refined(p);
+    glm::dvec3 named(0);
+    for (std::size_t k = 0; k < 4; ++k) named += w[k] * sliver[k];
+    EXPECT_LT(glm::length(named - p), 1e-14) << i;
+  }
 }
 
 // Beside a well shaped tetrahedron lies a sliver that is nearer to the point outside.

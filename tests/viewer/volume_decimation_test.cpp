@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/io/io.h"
 #include "core/io/journal_file.h"
 #include "core/mesh/verify.h"
+#include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 #include "tests/support/view_helpers.h"
 #include "viewer/base/entity_text.h"
@@ -156,6 +158,35 @@ TEST(VolumeDecimation, EveryEdgeThatIsDrawnHasAVerdict) {
   EXPECT_FALSE(short_words(*s.sheet().inquiry().verdict()).empty());
   drive(s, {"step", "clip x 0.4 cells"});
   EXPECT_TRUE(coded());
+}
+
+// The sample's temperature is linear, so that a vertex which has moved shows what became of it.
+TEST(VolumeDecimation, WhatIsSavedHasArraysThatBelongToIt) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "beam.vtu").string();
+  Session s;
+  drive(s, {"sample layered-beam 2", "factor 2", "run", "save " + file});
+  EXPECT_EQ(s.status.find("left out"), std::string::npos) << s.status;
+  const MeshData saved = io::read(file).mesh;
+  ASSERT_LT(saved.regions.size(), make_sample("layered-beam", 2).regions.size());
+  ASSERT_EQ(saved.attributes.size(), 2u);
+  for (std::size_t i = 0; i < saved.positions.size(); ++i)
+    EXPECT_NEAR(saved.attributes[0].values[i],
+                400 - 8 * saved.positions[i].x - 5 * saved.positions[i].z, 1e-10);
+  drive(s, {"undo", "save " + file});
+  EXPECT_EQ(io::read(file).mesh.attributes, make_sample("layered-beam", 2).attributes);
+}
+
+TEST(VolumeDecimation, ArraysThatAMeshDoesNotHoldAreNamed) {
+  const TemporaryFolder folder;
+  MeshData mesh = make_sample("tet-box", 2);
+  mesh.attributes = {{"u", 0, 1, false, std::vector<double>(mesh.positions.size())},
+                     {"stress", 3, 6, false, std::vector<double>(6 * mesh.regions.size())}};
+  io::write(folder / "a.vtu", mesh);
+  Session s;
+  drive(s, {"open " + (folder / "a.vtu").string()});
+  EXPECT_EQ(s.document().content().notes,
+            std::vector<std::string>{"left out: attribute \"stress\""});
 }
 
 TEST(VolumeDecimation, WhatIsForSurfacesAloneIsRefusedWithASentence) {

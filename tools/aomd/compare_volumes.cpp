@@ -329,7 +329,7 @@ void print_fields(const Compared& c) {
     if (d.label)
       columns(field_name(d), "-", "-", 100 * d.differing);
     else
-      columns(field_name(d), d.percent(d.rms), d.percent(d.largest), 100 * d.differing);
+      columns(field_name(d), d.percent(d.rms), d.percent(d.largest));
   }
   print_rest(shown, c.fields.size());
 }

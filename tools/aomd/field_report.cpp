@@ -122,7 +122,7 @@ Json differences_json(const std::vector<measure::FieldDifference>& list) {
                     {"largest", d.label ? Json(nullptr) : Json(d.largest)},
                     {"rms_pct", d.label ? Json(nullptr) : Json(d.percent(d.rms))},
                     {"largest_pct", d.label ? Json(nullptr) : Json(d.percent(d.largest))},
-                    {"differing_pct", 100 * d.differing},
+                    {"differing_pct", d.label ? Json(100 * d.differing) : Json(nullptr)},
                     {"missing", d.missing},
                     {"original", facts_json(d.before)},
                     {"result", facts_json(d.after)}});
