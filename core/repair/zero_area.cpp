@@ -23,6 +23,12 @@ constexpr std::uint8_t most_tries = 64;
 // take the square of their number.
 constexpr std::size_t crowd = 512;
 
+bool is_flat(const Surface& surface, std::uint32_t f) {
+  const auto v = surface.vertices(f);
+  return v.size() == 3 &&
+         collinear(surface.position(v[0]), surface.position(v[1]), surface.position(v[2]));
+}
+
 class ZeroAreaMender {
  public:
   ZeroAreaMender(Surface& surface, std::vector<std::uint32_t> flat)
@@ -30,8 +36,9 @@ class ZeroAreaMender {
         around_(surface),
         queue_(flat.begin(), flat.end()),
         waiting_(surface.face_count(), 0),
-        tries_(surface.face_count(), 0) {
-    for (const std::uint32_t f : flat) waiting_[f] = 1;
+        tries_(surface.face_count(), 0),
+        flat_(surface.face_count(), 0) {
+    for (const std::uint32_t f : flat) waiting_[f] = flat_[f] = 1;
     const EntityList& edges = surface.data().edges;
     for (std::size_t e = 0; e < edges.size(); ++e)
       listed_.insert(edge_key(edges.vertices[2 * e], edges.vertices[2 * e + 1]));
@@ -57,10 +64,10 @@ class ZeroAreaMender {
  private:
   using Corners = std::array<std::uint32_t, 3>;
 
+  // Known of each face: it changes where corners go to other places alone (`put`), and merged
+  // vertices lie at one.
   [[nodiscard]] bool is_flat_face(std::uint32_t f) const {
-    const auto v = std::as_const(surface_).vertices(f);
-    return surface_.alive(f) && v.size() == 3 &&
-           collinear(surface_.position(v[0]), surface_.position(v[1]), surface_.position(v[2]));
+    return surface_.alive(f) && flat_[f] != 0;
   }
   [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const {
     return surface_.position(a) == surface_.position(b);
@@ -124,6 +131,7 @@ class ZeroAreaMender {
     for (std::uint32_t k = 0; k < 3; ++k) around_.remove(first + k);
     std::copy(corners.begin(), corners.end(), surface_.vertices(f).begin());
     for (std::uint32_t k = 0; k < 3; ++k) around_.add(first + k);
+    flat_[f] = is_flat(surface_, f);
   }
 
   // A side without length: its ends become one.
@@ -286,6 +294,7 @@ class ZeroAreaMender {
   std::vector<std::uint8_t> waiting_;  ///< 1: in the queue
   std::set<std::uint32_t> crowded_;    ///< vertices with something changed around them
   std::vector<std::uint8_t> tries_;
+  std::vector<std::uint8_t> flat_;  ///< 1: a triangle without area
   std::unordered_set<std::uint64_t> listed_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
       renamed_;  ///< gone vertex, the one that stands for it
@@ -297,10 +306,7 @@ class ZeroAreaMender {
 ZeroArea mend_zero_area(Surface& surface) {
   std::vector<std::uint32_t> flat;
   surface.each_face([&](std::uint32_t f) {
-    const auto v = std::as_const(surface).vertices(f);
-    if (v.size() == 3 &&
-        collinear(surface.position(v[0]), surface.position(v[1]), surface.position(v[2])))
-      flat.push_back(f);
+    if (is_flat(surface, f)) flat.push_back(f);
   });
   if (flat.empty()) return {};
   return ZeroAreaMender(surface, flat).run(flat);
