@@ -185,6 +185,8 @@ std::string explain_collapse(const Mesh& mesh, const CollapseOutlook& o,
 }
 
 std::string explain_swap(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
+  if (mesh.count(3) > 0)
+    if (std::string said = removal_words(mesh, edge, o.verdict); !said.empty()) return said;
   const EdgePair& p = o.pair;
   switch (o.verdict.reason) {
     case Reason::None:

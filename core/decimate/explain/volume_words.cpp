@@ -76,4 +76,25 @@ std::string region_words(const Mesh& mesh, const Verdict& verdict) {
   }
 }
 
+std::string removal_words(const Mesh& mesh, Edge edge, const Verdict& verdict) {
+  switch (verdict.reason) {
+    case Reason::None:
+      return "It would go, and the worst tetrahedron around it would get a better shape.";
+    case Reason::Classification:
+      if (mesh.classification(edge).dimension() == 1)
+        return sentence("the edge lies on " + name(mesh.classification(edge)));
+      return sentence(name_of(verdict.entity) +
+                      " lies on another model entity than the rest of what " + "is around it");
+    case Reason::Topology:
+      return "What is around it is no single ring of at most nine vertices, or an edge or face "
+             "that "
+             "it would make is there already.";
+    case Reason::Quality:
+      return "It would not pay: a tetrahedron with a smallest dihedral angle of " +
+             degrees(verdict.number()) + " degrees would come of it, and none around it is poorer.";
+    default:
+      return {};
+  }
+}
+
 }  // namespace aomd::words

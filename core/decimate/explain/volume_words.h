@@ -17,4 +17,8 @@ namespace aomd::words {
 /// Inverted, Overshoot, and Kept and Shape of a region; empty for other verdicts.
 [[nodiscard]] std::string region_words(const Mesh& mesh, const Verdict& verdict);
 
+/// What removing an edge would come to, beside Flat, Angle, Shape and the guarantees, of which
+/// surfaces say the same; empty for those.
+[[nodiscard]] std::string removal_words(const Mesh& mesh, Edge edge, const Verdict& verdict);
+
 }  // namespace aomd::words
