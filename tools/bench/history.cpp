@@ -1,8 +1,9 @@
-// aomd-history-bench MESH [OPERATIONS]: what moving through a history costs in the viewer. Makes
-// OPERATIONS (100,000) operations, or as many as there are, and prints median, 99th percentile and
-// maximum in ms: one operation back or forward with the scene brought up to date, its upload,
-// scrubbing to a random operation, and a frame of 1280x800, drawn by OSMesa where there is no other
-// way. Without other work on the machine.
+// aomd-history-bench MESH [OPERATIONS [COMMAND...]]: what moving through a history costs in the
+// viewer. Makes OPERATIONS (100,000) operations, or as many as there are, carries out commands of
+// the viewer ("clip x 0.5 cells"), and prints median, 99th percentile and maximum in ms: one
+// operation back or forward with the scene brought up to date, its upload, what is said of the edge
+// that the mouse points at, scrubbing to a random operation, and a frame of 1280x800, drawn by
+// OSMesa where there is no other way. Without other work on the machine.
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <exception>
 #include <functional>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -83,6 +85,25 @@ void measure_steps(Stage& stage) {
   print_row("its upload", std::move(uploads));
 }
 
+/// Over places all over the picture, where an edge lies.
+void measure_hovering(Stage& stage) {
+  std::vector<double> verdicts;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.9, 0.9);
+  stage.session.view.pick_level = scene::PickLevel::Edge;
+  scene::Sheet& sheet = stage.session.sheet();
+  sheet.hover(glm::dvec2(0));  // what is made once for many
+  for (int i = 0; i < 20 * samples && verdicts.size() < samples; ++i) {
+    const glm::dvec2 at(place(random), place(random));
+    const double ms = milliseconds([&] {
+      sheet.hover(at);
+      stage.session.refresh();
+    });
+    if (!sheet.inquiry().hovered_words().empty()) verdicts.push_back(ms);
+  }
+  if (!verdicts.empty()) print_row("the verdict on an edge pointed at", std::move(verdicts));
+}
+
 void measure_scrubbing(Stage& stage) {
   scene::Document& document = stage.session.document();
   std::vector<double> history, whole;
@@ -114,10 +135,12 @@ void measure_frames(Stage& stage) {
   print_row("a frame of 1280x800", std::move(frames));
 }
 
-void measure_history(const std::string& file, const std::string& operations) {
+void measure_history(const std::string& file, const std::string& operations,
+                     std::span<char* const> commands) {
   Stage stage;
   carry_out(stage.session, "open " + file);
   carry_out(stage.session, "step " + operations);
+  for (const char* line : commands) carry_out(stage.session, line);
   const Journal& journal = stage.session.document().journal();
   if (journal.size() < 2) throw std::runtime_error(file + ": nothing to decimate");
   std::printf("%s: %zu operations, history %.0f MB\n\n", file.c_str(), journal.size(),
@@ -126,6 +149,7 @@ void measure_history(const std::string& file, const std::string& operations) {
   std::printf("|------------------------------------|-----------|-----------|-----------|\n");
   stage.upload();
   measure_steps(stage);
+  measure_hovering(stage);
   measure_scrubbing(stage);
   measure_frames(stage);
 }
@@ -134,12 +158,14 @@ void measure_history(const std::string& file, const std::string& operations) {
 }  // namespace aomd
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::fprintf(stderr, "usage: aomd-history-bench MESH [OPERATIONS]\n");
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: aomd-history-bench MESH [OPERATIONS [COMMAND...]]\n");
     return 2;
   }
   try {
-    aomd::measure_history(argv[1], argc > 2 ? argv[2] : "100000");
+    aomd::measure_history(
+        argv[1], argc > 2 ? argv[2] : "100000",
+        std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 3 ? 3 : argc));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "aomd-history-bench: %s\n", error.what());
     return 1;

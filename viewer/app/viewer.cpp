@@ -161,6 +161,8 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   settings.show_model_vertices = session_.view.model_vertices;
   settings.glass = session_.view.interior_edges && !session_.document().empty() &&
                    session_.document().content().volume();
+  settings.glass_plane = session_.sheet().preview_cut();
+  settings.glass = settings.glass || settings.glass_plane;
   if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document().empty())
     settings.clip_plane = clip->plane(session_.document().content().bounds, scene::clip_hair);
   settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;

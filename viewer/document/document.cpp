@@ -73,7 +73,7 @@ void Document::restore(const SavedWork& work) {
 /// What it shows depends on which entities there are and on what they lie.
 void Document::renew_skin() {
   if (!loaded_->skin || skin_place_ == place()) return;
-  loaded_->skin.emplace(loaded_->mesh);
+  loaded_->skin.emplace(whole_skin(*loaded_));
   skin_place_ = place();
 }
 
@@ -172,6 +172,12 @@ Decimation* Document::build_decimation_to_judge() {
   } catch (const std::invalid_argument&) {
     return nullptr;
   }
+}
+
+bool Document::answers_about(EntityRef e) const {
+  if (!e.valid()) return false;
+  const bool unprepared = loaded_->volume() && !loaded_->prepared;
+  return e.dimension == 1 || (e.dimension == 0 && !unprepared);
 }
 
 bool Document::judges_at_once() const {

@@ -143,7 +143,10 @@ class Document {
   /// mesh cannot be decimated, or not with these options. Changes neither mesh nor history, but
   /// prepares a volume.
   [[nodiscard]] Decimation* build_decimation_to_judge();
-  /// Whether that costs next to nothing.
+  /// Whether questions about an entity are answered: about edges and vertices. Of a volume that is
+  /// not prepared, about edges alone, for which it is prepared: a vertex changes no T(I,J).
+  [[nodiscard]] bool answers_about(EntityRef e) const;
+  /// Whether build_decimation_to_judge() costs next to nothing.
   [[nodiscard]] bool judges_at_once() const;
   /// Before the first operation among tetrahedra, or the first question about one: prepare_volume()
   /// once. Nothing for other meshes.

@@ -151,8 +151,14 @@ void prepare_volume(LoadedMesh& loaded) {
   if (!whole && !has_inner_faces(mesh, listed)) mesh.keep_model_faces_only();
   mesh.attach(&loaded.journal);
   if (loaded.source.recoverable) loaded.start = io::fingerprint(mesh);
-  if (loaded.skin) loaded.skin.emplace(mesh);
+  loaded.needs = request_for_patches(mesh);
   loaded.prepared = true;
+  if (loaded.skin) loaded.skin.emplace(whole_skin(loaded));
+}
+
+Skin whole_skin(const LoadedMesh& loaded) {
+  const bool fast = loaded.prepared && is_of_tetrahedra(loaded.mesh);
+  return fast ? Skin::of_tetrahedra(loaded.mesh, {}) : Skin(loaded.mesh);
 }
 
 std::unique_ptr<LoadedMesh> load(const LoadRequest& request) {

@@ -61,7 +61,7 @@ struct LoadedMesh {
   /// What is drawn of a mesh with regions or quads; none for triangles, which are drawn as they
   /// are.
   std::optional<Skin> skin;
-  DrawingNeeds needs;         ///< a volume has none: it stores what its file lists and nothing else
+  DrawingNeeds needs;  ///< a volume has none before it is prepared: what its file lists is stored
   std::string_view obstacle;  ///< why it cannot be decimated, as a sentence; empty where it can
   std::uint32_t stays = 0;    ///< regions that are no tetrahedra, which decimation leaves
   bool prepared = false;      ///< what prepare_volume() does has been done
@@ -87,6 +87,9 @@ struct LoadedMesh {
 /// faces. Faces that its file lists inside of regions stay; then all others are entities too. Only
 /// while nothing is recorded. Takes about a second for a million regions.
 void prepare_volume(LoadedMesh& loaded);
+
+/// That of the mesh as it is now.
+[[nodiscard]] Skin whole_skin(const LoadedMesh& loaded);
 
 /// Builds from plain data: the rest of load(), and a way in for tests.
 [[nodiscard]] std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,

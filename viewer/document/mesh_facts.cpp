@@ -35,7 +35,17 @@ void count_shapes(const Mesh& mesh, int dim, MeshFacts& facts) {
     if (mesh.alive({dim, id})) ++facts.shapes[static_cast<std::size_t>(mesh.shape({dim, id}))];
 }
 
+bool is_unused(const Mesh& mesh, Vertex v) {
+  return mesh.alive(v) && mesh.row<1>(v).empty() && mesh.row<2>(v).empty() &&
+         mesh.row<3>(v).empty();
+}
+
 std::int64_t count_unused(const Mesh& mesh) {
+  if (mesh.stored(0, 1) && mesh.stored(0, 2) && mesh.stored(0, 3)) {
+    std::int64_t count = 0;
+    for (const Vertex v : mesh.vertices()) count += is_unused(mesh, v);
+    return count;
+  }
   std::vector<char> used(mesh.capacity(0), 0);
   VertexBuffer buffer;
   for (int dim = 1; dim <= 3; ++dim)
@@ -43,6 +53,21 @@ std::int64_t count_unused(const Mesh& mesh) {
       if (mesh.alive({dim, id}))
         for (const std::uint32_t v : mesh.vertices_of({dim, id}, buffer)) used[v] = 1;
   return mesh.count(0) - std::count(used.begin(), used.end(), 1);
+}
+
+/// Outer sides of a prepared volume are entities, each of one region or of none.
+bool is_outer(const Mesh& mesh, Face f) {
+  if (!mesh.alive(f)) return false;
+  VertexBuffer buffer;
+  const auto face = mesh.vertices_of(f, buffer);
+  const Row<3> regions = mesh.row<3>(Vertex(face[0]));
+  VertexBuffer other;
+  return std::count_if(regions.begin(), regions.end(), [&](Region r) {
+           const auto whole = mesh.vertices_of(r, other);
+           return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) {
+             return std::find(whole.begin(), whole.end(), v) != whole.end();
+           });
+         }) < 2;
 }
 
 }  // namespace
@@ -57,6 +82,39 @@ MeshFacts volume_facts(const Mesh& mesh, const Skin& skin) {
   facts.unused = count_unused(mesh);
   count_shapes(mesh, 3, facts);
   return facts;
+}
+
+void VolumeFactsKeeper::start(const Mesh& mesh, const Skin& skin) {
+  facts_ = volume_facts(mesh, skin);
+  outer_.assign(mesh.capacity(2), 0);
+  for (const SkinFace& face : skin.faces())
+    if (face.outer() && face.face.valid()) outer_[face.face] = 1;
+  unused_.assign(mesh.capacity(0), 0);
+  if (facts_.unused > 0 && mesh.stored(0, 1) && mesh.stored(0, 2) && mesh.stored(0, 3))
+    for (const Vertex v : mesh.vertices()) unused_[v] = is_unused(mesh, v);
+}
+
+void VolumeFactsKeeper::update(const Mesh& mesh, const VolumeChanges& changes) {
+  if (outer_.size() < mesh.capacity(2)) outer_.resize(mesh.capacity(2), 0);
+  if (unused_.size() < mesh.capacity(0)) unused_.resize(mesh.capacity(0), 0);
+  facts_.vertices = mesh.count(0);
+  facts_.edges = mesh.count(1);
+  facts_.faces = mesh.count(2);
+  // Only tetrahedra are ever edited.
+  facts_.shapes[static_cast<std::size_t>(Shape::Tetrahedron)] += mesh.count(3) - facts_.regions;
+  facts_.regions = mesh.count(3);
+  for (const Face f : changes.faces) {
+    if (f.index >= outer_.size()) continue;
+    const std::uint8_t now = is_outer(mesh, f);
+    facts_.outer_faces += now - outer_[f];
+    outer_[f] = now;
+  }
+  for (const Vertex v : changes.surroundings) {
+    if (v.index >= unused_.size()) continue;
+    const std::uint8_t now = is_unused(mesh, v);
+    facts_.unused += now - unused_[v];
+    unused_[v] = now;
+  }
 }
 
 void FactsKeeper::update(const Mesh& mesh, const SurfaceChanges& changes) {

@@ -9,6 +9,7 @@
 #include "core/mesh/mesh.h"
 #include "viewer/document/skin.h"
 #include "viewer/document/surface_changes.h"
+#include "viewer/document/volume_changes.h"
 
 namespace aomd::scene {
 
@@ -31,6 +32,21 @@ struct MeshFacts {
 /// Of a mesh with regions, whatever it stores. Edges are not looked at: boundary and nonmanifold
 /// are 0. O(entities).
 [[nodiscard]] MeshFacts volume_facts(const Mesh& mesh, const Skin& skin);
+
+/// The same, kept up to date from the changes of a prepared volume (prepare_volume).
+class VolumeFactsKeeper {
+ public:
+  /// All counts anew. O(entities).
+  void start(const Mesh& mesh, const Skin& skin);
+  /// The mesh must store T(0,1), T(0,2) and T(0,3), since the last start. O(changes).
+  void update(const Mesh& mesh, const VolumeChanges& changes);
+  [[nodiscard]] const MeshFacts& facts() const { return facts_; }
+
+ private:
+  MeshFacts facts_;
+  Column<Face, std::uint8_t> outer_;  ///< of those that are entities
+  Column<Vertex, std::uint8_t> unused_;
+};
 
 /// Of a surface. The mesh must store T(0,1) and T(0,2).
 class FactsKeeper {

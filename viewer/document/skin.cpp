@@ -5,7 +5,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/mesh/column.h"
 #include "core/mesh/side_index.h"
+#include "core/operators/ball.h"
 
 namespace aomd::scene {
 namespace {
@@ -18,6 +20,21 @@ struct Entry {
   std::uint16_t place;  ///< of the side in the region's template, or `is_face`
 };
 constexpr std::uint16_t is_face = 0xffff;
+
+EntityRef entity(const Entry& entry) { return {entry.place == is_face ? 2 : 3, entry.id}; }
+
+/// Gives a face the vertices of an entry.
+void take_corners(const Mesh& mesh, const Entry& entry, SkinFace& face) {
+  VertexBuffer buffer;
+  const auto whole = mesh.vertices_of(entity(entry), buffer);
+  face.count = static_cast<std::uint8_t>(entry.corners);
+  if (entry.place == is_face) {
+    std::copy(whole.begin(), whole.end(), face.vertices.begin());
+  } else {
+    const SubEntity& side = shape_template(mesh.shape(entity(entry))).sub(2, entry.place);
+    for (std::size_t k = 0; k < face.count; ++k) face.vertices[k] = whole[side.vertices[k]];
+  }
+}
 
 /// The smallest, second smallest and largest of a polygon's vertices.
 struct CornerKey {
@@ -63,22 +80,6 @@ class SideMatcher {
         i = end;
       }
     }
-  }
-
-  /// Gives a face the vertices of an entry.
-  void take_corners(const Entry& entry, SkinFace& face) const {
-    VertexBuffer buffer;
-    const auto whole = mesh_.vertices_of(entity(entry), buffer);
-    face.count = static_cast<std::uint8_t>(entry.corners);
-    if (entry.place == is_face) {
-      std::copy(whole.begin(), whole.end(), face.vertices.begin());
-    } else {
-      const SubEntity& side = shape_template(mesh_.shape(entity(entry))).sub(2, entry.place);
-      for (std::size_t k = 0; k < face.count; ++k) face.vertices[k] = whole[side.vertices[k]];
-    }
-  }
-  [[nodiscard]] static EntityRef entity(const Entry& entry) {
-    return {entry.place == is_face ? 2 : 3, entry.id};
   }
 
  private:
@@ -133,8 +134,8 @@ class SideMatcher {
   [[nodiscard]] bool equal(const Entry& a, const Entry& b) const {
     if (a.corners != b.corners) return false;
     SkinFace p, q;
-    take_corners(a, p);
-    take_corners(b, q);
+    take_corners(mesh_, a, p);
+    take_corners(mesh_, b, q);
     return std::is_permutation(p.corners().begin(), p.corners().end(), q.corners().begin());
   }
 
@@ -162,19 +163,15 @@ bool looks_inward(const Mesh& mesh, std::span<const std::uint32_t> side, Region 
   return glm::dot(normal, middle(mesh, side) - middle(mesh, mesh.vertices_of(region, buffer))) < 0;
 }
 
-/// Which regions and faces are before a plane.
+/// Which regions and faces are before a plane, of all of them.
 class Kept {
  public:
   Kept(const Mesh& mesh, const glm::dvec4& plane) {
-    VertexBuffer buffer;
     for (const int dim : {2, 3}) {
       auto& kept = kept_[dim - 2];
       kept.assign(mesh.capacity(dim), 0);
       for (std::uint32_t id = 0; id < kept.size(); ++id)
-        kept[id] = mesh.alive({dim, id}) &&
-                   glm::dot(glm::dvec3(plane), middle(mesh, mesh.vertices_of({dim, id}, buffer))) +
-                           plane.w >=
-                       0;
+        kept[id] = mesh.alive({dim, id}) && is_before(mesh, {dim, id}, plane);
     }
   }
   [[nodiscard]] bool operator()(const Entry& e) const {
@@ -185,7 +182,8 @@ class Kept {
   std::array<std::vector<char>, 2> kept_;
 };
 
-/// Leaves what is before the plane. A face between regions that are gone goes with them.
+/// Leaves what is kept. A face between regions that are gone goes with them.
+template <typename Kept>
 void leave(const Kept& kept, std::vector<Entry>& entries) {
   const bool has_region = entries.front().place != is_face;
   std::erase_if(entries,
@@ -197,7 +195,7 @@ void leave(const Kept& kept, std::vector<Entry>& entries) {
 SkinFace skin_face(const Mesh& mesh, std::span<const Entry> entries) {
   SkinFace face;
   for (const Entry& entry : entries) {
-    const ModelRef model = mesh.classification(SideMatcher::entity(entry));
+    const ModelRef model = mesh.classification(entity(entry));
     if (entry.place == is_face) {
       face.model = model;
       face.face = Face(entry.id);
@@ -233,22 +231,106 @@ Box box_of(const Mesh& mesh, const std::vector<SkinFace>& faces) {
 }
 
 /// The face that these entities come to, where it is to be seen.
-void add(const Mesh& mesh, const SideMatcher& sides, std::span<const Entry> entries,
-         std::vector<SkinFace>& faces) {
+std::optional<SkinFace> visible_face(const Mesh& mesh, std::span<const Entry> entries) {
   SkinFace face = skin_face(mesh, entries);
-  if (!to_be_seen(face)) return;
-  sides.take_corners(entries.front(), face);
+  if (!to_be_seen(face)) return {};
+  take_corners(mesh, entries.front(), face);
   if (face.has_inside && looks_inward(mesh, face.corners(), Region(entries.front().id)))
     std::reverse(face.vertices.begin(), face.vertices.begin() + face.count);
-  faces.push_back(face);
+  return face;
 }
+
+/// What lies on a triangle, as a SideMatcher files it, found by stored relations.
+void gather_entries(const Mesh& mesh, const TriangleSide& side, std::vector<Entry>& entries) {
+  entries.clear();
+  VertexBuffer buffer;
+  const auto on_side = [&](std::span<const std::uint32_t> polygon) {
+    return polygon.size() == 3 && std::all_of(side.begin(), side.end(), [&](Vertex v) {
+             return std::find(polygon.begin(), polygon.end(), v.index) != polygon.end();
+           });
+  };
+  for (const Region r : mesh.row<3>(side[0])) {
+    const auto whole = mesh.vertices_of(r, buffer);
+    const ShapeTemplate& shape = shape_template(mesh.shape(r));
+    for (int k = 0; k < shape.face_count; ++k)
+      if (on_side(SideVertices(shape.sub(2, k), whole.data()).span()))
+        entries.push_back({0, 0, r.index, 3, static_cast<std::uint16_t>(k)});
+  }
+  for (const Face f : mesh.row<2>(side[0]))
+    if (on_side(mesh.vertices_of(f, buffer))) entries.push_back({0, 0, f.index, 3, is_face});
+}
+
+/// Which tetrahedra are before a plane, and which vertices have some on both sides.
+class PlaneSides {
+ public:
+  PlaneSides(const Mesh& mesh, const glm::dvec4& plane)
+      : before_(mesh.capacity(3), 0), sides_(mesh.capacity(0), 0) {
+    for (const Region r : mesh.regions()) {
+      before_[r] = is_before(mesh, r, plane);
+      for (const Vertex v : mesh.tetrahedron(r)) sides_[v] |= before_[r] != 0 ? 1 : 2;
+    }
+  }
+  /// Of those before it, the sides that may have one behind it on their other side.
+  template <typename Visit>
+  void each_side(const Mesh& mesh, Visit&& visit) const {
+    for (const Region r : mesh.regions()) {
+      if (before_[r] == 0) continue;
+      const auto t = mesh.tetrahedron(r);
+      for (const auto& [a, b, c] : seen_from)
+        if (sides_[t[a]] == 3 && sides_[t[b]] == 3 && sides_[t[c]] == 3) visit({t[a], t[b], t[c]});
+    }
+  }
+
+ private:
+  Column<Region, std::uint8_t> before_;
+  Column<Vertex, std::uint8_t> sides_;
+};
 
 }  // namespace
 
+bool is_before(const Mesh& mesh, EntityRef e, const glm::dvec4& plane) {
+  VertexBuffer buffer;
+  return glm::dot(glm::dvec3(plane), middle(mesh, mesh.vertices_of(e, buffer))) + plane.w >= 0;
+}
+
+std::optional<SkinFace> skin_face_on(const Mesh& mesh, const TriangleSide& side,
+                                     const std::optional<glm::dvec4>& plane) {
+  thread_local std::vector<Entry> entries;
+  gather_entries(mesh, side, entries);
+  if (plane && !entries.empty())
+    leave([&](const Entry& e) { return is_before(mesh, entity(e), *plane); }, entries);
+  return entries.empty() ? std::optional<SkinFace>() : visible_face(mesh, entries);
+}
+
 Skin::Skin(const Mesh& mesh) {
   SideMatcher sides(mesh);
-  sides.each_match([&](std::span<const Entry> entries) { add(mesh, sides, entries, faces_); });
+  sides.each_match([&](std::span<const Entry> entries) { add(visible_face(mesh, entries)); });
   finish(mesh);
+}
+
+bool is_of_tetrahedra(const Mesh& mesh) {
+  const ShapeTemplate *regions = mesh.uniform_shape(3), *faces = mesh.uniform_shape(2);
+  return regions != nullptr && regions->vertex_count == 4 && faces != nullptr &&
+         faces->vertex_count == 3;
+}
+
+Skin Skin::of_tetrahedra(const Mesh& mesh, const std::optional<glm::dvec4>& plane) {
+  Skin skin;
+  for (const Face f : mesh.faces()) {
+    const auto face = skin_face_on(mesh, mesh.triangle(f), plane);
+    if (face && face->face == f) skin.add(face);  // each of several on the same vertices would come
+  }
+  if (plane)
+    PlaneSides(mesh, *plane).each_side(mesh, [&](const TriangleSide& side) {
+      const auto face = skin_face_on(mesh, side, plane);
+      if (face && !face->face.valid()) skin.add(face);
+    });
+  skin.finish(mesh);
+  return skin;
+}
+
+void Skin::add(const std::optional<SkinFace>& face) {
+  if (face) faces_.push_back(*face);
 }
 
 void Skin::finish(const Mesh& mesh) {
@@ -268,7 +350,7 @@ Skin SkinCutter::before(const glm::dvec4& plane) const {
   sides_->each_match([&](std::span<const Entry> entries) {
     left.assign(entries.begin(), entries.end());
     leave(kept, left);
-    if (!left.empty()) add(mesh_, *sides_, left, skin.faces_);
+    if (!left.empty()) skin.add(visible_face(mesh_, left));
   });
   skin.finish(mesh_);
   return skin;

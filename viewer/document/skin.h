@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,12 +31,29 @@ struct SkinFace {
   [[nodiscard]] bool outer() const { return !has_outside; }
 };
 
+/// A triangle of a mesh, in any order.
+using TriangleSide = std::array<Vertex, 3>;
+
+/// Whether the middle of an entity is before a plane: dot(xyz, p) + w >= 0.
+[[nodiscard]] bool is_before(const Mesh& mesh, EntityRef e, const glm::dvec4& plane);
+
+/// What a skin has on a triangle, where there is something to be seen; with a plane as a SkinCutter
+/// finds it. T(0,2) and T(0,3) must be stored. O(regions around a vertex).
+[[nodiscard]] std::optional<SkinFace> skin_face_on(const Mesh& mesh, const TriangleSide& side,
+                                                   const std::optional<glm::dvec4>& plane);
+
+/// Whether there are no other regions and faces than tetrahedra and triangles. O(1).
+[[nodiscard]] bool is_of_tetrahedra(const Mesh& mesh);
+
 /// The outer surface (sides with one region, faces with none), and inside it what separates model
 /// regions or lies on a model face. O(regions + faces); of the memory that takes only the result
 /// stays.
 class Skin {
  public:
   explicit Skin(const Mesh& mesh);
+  /// The same, in another order, of a prepared volume (prepare_volume) that is_of_tetrahedra(); as
+  /// a SkinCutter leaves it where there is a plane. A fraction of the time.
+  [[nodiscard]] static Skin of_tetrahedra(const Mesh& mesh, const std::optional<glm::dvec4>& plane);
 
   [[nodiscard]] std::span<const SkinFace> faces() const { return faces_; }
   /// How many of them belong to the outer surface.
@@ -45,6 +63,7 @@ class Skin {
  private:
   friend class SkinCutter;
   Skin() = default;
+  void add(const std::optional<SkinFace>& face);
   void finish(const Mesh& mesh);
 
   std::vector<SkinFace> faces_;

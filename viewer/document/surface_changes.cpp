@@ -13,11 +13,10 @@ constexpr std::size_t words_per_face = 12;
 
 }  // namespace
 
-bool ChangeReader::can_follow(const HistoryPlace& now) const {
-  if (!place_ || now.creations != place_->creations) return false;
-  // A cut behind the place where this reader stood took nothing that it has seen.
-  return now.epoch == place_->epoch ||
-         (now.epoch == place_->epoch + 1 && place_->cursor <= now.last_cut);
+bool can_follow(const HistoryPlace& from, const HistoryPlace& to) {
+  if (to.creations != from.creations) return false;
+  // A cut behind the place where the reader stood took nothing that it has seen.
+  return to.epoch == from.epoch || (to.epoch == from.epoch + 1 && from.cursor <= to.last_cut);
 }
 
 /// Beyond a part of the mesh a fresh start costs less than following.
@@ -30,7 +29,7 @@ SurfaceChanges ChangeReader::read(const Mesh& mesh, const Journal& journal,
                                   const HistoryPlace& now) {
   SurfaceChanges changes;
   if (now == place_) return changes;
-  changes.everything = !can_follow(now) || is_far(mesh, journal, now.cursor);
+  changes.everything = !place_ || !can_follow(*place_, now) || is_far(mesh, journal, now.cursor);
   if (changes.everything) {
     remember(mesh);
   } else {

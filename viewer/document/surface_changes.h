@@ -22,6 +22,10 @@ struct HistoryPlace {
   friend bool operator==(const HistoryPlace&, const HistoryPlace&) = default;
 };
 
+/// Whether the records between two places say all that has changed: a reader that stood at the
+/// first can go on from there.
+[[nodiscard]] bool can_follow(const HistoryPlace& from, const HistoryPlace& to);
+
 /// Sorted, without duplicates. Entities may be dead by now.
 struct SurfaceChanges {
   bool everything = false;  ///< start afresh; the lists are empty
@@ -46,7 +50,6 @@ class ChangeReader {
                                     const HistoryPlace& now);
 
  private:
-  [[nodiscard]] bool can_follow(const HistoryPlace& now) const;
   [[nodiscard]] bool is_far(const Mesh& mesh, const Journal& journal, std::size_t cursor) const;
   void collect(const Mesh& mesh, const Journal& journal, std::size_t cursor,
                SurfaceChanges& changes);

@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/mesh/side_index.h"
+#include "viewer/base/sort_once.h"
 #include "viewer/drawing/palette.h"
 
 namespace aomd::scene {
@@ -39,50 +41,6 @@ glm::dvec3 normal_of(const Points& polygon) {
 
 double height(const glm::dvec4& plane, const glm::dvec3& p) {
   return glm::dot(glm::dvec3(plane), p) + plane.w;
-}
-
-/// Draws polygons as fans whose inner lines do not show.
-class PolygonDrawing {
- public:
-  explicit PolygonDrawing(const glm::dvec3& origin) : origin_(origin) {}
-
-  void add(const Points& polygon, Region region, Color color, bool bright) {
-    if (polygon.size() < 3) return;
-    const glm::dvec3 normal = normal_of(polygon);
-    const double length = glm::length(normal);
-    if (!(length > 0)) return;
-    const std::uint32_t packed = pack_normal(glm::vec3(normal / length));
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
-      std::uint32_t flags = bright ? highlighted : 0u;
-      if (k > 1) flags |= hide_edge_01;
-      if (k + 2 < polygon.size()) flags |= hide_edge_20;
-      for (const std::size_t i : {std::size_t{0}, k, k + 1})
-        faces_.corners.push_back({glm::vec3(polygon[i] - origin_), packed, color, flags});
-      faces_.regions.push_back(region);
-    }
-  }
-  [[nodiscard]] CellFaces take() { return std::move(faces_); }
-
- private:
-  glm::dvec3 origin_;
-  CellFaces faces_;
-};
-
-/// Visits the regions that are there, with their vertices where shrinking has put them.
-template <typename Visit>
-void each_region(const Mesh& mesh, const CellStyle& style, Visit&& visit) {
-  VertexBuffer buffer;
-  Points points;
-  for (const Region r : mesh.regions()) {
-    if (style.hidden_regions.contains(mesh.classification(r))) continue;
-    const auto vertices = mesh.vertices_of(r, buffer);
-    points.clear();
-    for (const std::uint32_t v : vertices) points.push_back(mesh.position(Vertex(v)));
-    const glm::dvec3 center = middle(points);
-    if (style.plane && style.whole && height(*style.plane, center) < 0) continue;
-    for (glm::dvec3& p : points) p += style.shrink * (center - p);
-    visit(r, vertices, points);
-  }
 }
 
 Color region_color(const CellStyle& style, ModelRef model) {
@@ -116,11 +74,61 @@ void cut(const ShapeTemplate& shape, const Points& points, const glm::dvec4& pla
             [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
 }
 
-using Ends = std::pair<std::uint32_t, std::uint32_t>;
+EdgeEnds in_order(std::uint32_t a, std::uint32_t b) {
+  return {Vertex(std::min(a, b)), Vertex(std::max(a, b))};
+}
 
-void make_unique(std::vector<Ends>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+bool is_behind(const Mesh& mesh, EntityRef e, const CellStyle& style) {
+  return style.plane && style.whole && !is_before(mesh, e, *style.plane);
+}
+
+bool contains(std::span<const std::uint32_t> vertices, Vertex v) {
+  return std::find(vertices.begin(), vertices.end(), v.index) != vertices.end();
+}
+
+/// The sides that have only one kept region, of those at an edge.
+class OuterSides {
+ public:
+  /// A side of a kept region.
+  void add(std::span<const std::uint32_t> side, const EdgeEnds& ends) {
+    if (!contains(side, ends[0]) || !contains(side, ends[1])) return;
+    Key key;
+    key.fill(no_index);
+    std::copy(side.begin(), side.end(), key.begin());
+    std::sort(key.begin(), key.end());
+    const auto other = std::find(single_.begin(), single_.end(), key);
+    if (other == single_.end())
+      single_.push_back(key);
+    else
+      single_.erase(other);
+  }
+  [[nodiscard]] bool any() const { return !single_.empty(); }
+
+ private:
+  using Key = std::array<std::uint32_t, max_face_vertices>;
+  std::vector<Key> single_;
+};
+
+bool has_region(const Mesh& mesh, std::span<const std::uint32_t> face) {
+  VertexBuffer buffer;
+  for (const Region r : mesh.row<3>(Vertex(face[0]))) {
+    const auto whole = mesh.vertices_of(r, buffer);
+    if (std::all_of(face.begin(), face.end(),
+                    [&](std::uint32_t v) { return contains(whole, Vertex(v)); }))
+      return true;
+  }
+  return false;
+}
+
+/// Faces that no region has are part of the outer surface too.
+bool on_loose_face(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style) {
+  VertexBuffer buffer;
+  for (const Face f : mesh.row<2>(ends[0])) {
+    const auto face = mesh.vertices_of(f, buffer);
+    if (contains(face, ends[1]) && !has_region(mesh, face) && !is_behind(mesh, f, style))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -143,78 +151,130 @@ CellStyle cell_style(const View& view, const Box& bounds) {
   return style;
 }
 
-void CellFaces::append(const CellFaces& other) {
-  corners.insert(corners.end(), other.corners.begin(), other.corners.end());
-  regions.insert(regions.end(), other.regions.begin(), other.regions.end());
+bool is_shown(const Mesh& mesh, Region region, const CellStyle& style) {
+  return !style.hidden_regions.contains(mesh.classification(region)) &&
+         !is_behind(mesh, region, style);
 }
 
-CellFaces draw_sections(const Mesh& mesh, const CellStyle& style, const glm::dvec3& origin) {
-  PolygonDrawing drawing(origin);
-  const glm::dvec3 inward = glm::dvec3(*style.plane) * style.hair;
-  Points polygon;
-  each_region(mesh, style, [&](Region r, std::span<const std::uint32_t>, const Points& points) {
-    cut(shape_template(mesh.shape(r)), points, *style.plane, polygon);
-    if (polygon.size() < 3) return;
-    for (glm::dvec3& p : polygon) p += inward;
-    const ModelRef model = mesh.classification(r);
-    drawing.add(polygon, r, region_color(style, model), bright(style, model));
-  });
-  return drawing.take();
+void CellPainter::clear() {
+  faces_.corners.clear();
+  faces_.regions.clear();
 }
 
-CellFaces draw_shrunken(const Mesh& mesh, const Skin& skin, const CellStyle& style,
-                        const glm::dvec3& origin) {
-  PolygonDrawing drawing(origin);
-  Points polygon;
-  each_region(mesh, style, [&](Region r, std::span<const std::uint32_t>, const Points& points) {
-    const ShapeTemplate& shape = shape_template(mesh.shape(r));
-    const ModelRef model = mesh.classification(r);
-    const glm::dvec3 center = middle(points);
-    for (int k = 0; k < shape.face_count; ++k) {
-      polygon.clear();
-      const SubEntity& side = shape.sub(2, k);
-      const auto corners = static_cast<std::size_t>(shape_template(side.shape).vertex_count);
-      for (std::size_t i = 0; i < corners; ++i) polygon.push_back(points[side.vertices[i]]);
-      // Files bring regions that are numbered inside out.
-      if (glm::dot(normal_of(polygon), middle(polygon) - center) < 0)
-        std::reverse(polygon.begin(), polygon.end());
-      drawing.add(polygon, r, region_color(style, model), bright(style, model));
-    }
-  });
-  for (const SkinFace& face : skin.faces()) {
-    if (face.has_inside || face.has_outside) continue;
-    polygon.clear();
-    for (const std::uint32_t v : face.corners()) polygon.push_back(mesh.position(Vertex(v)));
-    const glm::dvec3 center = middle(polygon);
-    for (glm::dvec3& p : polygon) p += style.shrink * (center - p);
-    drawing.add(polygon, Region(), region_color(style, face.model), false);
+void CellPainter::add(Region region) {
+  if ((style_.shrink <= 0 && !style_.sections()) || !is_shown(mesh_, region, style_)) return;
+  VertexBuffer buffer;
+  points_.clear();
+  for (const std::uint32_t v : mesh_.vertices_of(region, buffer))
+    points_.push_back(mesh_.position(Vertex(v)));
+  const glm::dvec3 center = middle(points_);
+  for (glm::dvec3& p : points_) p += style_.shrink * (center - p);
+  if (style_.shrink > 0) add_sides(region);
+  if (style_.sections()) add_section(region);
+}
+
+void CellPainter::add_section(Region region) {
+  cut(shape_template(mesh_.shape(region)), points_, *style_.plane, polygon_);
+  for (glm::dvec3& p : polygon_) p += glm::dvec3(*style_.plane) * style_.hair;
+  const ModelRef model = mesh_.classification(region);
+  add_polygon(region, model, bright(style_, model));
+}
+
+/// Files bring regions that are numbered inside out.
+void CellPainter::add_sides(Region region) {
+  const ShapeTemplate& shape = shape_template(mesh_.shape(region));
+  const ModelRef model = mesh_.classification(region);
+  const glm::dvec3 center = middle(points_);
+  for (int k = 0; k < shape.face_count; ++k) {
+    polygon_.clear();
+    const SubEntity& side = shape.sub(2, k);
+    const auto corners = static_cast<std::size_t>(shape_template(side.shape).vertex_count);
+    for (std::size_t i = 0; i < corners; ++i) polygon_.push_back(points_[side.vertices[i]]);
+    if (glm::dot(normal_of(polygon_), middle(polygon_) - center) < 0)
+      std::reverse(polygon_.begin(), polygon_.end());
+    add_polygon(region, model, bright(style_, model));
   }
-  return drawing.take();
 }
 
-std::vector<Segment> draw_interior_edges(const Mesh& mesh, const Skin& skin, const CellStyle& style,
-                                         const glm::dvec3& origin) {
-  std::vector<Ends> edges, outer, inner;
-  each_region(mesh, style, [&](Region r, std::span<const std::uint32_t> vertices, const Points&) {
+void CellPainter::add_loose(const SkinFace& face) {
+  polygon_.clear();
+  for (const std::uint32_t v : face.corners()) polygon_.push_back(mesh_.position(Vertex(v)));
+  const glm::dvec3 center = middle(polygon_);
+  for (glm::dvec3& p : polygon_) p += style_.shrink * (center - p);
+  add_polygon({}, face.model, false);
+}
+
+/// As a fan whose inner lines do not show.
+void CellPainter::add_polygon(Region region, ModelRef model, bool bright) {
+  if (polygon_.size() < 3) return;
+  const glm::dvec3 normal = normal_of(polygon_);
+  const double length = glm::length(normal);
+  if (!(length > 0)) return;
+  const std::uint32_t packed = pack_normal(glm::vec3(normal / length));
+  const Color color = region_color(style_, model);
+  for (std::size_t k = 1; k + 1 < polygon_.size(); ++k) {
+    std::uint32_t flags = bright ? highlighted : 0u;
+    if (k > 1) flags |= hide_edge_01;
+    if (k + 2 < polygon_.size()) flags |= hide_edge_20;
+    for (const std::size_t i : {std::size_t{0}, k, k + 1})
+      faces_.corners.push_back({glm::vec3(polygon_[i] - origin_), packed, color, flags});
+    faces_.regions.push_back(region);
+  }
+}
+
+CellFaces paint_cells(const Mesh& mesh, const Skin& skin, const CellStyle& style,
+                      const glm::dvec3& origin) {
+  CellPainter painter(mesh, style, origin);
+  for (const Region r : mesh.regions()) painter.add(r);
+  for (const SkinFace& face : skin.faces())
+    if (style.shrink > 0 && !face.has_inside && !face.has_outside) painter.add_loose(face);
+  return painter.take();
+}
+
+std::vector<EdgeEnds> find_inner_edges(const Mesh& mesh, const Skin& skin, const CellStyle& style) {
+  std::vector<EdgeEnds> edges, outer, inner;
+  VertexBuffer buffer;
+  for (const Region r : mesh.regions()) {
+    if (!is_shown(mesh, r, style)) continue;
+    const auto vertices = mesh.vertices_of(r, buffer);
     const ShapeTemplate& shape = shape_template(mesh.shape(r));
     for (int e = 0; e < shape.edge_count; ++e) {
       const auto& ends = shape.sub(1, e).vertices;
-      edges.push_back(std::minmax({vertices[ends[0]], vertices[ends[1]]}));
+      edges.push_back(in_order(vertices[ends[0]], vertices[ends[1]]));
     }
-  });
+  }
   for (const SkinFace& face : skin.faces())
     for (std::size_t k = 0; face.outer() && k < face.count; ++k)
-      outer.push_back(std::minmax({face.vertices[k], face.vertices[(k + 1) % face.count]}));
-  make_unique(edges);
-  make_unique(outer);
+      outer.push_back(in_order(face.vertices[k], face.vertices[(k + 1) % face.count]));
+  sort_once(edges);
+  sort_once(outer);
   std::set_difference(edges.begin(), edges.end(), outer.begin(), outer.end(),
                       std::back_inserter(inner));
-  std::vector<Segment> lines;
-  lines.reserve(inner.size());
-  const auto place = [&](std::uint32_t v) { return glm::vec3(mesh.position(Vertex(v)) - origin); };
-  const Color color = interior_edge_color(style.theme);
-  for (const auto& [a, b] : inner) lines.push_back({place(a), place(b), color, interior_edge_px});
-  return lines;
+  return inner;
+}
+
+bool is_inner_edge(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style) {
+  if (!mesh.alive(ends[0]) || !mesh.alive(ends[1])) return false;
+  bool shown = false;
+  OuterSides sides;
+  VertexBuffer buffer;
+  for (const Region r : mesh.row<3>(ends[0])) {
+    const auto vertices = mesh.vertices_of(r, buffer);
+    const ShapeTemplate& shape = shape_template(mesh.shape(r));
+    for (int e = 0; e < shape.edge_count && !shown; ++e) {
+      const auto& at = shape.sub(1, e).vertices;
+      shown = in_order(vertices[at[0]], vertices[at[1]]) == ends && is_shown(mesh, r, style);
+    }
+    for (int k = 0; k < shape.face_count && !is_behind(mesh, r, style); ++k)
+      sides.add(SideVertices(shape.sub(2, k), vertices.data()).span(), ends);
+  }
+  return shown && !sides.any() && !on_loose_face(mesh, ends, style);
+}
+
+Segment draw_inner_edge(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style,
+                        const glm::dvec3& origin) {
+  const auto place = [&](Vertex v) { return glm::vec3(mesh.position(v) - origin); };
+  return {place(ends[0]), place(ends[1]), interior_edge_color(style.theme), interior_edge_px};
 }
 
 }  // namespace aomd::scene

@@ -3,12 +3,14 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "core/mesh/mesh.h"
+#include "core/operators/collapse_rules.h"
 #include "viewer/document/skin.h"
 #include "viewer/drawing/drawable.h"
 #include "viewer/drawing/view.h"
@@ -36,27 +38,55 @@ struct CellStyle {
 };
 [[nodiscard]] CellStyle cell_style(const View& view, const Box& bounds);
 
+/// Whether a region is not hidden, and not taken away as a whole by the plane.
+[[nodiscard]] bool is_shown(const Mesh& mesh, Region region, const CellStyle& style);
+
 /// Triangles of regions, as corners of them.
 struct CellFaces {
   std::vector<Corner> corners;  ///< three a triangle
   std::vector<Region> regions;  ///< one a triangle; invalid: a face that no region has
-  void append(const CellFaces& other);
 };
 
-/// The cut through every region, as a polygon of it (which is expected to be convex), a hair inside
-/// of what is kept so that the plane does not clip it. Positions are relative to `origin`.
-/// O(regions).
-[[nodiscard]] CellFaces draw_sections(const Mesh& mesh, const CellStyle& style,
-                                      const glm::dvec3& origin);
+/// Draws regions one after the other: the cut through each as a polygon (a region is expected to be
+/// convex), a hair inside of what is kept so that the plane does not clip it, or all sides of it,
+/// pulled towards its middle. Positions are relative to `origin`.
+class CellPainter {
+ public:
+  CellPainter(const Mesh& mesh, const CellStyle& style, const glm::dvec3& origin)
+      : mesh_(mesh), style_(style), origin_(origin) {}
+  /// Nothing where it is not shown, or the style draws no cells.
+  void add(Region region);
+  /// A face that no region has, shrunken likewise.
+  void add_loose(const SkinFace& face);
+  [[nodiscard]] const CellFaces& faces() const { return faces_; }
+  void clear();
+  [[nodiscard]] CellFaces take() { return std::move(faces_); }
 
-/// All sides of all regions, and the faces of `skin` that no region has, each pulled towards the
-/// middle of its region or face. O(regions + skin).
-[[nodiscard]] CellFaces draw_shrunken(const Mesh& mesh, const Skin& skin, const CellStyle& style,
-                                      const glm::dvec3& origin);
+ private:
+  using Points = std::vector<glm::dvec3>;
+  void add_section(Region region);
+  void add_sides(Region region);
+  void add_polygon(Region region, ModelRef model, bool bright);
 
-/// The edges of regions that are on no side of the skin's outer surface, each once. O(n log n).
-[[nodiscard]] std::vector<Segment> draw_interior_edges(const Mesh& mesh, const Skin& skin,
-                                                       const CellStyle& style,
-                                                       const glm::dvec3& origin);
+  const Mesh& mesh_;
+  const CellStyle& style_;
+  glm::dvec3 origin_;
+  Points points_, polygon_;  ///< scratch
+  CellFaces faces_;
+};
+
+/// All of them, and the faces of `skin` that no region has. O(regions + skin).
+[[nodiscard]] CellFaces paint_cells(const Mesh& mesh, const Skin& skin, const CellStyle& style,
+                                    const glm::dvec3& origin);
+
+/// The edges of regions that are on no side of the skin's outer surface, each once, the smaller end
+/// first. O(n log n).
+[[nodiscard]] std::vector<EdgeEnds> find_inner_edges(const Mesh& mesh, const Skin& skin,
+                                                     const CellStyle& style);
+/// Whether an edge is one of those, by T(0,2) and T(0,3), which must be stored. O(what is around
+/// it).
+[[nodiscard]] bool is_inner_edge(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style);
+[[nodiscard]] Segment draw_inner_edge(const Mesh& mesh, const EdgeEnds& ends,
+                                      const CellStyle& style, const glm::dvec3& origin);
 
 }  // namespace aomd::scene

@@ -98,14 +98,17 @@ void CornerNormals::join_smooth_ones() {
   std::sort(sides_.begin(), sides_.end(), [](const Side& x, const Side& y) {
     return x.far != y.far ? x.far < y.far : x.corner < y.corner;
   });
-  for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
     const Side& x = sides_[i];
-    const Side& y = sides_[i + 1];
-    if (x.far != y.far || std::binary_search(sharp_.begin(), sharp_.end(), x.far)) continue;
-    if (glm::dot(normals_[x.corner], normals_[y.corner]) < split_cosine) continue;
-    const std::uint32_t i_root = root(x.corner);
-    const std::uint32_t j_root = root(y.corner);
-    parent_[std::max(i_root, j_root)] = std::min(i_root, j_root);
+    if (std::binary_search(sharp_.begin(), sharp_.end(), x.far)) continue;
+    // Of three and more faces at an edge each is held against all others: their ids have no say.
+    for (std::size_t k = i + 1; k < sides_.size() && sides_[k].far == x.far; ++k) {
+      const Side& y = sides_[k];
+      if (glm::dot(normals_[x.corner], normals_[y.corner]) < split_cosine) continue;
+      const std::uint32_t i_root = root(x.corner);
+      const std::uint32_t j_root = root(y.corner);
+      parent_[std::max(i_root, j_root)] = std::min(i_root, j_root);
+    }
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include <glm/geometric.hpp>
 
+#include "core/measure/volume_statistics.h"
 #include "viewer/document/beside_mesh.h"
 
 namespace aomd::scene {
@@ -63,6 +65,34 @@ std::vector<Sample> samples_of(HistogramKind kind, const Mesh& mesh,
                                        : measure::valences(mesh);
 }
 
+/// Sorted by what they are.
+std::vector<RegionContent> region_contents(const Mesh& mesh) {
+  std::map<ModelRef, RegionContent> regions;
+  for (const Region r : mesh.regions()) {
+    RegionContent& content = regions[mesh.classification(r)];
+    ++content.count;
+    // Whichever way files number them.
+    content.volume += std::abs(measure::signed_volume(mesh, r));
+  }
+  std::vector<RegionContent> contents;
+  for (auto& [model, content] : regions) {
+    content.model = model;
+    contents.push_back(content);
+  }
+  return contents;
+}
+
+/// Those of both, side by side.
+std::vector<RegionChange> side_by_side(const std::vector<RegionContent>& now,
+                                       const std::vector<RegionContent>& before) {
+  std::map<ModelRef, RegionChange> both;
+  for (const RegionContent& each : before) both[each.model] = {{each.model, 0, 0}, each};
+  for (const RegionContent& each : now) both[each.model].now = each;
+  std::vector<RegionChange> changes;
+  for (const auto& [model, change] : both) changes.push_back(change);
+  return changes;
+}
+
 constexpr std::array kinds = {HistogramKind::Angle, HistogramKind::Length, HistogramKind::Valence};
 
 }  // namespace
@@ -101,6 +131,7 @@ void HistogramKeeper::measure_before(Document& document, const KeptRun* referenc
   histograms_->wanted_lengths = some_wanted(mesh, lengths_);
   if (!histograms_->wanted_lengths) lengths_.assign(mesh.capacity(0), mean_length(mesh));
   const auto measure = [&](const Mesh& earlier, const Column<Vertex, double>& lengths) {
+    regions_before_ = region_contents(earlier);
     for (const HistogramKind kind : kinds)
       histograms_->pairs[static_cast<std::size_t>(kind)].earlier =
           samples_of(kind, earlier, lengths);
@@ -113,6 +144,7 @@ void HistogramKeeper::measure_before(Document& document, const KeptRun* referenc
 }
 
 void HistogramKeeper::measure_now(const Mesh& mesh) {
+  histograms_->regions = side_by_side(region_contents(mesh), regions_before_);
   for (const HistogramKind kind : kinds) {
     HistogramPair& pair = histograms_->pairs[static_cast<std::size_t>(kind)];
     pair.samples = samples_of(kind, mesh, lengths_);

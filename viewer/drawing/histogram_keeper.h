@@ -2,6 +2,7 @@
 // Histograms of the present mesh beside those of the mesh as loaded, or of a kept state.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -21,6 +22,23 @@ struct HistogramPair {
   measure::Histogram before, now;
 };
 
+/// What a model region holds.
+struct RegionContent {
+  ModelRef model;
+  std::int64_t count = 0;  ///< of regions of the mesh
+  double volume = 0;       ///< in cubed units of the mesh
+};
+/// A model region of the present mesh and of the earlier one.
+struct RegionChange {
+  RegionContent now, before;
+  /// Of the volume, in percent of what it was.
+  [[nodiscard]] double percent() const {
+    return before.volume > 0 ? 100 * (now.volume / before.volume - 1) : 0;
+  }
+  /// More than decimation lets a region owe (docs/VOLUMES.md).
+  [[nodiscard]] bool large() const { return std::abs(percent()) > 0.1; }
+};
+
 /// By HistogramKind. Of a volume there are smallest dihedral angles alone, and the others are
 /// empty.
 struct Histograms {
@@ -28,6 +46,7 @@ struct Histograms {
   bool changed = false;         ///< whether the mesh may differ from the one as loaded
   bool wanted_lengths = false;  ///< lengths over the wanted ones; else over their mean as loaded
   bool volume = false;
+  std::vector<RegionChange> regions;  ///< of a volume, in ascending order of their tags
 
   [[nodiscard]] const HistogramPair& of(HistogramKind kind) const {
     return pairs[static_cast<std::size_t>(kind)];
@@ -59,6 +78,7 @@ class HistogramKeeper {
   void measure_before(Document& document, const KeptRun* reference);
 
   std::optional<Histograms> histograms_;
+  std::vector<RegionContent> regions_before_;
   Column<Vertex, double> lengths_;  ///< what edges are held against
   HistoryPlace place_;
   unsigned reference_ = 0;

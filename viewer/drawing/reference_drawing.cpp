@@ -42,11 +42,8 @@ void ReferenceDrawing::update(Document& document, const KeptRun* reference, cons
 const Mesh& ReferenceDrawing::draw_skin(const Mesh& mesh, const Box& bounds, const View& view,
                                         SurfaceChanges& changes) {
   if (!skin_) skin_.emplace(mesh), skin_keeper_.emplace();
-  const SkinSource source{mesh, *skin_, bounds, {}};
-  const SkinKeeper::Changes found = skin_keeper_->update(source, view);
-  changes.everything = found.surface;
-  if (found.surface) drawing_.set_face_flags(skin_keeper_->surface()->flags);
-  if (found.inside) skin_keeper_->draw_inside(source, drawing_);
+  const SkinSource source{mesh, [this]() -> const Skin& { return *skin_; }, bounds, {}};
+  changes = skin_keeper_->update(source, view, {}, drawing_).surface;
   drawing_.set_whole_faces(false);
   return skin_keeper_->surface()->mesh;
 }

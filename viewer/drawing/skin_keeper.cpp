@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "viewer/drawing/skin_patch.h"
+
 namespace aomd::scene {
 namespace {
 
@@ -20,47 +22,61 @@ SkinStyle skin_style(const View& view) {
 
 }  // namespace
 
-SkinKeeper::Changes SkinKeeper::update(const SkinSource& source, const View& view) {
+SkinSource skin_source(Document& document) {
+  const LoadedMesh& content = document.content();
+  return {content.mesh,
+          [&document, &content]() -> const Skin& {
+            document.renew_skin();
+            return *content.skin;
+          },
+          content.bounds, document.place(), content.prepared};
+}
+
+SkinKeeper::Changes SkinKeeper::update(const SkinSource& source, const View& view,
+                                       const VolumeChanges& changes, SurfaceDrawing& drawing) {
   const CellStyle cells = cell_style(view, source.bounds);
-  Changes changes;
-  changes.mesh = !current(source.place);
-  changes.inside = changes.mesh || cells_ != cells;
-  cells_ = cells;
-  const auto plane = cells.whole_plane();
   const SkinStyle style = skin_style(view);
-  changes.surface = changes.mesh || plane != plane_ || style != style_;
-  if (!changes.surface) return changes;
-  cut(source, plane, changes.mesh);
+  Changes found;
+  found.mesh = !current(source.place);
+  const bool other_skin = cells.whole_plane() != plane_ || style != style_ || !surface_;
+  const bool patches = found.mesh && source.prepared && !changes.everything;
+  const bool anew = found.mesh && !patches;
+  found.surface.everything = other_skin || anew;
+  found.inside = found.mesh || cells_ != cells;
+  if (found.mesh) cutter_.reset();
+  if (found.mesh || cells.whole_plane() != plane_) clipped_.reset();
+  const bool inside_anew = anew || cells_ != cells;
+  plane_ = cells.whole_plane();
+  cells_ = cells;
   style_ = style;
   place_ = source.place;
-  surface_.emplace(make_skin_surface(source.mesh, skin(source), style));
-  return changes;
+  if (found.surface.everything) make_surface(source, drawing);
+  if (patches && !other_skin) patch_surface(source, changes, drawing, found.surface);
+  if (inside_anew) inside_.draw(source.mesh, skin(source), *cells_, drawing.drawable());
+  if (patches && !inside_anew) inside_.patch(source.mesh, changes, *cells_, drawing.drawable());
+  return found;
 }
 
-void SkinKeeper::cut(const SkinSource& source, const std::optional<glm::dvec4>& plane, bool anew) {
-  if (anew) cutter_.reset();
-  if (anew || plane != plane_) clipped_.reset();
-  plane_ = plane;
-  if (!plane) return;
+void SkinKeeper::make_surface(const SkinSource& source, SurfaceDrawing& drawing) {
+  surface_.emplace(make_skin_surface(source.mesh, skin(source), style_));
+  drawing.set_face_flags(surface_->flags);
+}
+
+void SkinKeeper::patch_surface(const SkinSource& source, const VolumeChanges& changes,
+                               SurfaceDrawing& drawing, SurfaceChanges& found) {
+  found = SkinPatch(source.mesh, style_, plane_, *surface_).apply(changes);
+  for (const Face f : found.faces)
+    if (surface_->mesh.alive(f)) drawing.set_face_flags(f, surface_->flags[f.index]);
+}
+
+/// As the plane leaves it. A cutter serves many planes, but one mesh.
+const Skin& SkinKeeper::skin(const SkinSource& source) {
+  if (!plane_) return source.whole();
+  if (clipped_) return *clipped_;
+  if (source.prepared && is_of_tetrahedra(source.mesh))
+    return clipped_.emplace(Skin::of_tetrahedra(source.mesh, plane_));
   if (!cutter_) cutter_ = std::make_unique<SkinCutter>(source.mesh);
-  if (!clipped_) clipped_.emplace(cutter_->before(*plane));
-}
-
-const Skin& SkinKeeper::skin(const SkinSource& source) const {
-  return clipped_ ? *clipped_ : source.skin;
-}
-
-void SkinKeeper::draw_inside(const SkinSource& source, SurfaceDrawing& drawing) {
-  const Mesh& mesh = source.mesh;
-  const glm::dvec3 origin = source.bounds.center();
-  CellFaces faces;
-  if (cells_->shrink > 0) faces = draw_shrunken(mesh, skin(source), *cells_, origin);
-  if (cells_->sections()) faces.append(draw_sections(mesh, *cells_, origin));
-  drawing.set_cells(std::move(faces.corners));
-  cell_regions_ = std::move(faces.regions);
-  drawing.set_interior_edges(cells_->interior_edges
-                                 ? draw_interior_edges(mesh, skin(source), *cells_, origin)
-                                 : std::vector<Segment>());
+  return clipped_.emplace(cutter_->before(*plane_));
 }
 
 }  // namespace aomd::scene

@@ -14,22 +14,15 @@ namespace {
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const Mesh& mesh, const SkinStyle& style)
-      : mesh_(mesh), style_(style), new_index_(mesh.capacity(0), no_index) {}
+      : mesh_(mesh), style_(style), drawn_(mesh.capacity(0)) {}
 
   void add(const SkinFace& face) {
-    const bool inside = face.has_inside && !style_.hidden_regions.contains(face.inside);
-    const bool outside = face.has_outside && !style_.hidden_regions.contains(face.outside);
-    const bool loose = !face.has_inside && !face.has_outside;
-    if (!loose && !inside && !outside) return;
-    if (inside && outside && !style_.interfaces) return;
-    polygon_.assign(face.corners().begin(), face.corners().end());
-    if (outside && !inside) std::reverse(polygon_.begin(), polygon_.end());
-    const bool bright = (inside && style_.highlighted_region == face.inside) ||
-                        (outside && style_.highlighted_region == face.outside);
-    const ModelRef region = inside ? face.inside : face.outside;
-    add_polygon(face.model.dimension() == 2 || loose ? face.model : region, bright);
-    faces_.resize(flags_.size(), face.face);
-    regions_.resize(flags_.size(), inside ? face.inside_region : face.outside_region);
+    const auto shown = shown_face(face, style_);
+    if (!shown) return;
+    polygon_.assign(shown->vertices.begin(), shown->vertices.begin() + shown->count);
+    add_polygon(shown->model, shown->bright);
+    faces_.resize(flags_.size(), shown->face);
+    regions_.resize(flags_.size(), shown->region);
   }
 
   void add_model_edges_and_vertices() {
@@ -46,8 +39,13 @@ class SurfaceBuilder {
 
   [[nodiscard]] SkinSurface finish() {
     const bool named = !data_.edges.empty();
-    SkinSurface surface{Mesh(data_), std::move(flags_), std::move(vertices_), std::move(faces_),
-                        std::move(regions_)};
+    SkinSurface surface{Mesh(data_),
+                        std::move(flags_),
+                        std::move(vertices_),
+                        std::move(faces_),
+                        std::move(regions_),
+                        std::move(drawn_),
+                        named};
     Mesh& mesh = surface.mesh;
     mesh.set(0, 1);
     mesh.set(0, 2);
@@ -58,13 +56,13 @@ class SurfaceBuilder {
 
  private:
   std::uint32_t vertex(std::uint32_t old) {
-    std::uint32_t& index = new_index_[old];
-    if (index != no_index) return index;
-    index = static_cast<std::uint32_t>(data_.positions.size());
+    Vertex& drawn = drawn_[Vertex(old)];
+    if (drawn.valid()) return drawn.index;
+    drawn = Vertex(static_cast<std::uint32_t>(data_.positions.size()));
     data_.positions.push_back(mesh_.position(Vertex(old)));
     vertices_.emplace_back(old);
     data_.vertex_classes.push_back(mesh_.classification(Vertex(old)));
-    return index;
+    return drawn.index;
   }
 
   double distance(std::size_t a, std::size_t b) const {
@@ -90,18 +88,15 @@ class SurfaceBuilder {
   }
 
   static void mark_borders(Mesh& mesh) {
-    const Request faces_around = mesh.request(1, 2, "drawing");
     for (const Edge e : mesh.edges()) {
-      const Row<2> faces = mesh.row<2>(e);
-      for (std::size_t i = 1; i < faces.size(); ++i)
-        if (mesh.classification(faces[i]) != mesh.classification(faces[0]))
-          mesh.set_classification(e, unnamed_border);
+      const auto [a, b] = mesh.edge_vertices(e);
+      if (parts_classes(mesh, a, b)) mesh.set_classification(e, unnamed_border);
     }
   }
 
   const Mesh& mesh_;
   const SkinStyle& style_;
-  std::vector<std::uint32_t> new_index_;
+  Column<Vertex, Vertex> drawn_;
   std::vector<std::uint32_t> polygon_;
   MeshData data_;
   std::vector<std::uint32_t> flags_;
@@ -111,6 +106,39 @@ class SurfaceBuilder {
 };
 
 }  // namespace
+
+std::optional<ShownFace> shown_face(const SkinFace& face, const SkinStyle& style) {
+  const bool inside = face.has_inside && !style.hidden_regions.contains(face.inside);
+  const bool outside = face.has_outside && !style.hidden_regions.contains(face.outside);
+  const bool loose = !face.has_inside && !face.has_outside;
+  if (!loose && !inside && !outside) return {};
+  if (inside && outside && !style.interfaces) return {};
+  ShownFace shown{face.vertices, face.count, {}, false, face.face, {}};
+  if (outside && !inside)
+    std::reverse(shown.vertices.begin(), shown.vertices.begin() + shown.count);
+  shown.bright = (inside && style.highlighted_region == face.inside) ||
+                 (outside && style.highlighted_region == face.outside);
+  shown.region = inside ? face.inside_region : face.outside_region;
+  const ModelRef region = inside ? face.inside : face.outside;
+  shown.model = face.model.dimension() == 2 || loose ? face.model : region;
+  return shown;
+}
+
+bool SkinSurface::has_edge(Vertex a, Vertex b) const {
+  if (std::max(a, b).index >= drawn.size() || !drawn[a].valid() || !drawn[b].valid()) return false;
+  return mesh.find_edge(drawn[a], drawn[b]).valid();
+}
+
+bool parts_classes(const Mesh& surface, Vertex a, Vertex b) {
+  std::optional<ModelRef> first;
+  for (const Face f : surface.row<2>(a)) {
+    const auto t = surface.triangle(f);
+    if (std::find(t.begin(), t.end(), b) == t.end()) continue;
+    if (first && *first != surface.classification(f)) return true;
+    first = surface.classification(f);
+  }
+  return false;
+}
 
 SkinSurface make_skin_surface(const Mesh& mesh, const Skin& skin, const SkinStyle& style) {
   SurfaceBuilder builder(mesh, style);

@@ -63,6 +63,10 @@ class SurfaceDrawing {
   void set_bounds(const Box& bounds);
   /// CornerFlag by face, for all faces or none: lines that are not drawn, faces that are bright.
   void set_face_flags(std::vector<std::uint32_t> flags) { face_flags_ = std::move(flags); }
+  void set_face_flags(Face face, std::uint32_t flags) {
+    if (face.index >= face_flags_.size()) face_flags_.resize(face.index + std::size_t{1}, 0);
+    face_flags_[face.index] = flags;
+  }
   /// What is said about each edge, for the flags of its faces; null: nothing. Drawn from the next
   /// update on.
   void set_edge_codes(std::shared_ptr<const EdgeCodes> codes) { edge_codes_ = std::move(codes); }
@@ -76,11 +80,6 @@ class SurfaceDrawing {
   /// Brightens faces, edges and vertices; those of the last call are as before. O(entities), and
   /// drawn from the next highlight_step() on where they are edges or vertices.
   void set_marked(const Mesh& mesh, std::vector<EntityRef> marked);
-  /// Sections and shrunken regions, and edges inside a volume.
-  void set_cells(std::vector<Corner> cells) { drawable_.cells.assign(std::move(cells)); }
-  void set_interior_edges(std::vector<Segment> edges) {
-    drawable_.interior_edges.assign(std::move(edges));
-  }
   /// O(changes); O(size) when everything changed, or when colours, hidden or highlighted entities
   /// did.
   void update(const Mesh& mesh, const View& view, const SurfaceChanges& changes);

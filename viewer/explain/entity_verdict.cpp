@@ -4,12 +4,15 @@
 
 #include "core/decimate/guard/surface_change.h"
 #include "core/mesh/names.h"
+#include "core/operators/ball.h"
+#include "viewer/base/sort_once.h"
 #include "viewer/drawing/selection_drawing.h"
 
 namespace aomd::scene {
 namespace {
 
-constexpr Color ghost = rgb(0x22d3ee);
+constexpr Color ghost = ghost_color();
+constexpr Color vanishing = vanishing_color();
 constexpr Color rim = rgb(0x1b2430);
 constexpr float tint = 0.30f;
 
@@ -39,6 +42,10 @@ struct Sketch {
     rims.push_back({place(from), place(to), rim, 4.2f});
     lines.push_back({place(from), place(to), ghost, 2.4f});
   }
+  void thin_line(const glm::dvec3& from, const glm::dvec3& to, Color color) {
+    rims.push_back({place(from), place(to), rim, 2.8f});
+    lines.push_back({place(from), place(to), color, 1.4f});
+  }
   void move(const glm::dvec3& from, const glm::dvec3& to) {
     line(from, to);
     discs.push_back({place(to), ghost, 5.5f});
@@ -57,6 +64,52 @@ void draw_change(const Change& change, EntityRef decided, Sketch& sketch) {
     if (!decides(f)) sketch.triangle(f.corners, ghost, 1.6f);
   for (const NewFace& f : change.created)
     if (decides(f)) sketch.triangle(f.corners, deciding_style().color, 2.6f);
+}
+
+/// All tetrahedra around a vertex; none on surfaces and beside other shapes, which stay.
+Ball ball_around(const Mesh& mesh, Vertex v) {
+  Ball ball;
+  if (mesh.count(3) > 0 && mesh.stored(0, 3) && !first_other_shape(mesh, v).valid())
+    gather(mesh, v, ball);
+  return ball;
+}
+
+/// A tetrahedron whose vertex stands where it would be.
+void draw_stretched(const Mesh& mesh, const BallRegion& r, const glm::dvec3& apex, Color color,
+                    Sketch& sketch) {
+  const std::array p{mesh.position(r.others[0]), mesh.position(r.others[1]),
+                     mesh.position(r.others[2])};
+  for (std::size_t i = 0; i < 3; ++i) sketch.triangle({apex, p[i], p[(i + 1) % 3]}, color, 2.2f);
+  sketch.triangle({p[0], p[2], p[1]}, color, 2.2f);
+}
+
+/// Edges from where a vertex would be to those around it.
+void draw_spokes(const Mesh& mesh, const Ball& ball, Vertex except, const glm::dvec3& apex,
+                 Sketch& sketch) {
+  std::vector<Vertex> far;
+  for_corners(ball, [&](Vertex v) { far.push_back(v); });
+  sort_once(far);
+  for (const Vertex v : far)
+    if (v != except) sketch.thin_line(apex, mesh.position(v), ghost);
+}
+
+/// Among tetrahedra those around the edge vanish, and the others at an end that goes or moves
+/// stretch; the one that decides is drawn as it would be.
+void draw_balls(const Mesh& mesh, const CollapseWay& way, Sketch& sketch) {
+  const Contraction& c = way.outlook.contraction;
+  const EntityRef decided = way.outlook.verdict.entity;
+  const bool moves = c.position != mesh.position(c.kept);
+  for (const Vertex end : {c.deleted, c.kept}) {
+    const Vertex other = end == c.deleted ? c.kept : c.deleted;
+    const Ball ball = ball_around(mesh, end);
+    if (end == c.deleted || moves) draw_spokes(mesh, ball, other, c.position, sketch);
+    for (const BallRegion& r : ball) {
+      if (r.uses(other) && end == c.deleted)
+        draw_stretched(mesh, r, mesh.position(end), vanishing, sketch);
+      if (!r.uses(other) && decided == EntityRef(r.region))
+        draw_stretched(mesh, r, c.position, deciding_style().color, sketch);
+    }
+  }
 }
 
 }  // namespace
@@ -101,6 +154,7 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
   Change change;
   describe(mesh, c, deleted, kept, change);
   Sketch sketch{origin, {}, {}, {}, {}};
+  draw_balls(mesh, way, sketch);
   draw_change(change, way.outlook.verdict.entity, sketch);
   sketch.move(mesh.position(c.deleted), c.position);
   sketch.finish(overlay);
@@ -108,7 +162,8 @@ void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& or
   const bool own =
       decided.dimension == 1 && !way.outlook.verdict.accepted() &&
       way.outlook.verdict.reason == Reason::Spacing;  // the edge itself is selected already
-  if (decided.valid() && !own)
+  const bool stretched = decided.dimension == 3 && !ball_around(mesh, c.deleted).empty();
+  if (decided.valid() && !own && !stretched)
     draw_entities(mesh, std::span(&decided, 1), deciding_style(), origin, overlay);
 }
 
@@ -133,6 +188,7 @@ void draw_preview(const Mesh& mesh, const MoveOutlook& move, const glm::dvec3& o
   describe(mesh, move.vertex, star, move.target, change);
   Sketch sketch{origin, {}, {}, {}, {}};
   if (move.target != mesh.position(move.vertex)) {
+    draw_spokes(mesh, ball_around(mesh, move.vertex), {}, move.target, sketch);
     draw_change(change, move.verdict.entity, sketch);
     sketch.move(mesh.position(move.vertex), move.target);
   }

@@ -38,7 +38,12 @@ struct EntityVerdict {
 /// "Vertex 12 into vertex 13"
 [[nodiscard]] std::string way_title(const CollapseWay& way);
 
-/// The new faces of a way, where its kept vertex would be, and what decided against it.
+/// Colours of previews: what would be there afterwards, and of volumes what would be gone.
+[[nodiscard]] constexpr Color ghost_color() { return rgb(0x22d3ee); }
+[[nodiscard]] constexpr Color vanishing_color() { return rgb(0x4f7df0); }
+
+/// The new faces of a way, of tetrahedra also those that vanish and the edges that stretch, where
+/// its kept vertex would be, and what decided against it.
 void draw_preview(const Mesh& mesh, const CollapseWay& way, const glm::dvec3& origin,
                   Overlay& overlay);
 /// The two faces that a swap would make; nothing where there are not two.

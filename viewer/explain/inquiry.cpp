@@ -44,9 +44,7 @@ void Inquiry::update(Document& document, const Selection& selection, const View&
   facts_.reset();
   verdict_.reset();
   if (!e.valid()) return;
-  // A volume is prepared for the first edge that is asked about: a vertex alone changes no T(I,J).
-  const bool unprepared = document.content().volume() && !document.content().prepared;
-  const bool judges = (e.dimension == 1 || (e.dimension == 0 && !unprepared)) && !busy;
+  const bool judges = document.answers_about(e) && !busy;
   if (Decimation* decimation = judges ? document.build_decimation_to_judge() : nullptr)
     verdict_ = judge(*decimation, document.mesh(), e);
   facts_ = entity_facts(document, e);

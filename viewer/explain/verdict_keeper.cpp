@@ -1,5 +1,7 @@
 #include "viewer/explain/verdict_keeper.h"
 
+#include "viewer/base/sort_once.h"
+
 namespace aomd::scene {
 
 namespace {
@@ -13,6 +15,16 @@ std::shared_ptr<const EdgeCodes> codes_of_skin(const EdgeCodes& codes, const Mes
     if (own.valid() && own.index < codes.size()) (*of_skin)[e] = codes[own];
   }
   return of_skin;
+}
+
+/// Those that changed, and those at vertices around which something did.
+std::vector<Edge> edges_around(const Mesh& mesh, const VolumeChanges& changes) {
+  std::vector<Edge> edges = changes.edges;
+  for (const Vertex v : changes.surroundings)
+    if (mesh.alive(v))
+      for (const Edge e : mesh.row<1>(v)) edges.push_back(e);
+  sort_once(edges);
+  return edges;
 }
 
 }  // namespace
@@ -29,6 +41,14 @@ void VerdictKeeper::note(const Document& document, const View& view, const Surfa
     verdicts_->note(document.mesh(), changes);
   }
   was_busy_ = busy;
+}
+
+void VerdictKeeper::note_volume(const Document& document, const View& view,
+                                const VolumeChanges& changes, bool busy) {
+  SurfaceChanges around;
+  around.everything = changes.everything;
+  if (view.coloring == Coloring::Verdict) around.edges = edges_around(document.mesh(), changes);
+  note(document, view, around, busy);
 }
 
 void VerdictKeeper::update(const Document& document, const View& view,
@@ -66,6 +86,7 @@ void VerdictKeeper::judge_skin(Document& document, const SkinSurface& skin,
 }
 
 std::vector<EntityRef> find_edges_refused_for(Document& document, Reason reason) {
+  document.prepare();  // of a volume, all edges become entities
   EdgeVerdicts verdicts;
   verdicts.start(document.mesh());
   if (Decimation* decimation = document.build_decimation_to_judge())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viewer/document/document.h"
+#include "viewer/document/volume_changes.h"
 #include "viewer/drawing/skin_surface.h"
 #include "viewer/drawing/surface_drawing.h"
 #include "viewer/drawing/view.h"
@@ -21,6 +22,9 @@ class VerdictKeeper {
   /// Notes which edges are to be judged. `busy`: the mesh is on its way, which judging would be in
   /// the way of.
   void note(const Document& document, const View& view, const SurfaceChanges& changes, bool busy);
+  /// The same for a volume.
+  void note_volume(const Document& document, const View& view, const VolumeChanges& changes,
+                   bool busy);
   /// The same for a surface, whose drawing shows them.
   void update(const Document& document, const View& view, const SurfaceChanges& changes, bool busy,
               SurfaceDrawing& drawing);

@@ -57,6 +57,7 @@ SceneTheme dark_scene_theme() {
 struct Renderer::Frame {
   glm::mat4 view;
   glm::mat4 projection;
+  glm::dvec3 origin;
   glm::vec4 clip_plane;
   glm::vec2 size_px;
   float pixel_size;  ///< world units a pixel, at depth 1 in perspective
@@ -74,9 +75,11 @@ struct Renderer::Frame {
     pixel_size = static_cast<float>(2.0 / (p[1][1] * piece.whole.y));
     near_depth = orthographic ? -std::numeric_limits<float>::max()
                               : static_cast<float>(p[3][2] / (p[2][2] - 1.0));
-    const glm::dvec4 plane = s.clip_plane.value_or(glm::dvec4(0, 0, 0, 1));
-    clip_plane =
-        glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), buffers.origin));
+    origin = buffers.origin;
+    set_clip_plane(s.clip_plane.value_or(glm::dvec4(0, 0, 0, 1)));
+  }
+  void set_clip_plane(const glm::dvec4& plane) {
+    clip_plane = glm::vec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), origin));
   }
 
   /// From the whole's clip space to the piece's.
@@ -167,7 +170,7 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   if (settings.glass) {
     frame.apply_strokes(stroke_);
     draw_strokes(buffers.interior_edges);
-    if (settings.show_surface) draw_glass(buffers.corners, frame);
+    if (settings.show_surface) draw_inside_glass(buffers.corners, frame);
   }
   if (settings.ghost != nullptr) draw_glass(settings.ghost->corners, frame);
   frame.apply_strokes(stroke_);
@@ -225,6 +228,16 @@ void Renderer::draw_overlay(const OverlayBuffers& overlay, const Frame& frame) {
   frame.apply_strokes(stroke_);
   draw_strokes(overlay.lines);
   draw_strokes(overlay.discs);
+}
+
+/// As far as the plane leaves it.
+void Renderer::draw_inside_glass(const CornerBuffer& corners, const Frame& frame) {
+  if (!frame.settings.glass_plane) return draw_glass(corners, frame);
+  Frame cut = frame;
+  cut.set_clip_plane(*frame.settings.glass_plane);
+  gl_.Enable(GL_CLIP_DISTANCE0);
+  draw_glass(corners, cut);
+  if (!frame.settings.clip_plane) gl_.Disable(GL_CLIP_DISTANCE0);
 }
 
 /// Its faces in front only. Behind faces in the same place, so that nothing flickers where both

@@ -44,6 +44,8 @@ struct RenderSettings {
       false;  ///< nothing behind the mesh: colours are then multiplied by their alpha
   /// Keeps points p with dot(xyz, p) + w >= 0, in world coordinates.
   std::optional<glm::dvec4> clip_plane = {};
+  /// Where the surface of glass ends, likewise: what lies inside of it is seen on both sides.
+  std::optional<glm::dvec4> glass_plane = {};
   /// A surface that is drawn as glass over everything; what lies on the one below does not show.
   const DrawableBuffers* ghost = nullptr;
 };
@@ -78,6 +80,7 @@ class Renderer {
   void draw_background(const SceneTheme& theme, const Piece& piece);
   void draw_surface(const CornerBuffer& corners, const Frame& frame);
   void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);
+  void draw_inside_glass(const CornerBuffer& corners, const Frame& frame);
   void draw_glass(const CornerBuffer& corners, const Frame& frame);
   void draw_strokes(const SegmentBuffer& segments);
   void draw_strokes(const DiscBuffer& discs);

@@ -36,13 +36,11 @@ void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> b
 
 /// Edges of tetrahedra are judged, and states compared, once all is there that decimation takes.
 bool Sheet::asks() const {
-  const EntityRef e = selection.single();
   return view_.coloring == Coloring::Verdict || view_.original || view_.side_by_side ||
-         (e.valid() && e.dimension == 1);
+         document.answers_about(selection.single());
 }
 
-/// All of it is made anew: while the mesh is on its way no more often than takes a fifth of the
-/// time.
+/// While the mesh is on its way no more often than takes a fifth of the time: much may be anew.
 void Sheet::refresh_skin() {
   using Clock = std::chrono::steady_clock;
   constexpr int rest = 4;
@@ -53,38 +51,50 @@ void Sheet::refresh_skin() {
     return;
   }
   if (asks()) document.prepare();
-  document.renew_skin();
   draw_skin();
   const auto end = Clock::now();
   skin_due_ = end + rest * (end - start);
 }
 
 void Sheet::draw_skin() {
-  const LoadedMesh& content = document.content();
-  const SkinSource source = skin_source(document);
-  const SkinKeeper::Changes found = skin_.update(source, view_);
-  SurfaceChanges changes;
-  changes.everything = found.surface;
-  if (found.mesh && content.volume()) facts_.set(volume_facts(content.mesh, *content.skin));
-  if (found.mesh && !content.volume()) facts_.update(content.mesh, changes);
-  if (found.surface) {
-    picker_.forget();
-    drawing_.set_face_flags(skin_.surface()->flags);
-  }
-  if (found.inside) {
-    skin_.draw_inside(source, drawing_);
-    picker_.forget_cells();
-  }
+  const VolumeChanges of_mesh = read_volume_changes();
+  SkinKeeper::Changes found = skin_.update(skin_source(document), view_, of_mesh, drawing_);
+  SurfaceChanges& changes = found.surface;
+  if (found.mesh) count_volume(of_mesh);
+  picker_.note(changes);
+  if (found.inside) picker_.forget_cells();
   drawing_.set_whole_faces(false);
   const Mesh& drawn = skin_.surface()->mesh;
   refresh_field(drawn, changes);
-  SurfaceChanges of_mesh;
-  of_mesh.everything = found.mesh;
-  verdicts_.note(document, view_, of_mesh, busy());
-  verdicts_.judge_skin(document, *skin_.surface(), budget_, busy(), drawing_, found.surface);
+  verdicts_.note_volume(document, view_, of_mesh, busy());
+  verdicts_.judge_skin(document, *skin_.surface(), budget_, busy(), drawing_, !changes.nothing());
   drawing_.update(drawn, view_, changes);
   const bool marks = refresh_marked_cells();
-  refresh_selection(changes.everything, found.inside || marks);
+  refresh_selection(found.mesh || changes.everything, found.inside || marks);
+}
+
+/// What patches need is stored once a volume is prepared.
+VolumeChanges Sheet::read_volume_changes() {
+  const LoadedMesh& content = document.content();
+  if (content.prepared)
+    return volume_changes_.read(content.mesh, content.journal, document.place());
+  VolumeChanges changes;
+  changes.everything = !skin_.current(document.place());
+  return changes;
+}
+
+void Sheet::count_volume(const VolumeChanges& changes) {
+  const LoadedMesh& content = document.content();
+  if (!content.volume()) {
+    SurfaceChanges everything;
+    everything.everything = true;
+    return facts_.update(content.mesh, everything);
+  }
+  if (changes.everything)
+    volume_facts_.start(content.mesh, skin_source(document).whole());
+  else
+    volume_facts_.update(content.mesh, changes);
+  facts_.set(volume_facts_.facts());
 }
 
 void Sheet::refresh_surface() {

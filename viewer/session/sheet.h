@@ -98,6 +98,7 @@ class Sheet {
 
   // What lies under a place of the picture (-1..1), or in a rectangle, as it was refreshed last
   // (sheet_picking.cpp). A mesh must be there.
+  // Where a plane takes whole regions away, the edges on what is left become entities first.
   [[nodiscard]] EntityRef pick(glm::dvec2 ndc);
   [[nodiscard]] std::vector<EntityRef> pick(glm::dvec2 low, glm::dvec2 high);
   /// None: at nothing.
@@ -105,6 +106,10 @@ class Sheet {
   [[nodiscard]] const Inquiry& inquiry() const { return inquiry_; }
   /// What is said about every edge, while the colours show it; else null.
   [[nodiscard]] const EdgeVerdicts* verdicts() const { return verdicts_.verdicts(); }
+  /// Where what collapsing the selected edge would lead to lies inside of a volume that nothing
+  /// else cuts: the plane through the edge that faces the camera. The volume is then of glass, and
+  /// ends there. None elsewhere.
+  [[nodiscard]] std::optional<glm::dvec4> preview_cut() const;
   /// Draws entities as what stands against something, or would come of it, until the mesh or the
   /// selection changes.
   void point_out(std::vector<EntityRef> entities);
@@ -114,12 +119,15 @@ class Sheet {
   void refresh_surface();
   void refresh_skin();
   void draw_skin();
+  [[nodiscard]] VolumeChanges read_volume_changes();
+  void count_volume(const VolumeChanges& changes);
   [[nodiscard]] bool asks() const;
   void refresh_field(const Mesh& shown, SurfaceChanges& changes);
   void refresh_marks(bool changed);
   [[nodiscard]] bool refresh_marked_cells();
   [[nodiscard]] std::optional<std::vector<EntityRef>> newly_marked(bool changed);
   void refresh_selection(bool mesh_changed, bool cells_changed = false);
+  [[nodiscard]] bool can_pick();
   void draw_selection();
   void draw_hovered();
   [[nodiscard]] Shown shown() const;
@@ -134,7 +142,9 @@ class Sheet {
   std::unique_ptr<Background<std::vector<MeasuredRun>>> measurement_;
 
   ChangeReader changes_;
+  VolumeChangeReader volume_changes_;
   FactsKeeper facts_;
+  VolumeFactsKeeper volume_facts_;
   MeshFacts loaded_facts_;
   SurfaceDrawing drawing_;
   SkinKeeper skin_;

@@ -1,5 +1,7 @@
 // What a sheet selects and points at.
 
+#include <glm/geometric.hpp>
+
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/session/sheet.h"
 
@@ -18,14 +20,24 @@ Shown Sheet::shown() const {
   return {document.mesh(), document.mesh(), nullptr, document.content().bounds};
 }
 
-/// Nothing while the mesh is on its way and its skin is not the one that is drawn.
+/// Not while the mesh is on its way and its skin is not the one that is drawn.
+bool Sheet::can_pick() {
+  if (skin_.surface() == nullptr) return true;
+  const bool inner_edges = view_.clip && view_.clip->cells && !busy();
+  if (inner_edges && !document.content().prepared) {
+    document.prepare();
+    refresh_skin();
+  }
+  return skin_.current(document.place());
+}
+
 EntityRef Sheet::pick(glm::dvec2 ndc) {
-  if (skin_.surface() != nullptr && !skin_.current(document.place())) return {};
+  if (!can_pick()) return {};
   return picker_.at(shown(), view_, ndc);
 }
 
 std::vector<EntityRef> Sheet::pick(glm::dvec2 low, glm::dvec2 high) {
-  if (skin_.surface() != nullptr && !skin_.current(document.place())) return {};
+  if (!can_pick()) return {};
   return picker_.within(shown(), view_, low, high);
 }
 
@@ -34,6 +46,24 @@ void Sheet::hover(std::optional<glm::dvec2> ndc) {
   if (!ndc) return;
   const EntityRef e = pick(*ndc);
   if (e.valid()) inquiry_.hover(document, {e, *ndc}, busy());
+}
+
+std::optional<glm::dvec4> Sheet::preview_cut() const {
+  const EntityVerdict* verdict = inquiry_.verdict();
+  const SkinSurface* skin = skin_.surface();
+  const bool previews = verdict != nullptr && !verdict->ways.empty() && view_.preview &&
+                        !view_.neighbours && !view_.clip && !view_.interior_edges;
+  if (!previews || skin == nullptr || !skin_.current(document.place())) return {};
+  const auto [a, b] = document.mesh().edge_vertices(Edge(verdict->entity.index));
+  if (skin->has_edge(a, b)) return {};
+  const glm::dvec3 from = document.mesh().position(a), to = document.mesh().position(b);
+  const glm::dvec3 sight =
+      view_.camera.ray({0, 0}, view_.aspect, document.content().bounds).direction;
+  const glm::dvec3 along = glm::normalize(to - from);
+  glm::dvec3 normal = sight - glm::dot(sight, along) * along;
+  if (glm::length(normal) < 1e-3 * glm::length(sight)) normal = sight;  // it is seen end on
+  normal = glm::normalize(normal);
+  return glm::dvec4(normal, -glm::dot(normal, from));
 }
 
 void Sheet::refresh_selection(bool mesh_changed, bool cells_changed) {

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "viewer/base/text.h"
+#include "viewer/commands/arguments.h"
+#include "viewer/drawing/histogram_keeper.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/widgets.h"
 
@@ -241,6 +243,63 @@ bool chart(Frame& frame, const Words& words, const scene::Histograms& all, float
   return pointed_at;
 }
 
+std::string percent_text(double percent) {
+  const double shown = std::abs(percent) < 0.00005 ? 0 : percent;
+  return (shown > 0 ? "+" : "") + scene::short_number(shown, 4) + " %";
+}
+
+void region_row(Frame& frame, const scene::RegionChange& region, bool changed) {
+  const ModelRef model = region.now.model.valid() ? region.now.model : region.before.model;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const std::string name = scene::model_entity_text(model);
+  const bool on = frame.session.view.highlighted == model && model.valid();
+  const std::string label = model.valid() ? scene::model_entity_label(model) : "Unclassified";
+  if (ImGui::Selectable(label.c_str(), on) && !name.empty())
+    frame.emit(on ? "highlight" : "highlight " + name);
+  tooltip("Click to highlight it.");
+  ImGui::TableNextColumn();
+  text_right(scene::grouped(region.now.count));
+  if (changed)
+    tooltip(frame.session.sheet().reference_name() + ": " + scene::grouped(region.before.count));
+  ImGui::TableNextColumn();
+  text_right(scene::significant(region.now.volume));
+  tooltip(scene::short_number(region.now.volume, 9) + " cubed units of the mesh" +
+          (changed ? "; " + frame.session.sheet().reference_name() + ": " +
+                         scene::short_number(region.before.volume, 9)
+                   : std::string()));
+  if (!changed) return;
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, region.large() ? frame.colors.bad : frame.colors.text_muted);
+  text_right(percent_text(region.percent()));
+  ImGui::PopStyleColor();
+  tooltip(region.large() ? "More than 0.1 %: decimation with --volume keep allows less."
+                         : "Change of the volume.");
+}
+
+/// Model regions: how many regions of the mesh, what volume, how that changed.
+void region_table(Frame& frame, const scene::Histograms& all) {
+  heading(frame, "Volumes by region");
+  tooltip("What each model region holds, and how its volume has changed; in red above 0.1 %.");
+  const int columns = all.changed ? 4 : 3;
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.25f * em(), 0.12f * em()));
+  const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
+  const float rows = static_cast<float>(all.regions.size()) + 1.2f;
+  const float height = std::min(rows * (ImGui::GetTextLineHeight() + 0.24f * em()),
+                                ImGui::GetContentRegionAvail().y);
+  if (ImGui::BeginTable("regions", columns, flags, {0, std::max(height, 3 * em())})) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Region", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("Count");
+    ImGui::TableSetupColumn("Volume");
+    if (all.changed) ImGui::TableSetupColumn("Change");
+    ImGui::TableHeadersRow();
+    for (const scene::RegionChange& region : all.regions) region_row(frame, region, all.changed);
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
 /// What is left when titles and numbers have their places, for `charts`.
 float chart_height(int charts, bool changed) {
   const float lines = (changed ? 4.6f : 3.4f) * ImGui::GetTextLineHeight();
@@ -264,6 +323,7 @@ void histogram_panel(Frame& frame, HistogramDrafts& drafts) {
   bool pointing = false;
   for (int i = 0; i < charts; ++i)
     pointing = chart(frame, words[static_cast<std::size_t>(i)], *all, height) || pointing;
+  if (all->volume) region_table(frame, *all);
   ImGui::PopStyleVar();
   if (drafts.pointing && !pointing && frame.session.view.marked) frame.emit("mark off");
   drafts.pointing = pointing;

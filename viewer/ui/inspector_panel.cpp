@@ -9,6 +9,8 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/document/adjacency.h"
 #include "viewer/drawing/scalar_field.h"
+#include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/entity_verdict.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
@@ -181,10 +183,30 @@ void swap_choice(Frame& frame, const scene::EntityVerdict& judgement) {
   tooltip("Draw the faces that this would make.");
 }
 
+/// What the colours of a preview among tetrahedra mean.
+void preview_key(const Frame& frame) {
+  ImGui::PushFont(frame.fonts.small);
+  const auto entry = [](scene::Color color, const char* word, const char* help) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = 0.6f * em(), y = at.y + 0.5f * (ImGui::GetTextLineHeight() - side);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + side, y + side}, color);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + side + 0.3f * em());
+    text(word);
+    tooltip(help);
+  };
+  entry(scene::vanishing_color(), "goes", "Tetrahedra around the edge: they vanish.");
+  ImGui::SameLine(0, 0.8f * em());
+  entry(scene::ghost_color(), "stretches", "Edges as they would be afterwards.");
+  ImGui::SameLine(0, 0.8f * em());
+  entry(scene::deciding_style().color, "decides", "What stands against it, as it would be.");
+  ImGui::PopFont();
+}
+
 void judgement_section(Frame& frame, const scene::EntityVerdict& judgement) {
   if (!judgement.ways.empty()) {
     gap(0.2f);
     heading(frame, "Collapse");
+    if (frame.document().content().volume()) preview_key(frame);
     for (std::size_t i = 0; i < judgement.ways.size(); ++i)
       way_section(frame, judgement.ways[i], i + 1,
                   frame.session.view.preview &&
