@@ -131,7 +131,7 @@ TEST_F(VolumeFields, WithoutArraysNothingIsSaid) {
   ASSERT_EQ(aomd("sample tet-box in.vtu --size 4").code, 0);
   const Outcome run = aomd("decimate in.vtu out.vtu --target-tets 50% --report r.json");
   EXPECT_EQ(run.err, "");
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1);
+  EXPECT_EQ(run.out.find("integral"), std::string::npos) << run.out;
   EXPECT_EQ(json("r.json")["fields"], nlohmann::json::array());
   EXPECT_FALSE(json("r.json")["seconds"].contains("fields"));
 }

@@ -148,7 +148,7 @@ TEST_F(VolumeOptions, ReplacingAClassificationKeepsMaterials) {
 }
 
 // A thin lens between two blocks cannot pay for what it owes.
-TEST_F(VolumeOptions, WhereVolumesStopARunItSaysSo) {
+TEST_F(VolumeOptions, WhereVolumesStopARunTheReportSaysSo) {
   MeshData lens = zoo::tet_grid({12, 12, 5}, [](const zoo::Cell& c) {
     const bool inner = 2 <= c.x && c.x < 10 && 2 <= c.y && c.y < 10;
     return c.z == 2 && inner ? 3 : c.z <= 2 ? 1 : 2;
@@ -162,7 +162,6 @@ TEST_F(VolumeOptions, WhereVolumesStopARunItSaysSo) {
   EXPECT_EQ(stopped["why"], "missed");
   EXPECT_GT(stopped["refused"]["Volume"], 0) << stopped;
   EXPECT_EQ(stopped["refused"].count("Distance"), 0u) << stopped;
-  EXPECT_NE(run.err.find(" would change a region's volume too much"), std::string::npos) << run.err;
 }
 
 }  // namespace
