@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/decimate/decimation.h"
+#include "core/measure/intersections.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
@@ -216,6 +217,26 @@ TEST(VolumeQualityTest, DearCollapsesWaitForImprovement) {
     EXPECT_LE(b.mesh.count(3), options.target_faces);
     EXPECT_LT(off_the_cylinder(b.mesh, inner), 5e-4) << share;
   }
+}
+
+// Two wavy sheets, one above the other, with next to nothing between them.
+MeshData narrow_gap() {
+  MeshData data = zoo::tet_grid({16, 16, 5}, [](const zoo::Cell& c) { return c.z == 2 ? 0 : 1; });
+  for (glm::dvec3& p : data.positions)
+    p.z = 0.3 * (p.z < 3 ? p.z : p.z - 0.9) + std::sin(0.45 * p.x) * std::sin(0.45 * p.y);
+  return data;
+}
+
+// As on surfaces: what is close may cut each other, unless that is ruled out.
+TEST(VolumeQualityTest, ANarrowGapStaysOpenWhereThatIsAskedFor) {
+  VolumeBench free(narrow_gap(), Levels::Listed), guarded(narrow_gap(), Levels::Listed);
+  ASSERT_EQ(measure::count_self_intersections(free.mesh, 1).pairs, 0u);
+  DecimationOptions options = quality(free.mesh, 0.1);
+  Decimation(free.mesh, options).run();
+  options.no_intersections = true;
+  Decimation(guarded.mesh, options).run();
+  EXPECT_GT(measure::count_self_intersections(free.mesh, 1).pairs, 0u);
+  EXPECT_EQ(measure::count_self_intersections(guarded.mesh, 1).pairs, 0u);
 }
 
 TEST(VolumeQualityTest, ThinRegionsKeepTheirVolumes) {
