@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/decimate/decimation.h"
+#include "core/measure/intersections.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
@@ -194,6 +195,70 @@ TEST(VolumeQualityTest, WithAModelAllThatLiesOnItStaysOnIt) {
       ASSERT_NEAR(glm::length(b.mesh.position(v)), 1, 1e-12);
     }
   }
+}
+
+// Four layers around a cylinder of radius 10.
+MeshData bent_plate() {
+  MeshData data = zoo::tet_grid({24, 12, 4}, [](const zoo::Cell&) { return 1; });
+  for (glm::dvec3& p : data.positions) {
+    const double angle = 0.1 * p.x, radius = 10 + p.z;
+    p = {radius * std::sin(angle), p.y, radius * std::cos(angle)};
+  }
+  return data;
+}
+
+double off_the_cylinder(const Mesh& mesh, Vertex v) {
+  return std::abs(std::hypot(mesh.position(v).x, mesh.position(v).z) - 10);
+}
+
+// How far the vertices of a model face are from the cylinder at most.
+double off_the_cylinder(const Mesh& mesh, ModelRef inner) {
+  double most = 0;
+  for (const Vertex v : mesh.vertices())
+    if (mesh.classification(v) == inner) most = std::max(most, off_the_cylinder(mesh, v));
+  return most;
+}
+
+ModelRef inner_side(const Mesh& mesh) {
+  for (const Vertex v : mesh.vertices())
+    if (mesh.classification(v).dimension() == 2 && off_the_cylinder(mesh, v) < 1e-9)
+      return mesh.classification(v);
+  return {};
+}
+
+// Collapses that cost the surface much wait until improvement helps no others, and where closeness
+// comes first, moves hold on to it: a target that needs many tetrahedra from inside does not ruin
+// the surface before any of them has been improved.
+TEST(VolumeQualityTest, DearCollapsesWaitForImprovement) {
+  for (const double share : {0.25, 0.1}) {
+    VolumeBench b(bent_plate(), Levels::Listed);
+    const ModelRef inner = inner_side(b.mesh);
+    ASSERT_EQ(inner.dimension(), 2);
+    const DecimationOptions options = quality(b.mesh, share, 0);
+    Decimation(b.mesh, options).run();
+    EXPECT_LE(b.mesh.count(3), options.target_faces);
+    EXPECT_LT(off_the_cylinder(b.mesh, inner), 5e-4) << share;
+  }
+}
+
+// Two wavy sheets, one above the other, with next to nothing between them.
+MeshData narrow_gap() {
+  MeshData data = zoo::tet_grid({16, 16, 5}, [](const zoo::Cell& c) { return c.z == 2 ? 0 : 1; });
+  for (glm::dvec3& p : data.positions)
+    p.z = 0.3 * (p.z < 3 ? p.z : p.z - 0.9) + std::sin(0.45 * p.x) * std::sin(0.45 * p.y);
+  return data;
+}
+
+// As on surfaces: what is close may cut each other, unless that is ruled out.
+TEST(VolumeQualityTest, ANarrowGapStaysOpenWhereThatIsAskedFor) {
+  VolumeBench free(narrow_gap(), Levels::Listed), guarded(narrow_gap(), Levels::Listed);
+  ASSERT_EQ(measure::count_self_intersections(free.mesh, 1).pairs, 0u);
+  DecimationOptions options = quality(free.mesh, 0.1);
+  Decimation(free.mesh, options).run();
+  options.no_intersections = true;
+  Decimation(guarded.mesh, options).run();
+  EXPECT_GT(measure::count_self_intersections(free.mesh, 1).pairs, 0u);
+  EXPECT_EQ(measure::count_self_intersections(guarded.mesh, 1).pairs, 0u);
 }
 
 TEST(VolumeQualityTest, ThinRegionsKeepTheirVolumes) {

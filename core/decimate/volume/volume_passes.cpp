@@ -140,7 +140,7 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   if (!fix_ways(v, scratch, frame, shift)) return false;
   for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
-    relaxation_.add_surface(of_positions(s.quadric), double(surface_ / (area * s.size * s.size)));
+    relaxation_.add_surface(of_positions(s.quadric), hold_ / (area * s.size * s.size));
   return relaxation_.step(floor_, shift, x) && (!options_.model || end_on_model(v, x)) &&
          keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }

@@ -142,6 +142,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] bool among_tets(Vertex v) const { return state_[v].size > 0; }
   [[nodiscard]] bool reached() const { return target_ > 0 && mesh_.count(3) <= goal_; }
   [[nodiscard]] bool last_descent() const;
+  void lose_patience();
 
   // Passes over tetrahedra and vertices (volume_passes.cpp)
   bool advance_swap();
@@ -188,9 +189,12 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   VolumeRules rules_;
   ImprovementRules improving_;
   VolumeImprovement improvement_;
-  double unit_ = 1;     ///< lengths times it are in units; a power of two, which rounds nothing
-  double floor_ = 0.3;  ///< no tetrahedron gets a poorer shape, if it can be helped
-  float surface_ = 0;   ///< what squared distances cost, in sizes
+  double unit_ = 1;       ///< lengths times it are in units; a power of two, which rounds nothing
+  double floor_ = 0.3;    ///< no tetrahedron gets a poorer shape, if it can be helped
+  float surface_ = 0;     ///< what squared distances cost collapses, in sizes
+  double hold_ = 0;       ///< the same of moves
+  float patience_ = 0;    ///< collapses that cost more wait until improvement helps no cheaper one
+  bool waiting_ = false;  ///< the last descent ended before some of those
   Column<Vertex, State> state_;
   Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
   VertexQueue queue_;

@@ -114,7 +114,8 @@ void VolumeQualityLoop::find_candidates(Vertex v) {
 // cheaper.
 bool VolumeQualityLoop::advance_collapse() {
   const Vertex v = reached() ? Vertex() : queue_.pop();
-  if (!v.valid()) {
+  waiting_ = v.valid() && state_[v].cost > patience_;
+  if (!v.valid() || waiting_) {
     begin_improvement();
     return false;
   }

@@ -25,8 +25,9 @@ double between(double regularity, double at_0, double at_half, double at_1) {
 // ends above the target.
 constexpr std::array<double, 2> above{1.06, 1.007};
 
-// A descent that takes less than this part of the tetrahedra was the last one.
-constexpr double worth_another = 0.01;
+// A descent that takes less than this part of the tetrahedra was the last one, or with collapses
+// that wait the last one without them.
+constexpr double worth_another = 0.01, worth_waiting = 0.4;
 
 }  // namespace
 
@@ -56,6 +57,7 @@ void VolumeQualityLoop::start(const DecimationOptions& options) {
   set_rules();
   reach_of_payment_ = paid_at_once * std::max(1.0, stretch());
   descents_ = 0;
+  waiting_ = false;
   begin_descent();
 }
 
@@ -67,8 +69,11 @@ double VolumeQualityLoop::stretch() const {
 
 void VolumeQualityLoop::set_rules() {
   const double w = options_.regularity;
-  floor_ = between(w, 0.20, 0.30, 0.40);
-  surface_ = static_cast<float>(between(w, 7000, 220, 10));
+  floor_ = between(w, 0.285, 0.30, 0.40);
+  surface_ = static_cast<float>(between(w, 7000, 55, 7));
+  hold_ = between(w, 500000, 60, 7);
+  const double fair = between(w, 1, 2, 2) * stretch() * stretch();
+  patience_ = target_ > 0 ? static_cast<float>(fair) : unlimited;
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
@@ -162,8 +167,18 @@ void VolumeQualityLoop::quadrics_of_model_edges() {
   }
 }
 
+// A collapse that costs more than what makes edges as long as they have to become on average is the
+// model faces' loss. Improvement often lets cheaper ones through that were refused before.
+void VolumeQualityLoop::lose_patience() {
+  constexpr float dearer = 64;
+  if (freed_ < worth_waiting * before_descent_) patience_ *= dearer;
+}
+
 void VolumeQualityLoop::begin_descent() {
-  ++descents_;
+  if (waiting_)
+    lose_patience();
+  else
+    ++descents_;
   settling_ = 0;
   const auto turn = static_cast<std::size_t>(descents_ - 1);
   goal_ = static_cast<std::uint32_t>((turn < above.size() ? above[turn] : 1.0) * target_);
@@ -188,6 +203,7 @@ void VolumeQualityLoop::enter(Phase phase) {
 }
 
 bool VolumeQualityLoop::last_descent() const {
+  if (waiting_) return false;
   return (descents_ > 1 && reached()) ||
          (descents_ > 1 && freed_ < worth_another * before_descent_);
 }
@@ -216,6 +232,7 @@ void VolumeQualityLoop::end_round() {
 // tetrahedra have had them.
 int VolumeQualityLoop::rounds() const {
   constexpr double few = 0.02;
+  if (waiting_) return 1;
   if (reached() && descents_ > 2 && freed_ < few * before_descent_) return 1;
   return last_descent() || descents_ > 2 ? 3 : 1;
 }
