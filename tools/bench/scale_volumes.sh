@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tools/bench/scale_volumes.sh [-n RUNS] [LAYERS...]: how time and memory grow with a volume. Decimates the sample
-# `ball-in-box` of each number of layers (5 9 16 27: 24,000 to 3,779,136 tetrahedra) to 25 % of its tetrahedra, sizes in
+# `ball-in-box` of each number of layers (3 5 9 19: 20,736 to 5,267,712 tetrahedra) to 25 % of its tetrahedra, sizes in
 # turn, and prints of the whole command: CPU seconds (least of the runs), microseconds a tetrahedron of the input, their
 # ratio to the first size, and bytes a tetrahedron at the peak over what the program holds for a mesh of a few
 # tetrahedra. AOMD names the program (build/bin/aomd). Needs python3.
@@ -14,7 +14,7 @@ if [ "${1:-}" = -n ]; then
 fi
 [ -x "$program" ] || { echo "bench: no $program; build first (tools/view.sh)" >&2; exit 2; }
 sizes=("$@")
-[ ${#sizes[@]} -gt 0 ] || sizes=(5 9 16 27)
+[ ${#sizes[@]} -gt 0 ] || sizes=(3 5 9 19)
 
 exec python3 - "$program" "$runs" "${sizes[@]}" <<'PYTHON'
 import json, os, subprocess, sys, tempfile
