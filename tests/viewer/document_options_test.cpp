@@ -204,6 +204,25 @@ TEST(Options, NoIntersectionsIsAnOption) {
   EXPECT_FALSE(s.document().options().no_intersections);
 }
 
+TEST(Options, VolumesMayBeFree) {
+  Session s;
+  drive(s, {"sample ball-in-box 2", "strategy quality", "volume free"});
+  EXPECT_FALSE(s.document().options().keep_volumes);
+  drive(s, {"target-faces 300", "run", "volume keep"});
+  EXPECT_TRUE(s.document().options().keep_volumes);
+  EXPECT_THROW(execute(s, "volume most"), CommandError);
+}
+
+TEST(Options, SpacingInsideAVolumeFollowsItsSurface) {
+  Session s;
+  drive(s, {"sample ball-in-box 3", "factor 1", "spacing surface"});
+  ASSERT_TRUE(s.document().options().spacing);
+  EXPECT_EQ(s.document().spacing_source(), "surface");
+  const std::uint32_t regions = s.document().mesh().count(3);
+  drive(s, {"run"});
+  EXPECT_LT(s.document().mesh().count(3), regions);
+}
+
 TEST(Options, AMinAngleIsCounted) {
   Session s;
   drive(s, {"sample sphere 12", "min-angle 40", "sweep", "expect refused-shape > 0", "reset",
