@@ -88,15 +88,17 @@ bool TriangleTree::boxes_overlap() const {
 }
 
 // Along the sides of the triangle in the middle: where those of a node lie side by side, it lies as
-// all of them do.
+// all of them do. A box around boxes is wider than one around corners, and the wider the higher the
+// node; for all nodes the corners would take n log n.
 void TriangleTree::add_tilted_boxes() {
+  constexpr std::uint32_t most_by_corners = 256;
   tilted_.resize(boxes_.nodes());
   const Box all = box();
   for (auto id = static_cast<std::uint32_t>(boxes_.nodes()); id-- > 0;) {
     const BoxTree::Node& node = boxes_.node(id);
     TiltedBox& tilted = tilted_[id];
     tilted = TiltedBox(triangles_[(node.begin + node.end) / 2], all);
-    if (!node.leaf()) {
+    if (node.end - node.begin > most_by_corners) {
       tilted.add(tilted_[id + 1]);
       tilted.add(tilted_[node.right]);
       continue;

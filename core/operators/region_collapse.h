@@ -48,8 +48,8 @@ class RegionCollapser {
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const VolumeRules& rules,
                 VolumeCollapsePlan& plan);
 
-  /// What collapsing an edge would do that is named by its ends, need not be an entity, and gives
-  /// the kept end a place: where that moves, the edge lies on what it lies on too, and what is around it stretches.
+  /// Judges an edge named by its ends, which need not be an entity, with a place for the kept end:
+  /// where that moves, the edge lies on what it lies on too, and what is around it stretches.
   Verdict judge(const Mesh& mesh, const Contraction& contraction, const VolumeRules& rules,
                 VolumeCollapsePlan& plan);
 
