@@ -11,6 +11,15 @@ Collapser::Collapser(const Mesh& mesh) : marks_(mesh), edges_(mesh) {
   AOMD_CHECK(mesh.representation().down(2, 0).stride() == 3);
 }
 
+// Among the faces, and among model edges where the edge lies on one.
+Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const EdgeEnds& ends,
+                                  ModelRef model, const StarPair& stars) {
+  if (model.dimension() == 1)
+    if (const Vertex third = closes_chain(mesh, ends, stars[0]); third.valid())
+      return {Reason::Topology, third};
+  return link_.judge(mesh, edge, ends, stars, marks_);
+}
+
 Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                 const CollapseRules& rules, CollapsePlan& plan) {
   const auto ends = mesh.edge_vertices(edge);
@@ -21,7 +30,7 @@ Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2>
     if (crowded(mesh, v)) return {Reason::Topology, v};
   for (std::size_t i = 0; i < 2; ++i) gather(mesh, ends[i], plan.stars[i]);
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = link_.judge(mesh, edge, ends, plan.stars, marks_); !v.accepted())
+    if (const Verdict v = judge_topology(mesh, edge, ends, model, plan.stars); !v.accepted())
       return v;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!may_go[i]) continue;
@@ -49,7 +58,7 @@ Verdict Collapser::judge_contraction(const Mesh& mesh, const Contraction& c,
   const bool moves = c.position != mesh.position(c.kept);
   if (const Verdict s = judge_classes(mesh, c, model, moves); !s.accepted()) return s;
   if (rules.topology == TopologyRule::Safe)
-    if (const Verdict v = link_.judge(mesh, c.kept, {c.deleted, c.kept}, stars, marks_);
+    if (const Verdict v = judge_topology(mesh, c.kept, {c.deleted, c.kept}, model, stars);
         !v.accepted())
       return v;
   Verdict v = judge_faces(mesh, stars[0], {c.deleted, c.kept, c.position}, rules);

@@ -76,6 +76,8 @@ class Collapser {
  private:
   [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
                                      const CollapseRules& rules, CollapsePlan& plan);
+  [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge, const EdgeEnds& ends,
+                                       ModelRef model, const StarPair& stars);
   [[nodiscard]] Verdict judge_contraction(const Mesh& mesh, const Contraction& contraction,
                                           const CollapseRules& rules, StarPair& stars);
   void make(Mesh& mesh, const Contraction& contraction, const StarPair& stars);

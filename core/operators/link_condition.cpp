@@ -48,6 +48,18 @@ bool leaves_bare_edge(const EdgeEnds& ends, const StarPair& stars, Vertex apex) 
   return true;
 }
 
+Vertex closes_chain(const Mesh& mesh, const EdgeEnds& ends, const Star& around_first) {
+  const auto on_model_edge = [&](Edge e) {
+    return e.valid() && mesh.classification(e).dimension() <= 1;
+  };
+  Vertex third;
+  for_edges_at(mesh, ends[0], around_first, [&](Edge e, Vertex far) {
+    if (far != ends[1] && on_model_edge(e) && on_model_edge(mesh.find_edge(ends[1], far)))
+      third = far;
+  });
+  return third;
+}
+
 // Whether the faces that stay around both ends hang together beside the edge, from apex to apex:
 // else they would meet in nothing but the kept vertex.
 bool LinkCondition::stay_together(const EdgeEnds& ends, const StarPair& stars) const {

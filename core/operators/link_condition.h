@@ -16,6 +16,11 @@ using StarPair = std::array<Star, 2>;
 /// the one that stays would have no face any more.
 [[nodiscard]] bool leaves_bare_edge(const EdgeEnds& ends, const StarPair& stars, Vertex apex);
 
+/// The link condition among model edges: the third vertex of a chain of three of them that the edge
+/// between two vertices, itself on one, is part of, and which a collapse would close; what it goes
+/// around would vanish. Invalid where there is none. O(edges at the ends).
+[[nodiscard]] Vertex closes_chain(const Mesh& mesh, const EdgeEnds& ends, const Star& around_first);
+
 /// The link condition for faces, which is the same whichever end goes: the ends share no neighbour
 /// beyond the apexes of their faces, no two faces fall together, no pocket closes, no two fans meet
 /// in one vertex, and no edge loses its last face. A collapse then takes one vertex, k faces and

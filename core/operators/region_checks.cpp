@@ -36,10 +36,6 @@ Verdict judge_lengths(const Mesh& mesh, const BallRegion& r, const EndMove& move
   return {};
 }
 
-bool on_model_edge(const Mesh& mesh, Edge e) {
-  return e.valid() && mesh.classification(e).dimension() <= 1;
-}
-
 }  // namespace
 
 Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
@@ -63,20 +59,12 @@ Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
 
 ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b, const Star& star, const Ball& ball) {
   if (may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b))
-    if (const Edge e = mesh.find_edge(a, b); on_model_edge(mesh, e)) return mesh.classification(e);
+    if (const Edge e = mesh.find_edge(a, b); e.valid() && mesh.classification(e).dimension() <= 1)
+      return mesh.classification(e);
   for (const StarFace& f : star)
     if (f.uses(b)) return mesh.classification(f.face);
   for (const BallRegion& r : ball)
     if (r.uses(b)) return mesh.classification(r.region);
-  return {};
-}
-
-Vertex closes_chain(const Mesh& mesh, const EdgeEnds& ends) {
-  for (const Edge e : mesh.row<1>(ends[0])) {
-    if (!on_model_edge(mesh, e)) continue;
-    const Vertex far = mesh.other_end(e, ends[0]);
-    if (far != ends[1] && on_model_edge(mesh, mesh.find_edge(ends[1], far))) return far;
-  }
   return {};
 }
 

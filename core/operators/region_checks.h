@@ -29,8 +29,4 @@ struct VolumeRules {
 [[nodiscard]] ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b, const Star& star,
                                      const Ball& ball);
 
-/// The third vertex of a chain of three model edges that the edge between two vertices, itself on
-/// one, is part of; invalid where there is none. T(0,1) must be stored. O(edges at the ends).
-[[nodiscard]] Vertex closes_chain(const Mesh& mesh, const EdgeEnds& ends);
-
 }  // namespace aomd

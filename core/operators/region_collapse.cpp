@@ -112,7 +112,7 @@ Verdict RegionCollapser::judge_balls(const Mesh& mesh, const EdgeEnds& ends, con
 Verdict RegionCollapser::judge_topology(const Mesh& mesh, EntityRef edge, const EdgeEnds& ends,
                                         ModelRef model, const VolumeCollapsePlan& plan) {
   if (model.dimension() <= 1)
-    if (const Vertex third = closes_chain(mesh, ends); third.valid())
+    if (const Vertex third = closes_chain(mesh, ends, plan.stars[0]); third.valid())
       return {Reason::Topology, third};
   if (on_model_face(model))
     if (const Verdict v = link_.judge(mesh, edge, ends, plan.stars, marks_); !v.accepted())

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "core/mesh/verify.h"
@@ -50,6 +51,41 @@ TEST(CollapseTest, ClassificationDecidesAsInFigure5) {
   EXPECT_EQ(b.judge_collapse(5, 1).reason, Reason::None);  // onto the border is allowed
   EXPECT_EQ(b.judge_collapse(1, 0).entity, EntityRef());
   EXPECT_EQ(b.judge_collapse(0, 1).entity, EntityRef(Vertex(0)));
+}
+
+// 0-1-2 is all that model face 2 has: without one of its sides it would vanish, and the model edge
+// around it fall together.
+//
+//         5
+//       / 2 \ .
+//     / 0---1 \ .
+//   3-----------4
+TEST(CollapseTest, TheLastTriangleOfAModelFaceStays) {
+  MeshData data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 0.9, 0}, {-2, -1, 0}, {3, -1, 0}, {0.5, 3, 0}};
+  data.faces.add(Shape::Triangle, {0, 1, 2}, ModelRef(2, 2));
+  for (const auto& [a, b, c] : {std::array{3u, 4u, 1u},
+                                {3u, 1u, 0u},
+                                {4u, 5u, 2u},
+                                {4u, 2u, 1u},
+                                {5u, 3u, 0u},
+                                {5u, 0u, 2u}})
+    data.faces.add(Shape::Triangle, {a, b, c}, ModelRef(2, 1));
+  Mesh mesh(data);
+  classify(mesh, {.feature_angle_deg = {}, .corner_angle_deg = 180});
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) mesh.set(i, j);
+  Collapser collapser(mesh);
+  CollapsePlan plan;
+  CollapseRules rules;
+  rules.max_turn = TurnLimit(180);
+  rules.max_curve_turn = TurnLimit(180);
+  const Edge edge = mesh.find_edge(Vertex(0), Vertex(1));
+  ASSERT_EQ(mesh.classification(edge).dimension(), 1);
+  for (const Vertex v : {Vertex(0), Vertex(1)}) {
+    const Verdict verdict = collapser.judge(mesh, edge, v, rules, plan);
+    EXPECT_EQ(verdict.reason, Reason::Topology);
+    EXPECT_EQ(verdict.entity, EntityRef(Vertex(2)));
+  }
 }
 
 // 5 onto 6 removes the two faces between them and keeps the other four:
