@@ -196,7 +196,8 @@ TEST(FitterTest, ALiftedVertexGoesBack) {
   OriginalSurface original(mesh);
   mesh.move(Vertex(12), {2, 2, 0.2});
   original.locate(mesh);
-  Fitter fitter(mesh, original);
+  const OriginalCurves curves(mesh);
+  Fitter fitter(mesh, original, curves);
   glm::dvec3 target;
   Star star;
   ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, target).accepted());
@@ -212,7 +213,8 @@ TEST(FitterTest, AVertexThatMayNotGoAllTheWayGoesHalfOfIt) {
   OriginalSurface original(mesh);
   mesh.move(Vertex(12), {2, 2, 0.3});
   original.locate(mesh);
-  Fitter fitter(mesh, original);
+  const OriginalCurves curves(mesh);
+  Fitter fitter(mesh, original, curves);
   glm::dvec3 whole, half;
   Star star;
   ASSERT_TRUE(fitter.judge_move(Vertex(12), {}, star, whole).accepted());
@@ -222,18 +224,19 @@ TEST(FitterTest, AVertexThatMayNotGoAllTheWayGoesHalfOfIt) {
   EXPECT_LE(glm::length(half - 0.5 * (whole + glm::dvec3(2, 2, 0.3))), 1e-12);
 }
 
-TEST(FitterTest, VerticesOnModelEdgesAndOverTurnedFacesStay) {
+TEST(FitterTest, ModelVerticesAndOverTurnedFacesStay) {
   Mesh mesh(zoo::grid(4));
   classify(mesh);
   mesh.set(0, 2);
   OriginalSurface original(mesh);
   original.locate(mesh);
-  Fitter fitter(mesh, original);
+  const OriginalCurves curves(mesh);
+  Fitter fitter(mesh, original, curves);
   glm::dvec3 target;
   Star star;
-  const Verdict border = fitter.judge_move(Vertex(2), {}, star, target);
-  EXPECT_EQ(border.reason, Reason::Classification);
-  EXPECT_EQ(border.entity, EntityRef(Vertex(2)));
+  const Verdict corner = fitter.judge_move(Vertex(0), {}, star, target);
+  EXPECT_EQ(corner.reason, Reason::Classification);
+  EXPECT_EQ(corner.entity, EntityRef(Vertex(0)));
   mesh.move(Vertex(12), {2, 2, 3});  // a spike, whose faces would turn by 71 degrees
   original.locate(mesh);
   EXPECT_EQ(fitter.judge_move(Vertex(12), {}, star, target).reason, Reason::Angle);
@@ -246,7 +249,9 @@ TEST(FitterTest, AVertexWithoutFacesHasNoPlaceToGo) {
   original.locate(mesh);
   glm::dvec3 target;
   Star star;
-  EXPECT_EQ(Fitter(mesh, original).judge_move(Vertex(5), {}, star, target).reason, Reason::Flat);
+  const OriginalCurves curves(mesh);
+  const Fitter fitter(mesh, original, curves);
+  EXPECT_EQ(fitter.judge_move(Vertex(5), {}, star, target).reason, Reason::Flat);
 }
 
 //      2
@@ -280,7 +285,8 @@ struct Roof {
 
 TEST(FitterTest, ASwapThatCrossesARidgeIsUndone) {
   Roof roof;
-  Fitter fitter(roof.coarse, *roof.original);
+  const OriginalCurves curves(roof.coarse);
+  Fitter fitter(roof.coarse, *roof.original, curves);
   const FitRules rules{.face_energy = roof.original->error() / 2};
   EXPECT_GT(roof.original->error(), 1e-3);
   EdgePair pair;
@@ -298,7 +304,8 @@ TEST(FitterTest, ASwapThatCrossesARidgeIsUndone) {
 
 TEST(FitterTest, RefusalsOfASwap) {
   Roof roof;
-  Fitter fitter(roof.coarse, *roof.original);
+  const OriginalCurves curves(roof.coarse);
+  Fitter fitter(roof.coarse, *roof.original, curves);
   EdgePair pair;
   FitRules rules{.face_energy = 1e-3};
   rules.max_turn = TurnLimit(5);  // the slopes stand at 11.3 degrees
@@ -316,7 +323,8 @@ TEST(FitterTest, NoSwapMakesANeedleOnAPlane) {
   mesh.set(0, 2);
   OriginalSurface original(mesh);
   original.locate(mesh);
-  Fitter fitter(mesh, original);
+  const OriginalCurves curves(mesh);
+  Fitter fitter(mesh, original, curves);
   EdgePair pair;
   EXPECT_EQ(fitter.judge_swap(Vertex(0), Vertex(1), {.face_energy = 1}, pair).reason,
             Reason::Quality);

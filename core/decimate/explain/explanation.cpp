@@ -32,6 +32,7 @@ BeforeAfter corners_of(const Mesh& mesh, Face face, const Contraction& c) {
 // Against what it was, or against the original: a verdict has one number for both.
 std::string angle_words(const Mesh& mesh, const CollapseOutlook& o) {
   const EntityRef who = o.verdict.entity;
+  if (who.dimension == 0) return curve_words(who, o.verdict.number(), o.limits.curve_sum_deg);
   if (who.dimension == 1) {
     const Held held = held_degrees(o.verdict.number(), o.limits.curve_deg);
     return sentence("the model edge would turn by " + held.value + " degrees at " + name_of(who) +

@@ -17,6 +17,7 @@ struct Limits {
   double turn_deg = 0;       ///< of a face's normal in one operation
   double away_deg = 0;       ///< of a face from what the original looked like there
   double curve_deg = 0;      ///< of a model edge in one collapse along itself
+  double curve_sum_deg = 0;  ///< of a model edge in all operations together
   double min_angle_deg = 0;  ///< of a face, unless it had a smaller one
   double distance = 0;       ///< from the original
   double volume_pct = 0;     ///< by which a model region may change in all, of its volume

@@ -49,6 +49,12 @@ std::string away_words(EntityRef who, double deg, double limit) {
                   " degrees away from the original surface there; the limit is " + held.limit);
 }
 
+std::string curve_words(EntityRef who, double deg, double limit) {
+  const Held held = held_degrees(deg, limit);
+  return sentence("the model edge would turn by " + held.value + " degrees from the original at " +
+                  name_of(who) + "; the limit is " + held.limit);
+}
+
 namespace {
 
 std::string distance_words(const Verdict& verdict, double limit) {
@@ -67,7 +73,9 @@ std::string general_words(const Verdict& verdict, const Limits& limits) {
   switch (verdict.reason) {
     case Reason::Flat:
       return sentence(name_of(who) + " would have no area");
-    case Reason::Angle:  // one number for both: what is within one limit was refused by the other
+    case Reason::Angle:
+      if (who.dimension == 0) return curve_words(who, verdict.number(), limits.curve_sum_deg);
+      // One number for both: what is within one limit was refused by the other.
       if (limits.away_deg > 0 && verdict.number() <= limits.turn_deg)
         return away_words(who, verdict.number(), limits.away_deg);
       return turn_words(who, verdict.number(), limits.turn_deg);

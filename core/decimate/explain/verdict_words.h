@@ -33,4 +33,7 @@ struct Held {
 /// A verdict whose reason means the same for every operation; else the help of the reason.
 [[nodiscard]] std::string general_words(const Verdict& verdict, const Limits& limits);
 
+/// A model edge that would turn too far from what it was, at a vertex.
+[[nodiscard]] std::string curve_words(EntityRef who, double deg, double limit);
+
 }  // namespace aomd::words

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/decimate/curves/original_curves.h"
 #include "core/decimate/paper/paper_loop.h"
 #include "core/operators/smooth.h"
 #include "core/operators/swap.h"
@@ -15,6 +16,7 @@ class SurfacePaperLoop final : public PaperLoop {
   SurfacePaperLoop(Mesh& mesh, const DecimationOptions& options);
   ~SurfacePaperLoop() override;
 
+  void restart(const DecimationOptions& options) override;
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge) override;
   [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v) override;
 
@@ -22,6 +24,9 @@ class SurfacePaperLoop final : public PaperLoop {
   void set_rules() override;
   [[nodiscard]] Limits limits(ModelRef edge) const override;
   [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) override;
+  [[nodiscard]] Verdict judge_curve(const Contraction& contraction) const;
+  [[nodiscard]] bool turns_too_far(const CurvePlace& place, const glm::dvec3& x,
+                                   double& cosine) const;
   [[nodiscard]] Verdict judge_smoothing(Vertex v, Plan& plan);
   [[nodiscard]] Verdict judge_swapping(Edge edge, Plan& plan);
   void collapse() override;
@@ -36,6 +41,7 @@ class SurfacePaperLoop final : public PaperLoop {
   CollapseRules rules_;
   SmoothRules smooth_{TurnLimit(0)};
   Collapser collapser_;
+  OriginalCurves curves_;
 };
 
 }  // namespace aomd

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/decimate/curves/original_curves.h"
 #include "core/decimate/options.h"
 #include "core/decimate/quality/cheapest.h"
-#include "core/decimate/quality/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/decimate/quality/original_curves.h"
+#include "core/decimate/curves/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/model/model.h"
 #include "core/operators/star.h"

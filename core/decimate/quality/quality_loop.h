@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/decimate/curves/original_curves.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/quality/collapse_queue.h"
-#include "core/decimate/quality/original_curves.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/point_fit.h"
 

@@ -11,7 +11,6 @@
 #include "core/decimate/quality/quadric.h"
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
-#include "core/operators/collapse_rules.h"
 
 namespace aomd {
 
@@ -55,6 +54,11 @@ class OriginalCurves {
   /// count, those along them do not.
   [[nodiscard]] Quadric quadric(const Mesh& mesh, const CurvePlace& place,
                                 const glm::dvec3& x) const;
+
+  /// The cosine of what the curve turns around a place whose vertex is at `x`: the most by which
+  /// the arc over a piece, from its ends through a point of the original, turns at these.
+  [[nodiscard]] double turn_cosine(const Mesh& mesh, const CurvePlace& place,
+                                   const glm::dvec3& x) const;
 
   /// A collapse of a piece was made.
   void merged(const Mesh& mesh, Vertex deleted, Vertex kept);

@@ -1,7 +1,7 @@
-#include "core/decimate/quality/original_curves.h"
+#include "core/decimate/curves/original_curves.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -176,6 +176,19 @@ Quadric OriginalCurves::quadric(const Mesh& mesh, const CurvePlace& place,
   return sum;
 }
 
+// An arc as high as h over a chord of length l turns by twice the angle with the tangent 2 h / l.
+double OriginalCurves::turn_cosine(const Mesh& mesh, const CurvePlace& place,
+                                   const glm::dvec3& x) const {
+  double cosine = 1;
+  for_points(place, [&](const Point& p) {
+    const Foot foot = foot_of(p.position, mesh, place, x);
+    const double length2 = squared(mesh.position(place.far[foot.side]) - x);
+    if (foot.distance2 > 0)
+      cosine = std::min(cosine, (length2 - 4 * foot.distance2) / (length2 + 4 * foot.distance2));
+  });
+  return cosine;
+}
+
 // The pieces hold all points between their ends; which of two holds one says only where a search
 // for its foot begins.
 void OriginalCurves::merged(const Mesh& mesh, Vertex deleted, Vertex kept) {
@@ -218,20 +231,23 @@ void OriginalCurves::locate(const Mesh& mesh) {
 
 void OriginalCurves::locate_anywhere(const Mesh& mesh) {
   find_pieces(mesh);
-  std::map<ModelRef, std::vector<std::uint32_t>> curves;
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) curves[pieces_[i].curve].push_back(i);
-  for (const auto& [curve, pieces] : curves) {
+  struct Curve {
+    std::vector<std::uint32_t> pieces, points;
+  };
+  std::map<ModelRef, Curve> curves;
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) curves[pieces_[i].curve].pieces.push_back(i);
+  for (std::uint32_t i = 0; i < points_.size(); ++i) curves[points_[i].curve].points.push_back(i);
+  for (const auto& [ref, curve] : curves) {
     std::vector<Triangle> segments;
-    for (const std::uint32_t i : pieces) {
+    for (const std::uint32_t i : curve.pieces) {
       const glm::dvec3 a = mesh.position(pieces_[i].ends[0]), b = mesh.position(pieces_[i].ends[1]);
       segments.push_back({a, b, b});
     }
     const TriangleTree tree(segments);
     std::uint32_t hint = no_index;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (points_[i].curve != curve) continue;
+    for (const std::uint32_t i : curve.points) {
       hint = tree.nearest(points_[i].position, hint).triangle;
-      add_point(pieces[tree.source(hint)], i);
+      if (hint != no_index) add_point(curve.pieces[tree.source(hint)], i);
     }
   }
 }
