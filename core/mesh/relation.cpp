@@ -206,7 +206,7 @@ bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
   for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
   --entries_;
-  if (head.size == 0) {  // as after its vertex has gone: others may have the block
+  if (head.size == 0 && head.block > 12) {  // its vertex may have gone: others may have the block
     give_block(head);
     head = Head();
   }
