@@ -320,7 +320,7 @@ std::string field_name(const measure::FieldDifference& d) {
   return "  " + shown(d.name) + " on " + entity_plural(d.dimension);
 }
 
-void print_fields(const Compared& c) {
+void print_differences(const Compared& c) {
   if (c.fields.empty()) return;
   columns("field, % of its range", "rms", "max", "% of volume");
   const std::size_t shown = std::min(c.fields.size(), most_lines);
@@ -352,7 +352,7 @@ void print(const Compared& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n';
   print_regions(c);
   print_surfaces(c);
-  print_fields(c);
+  print_differences(c);
   print_sides(c);
   print_histograms(c);
 }

@@ -15,7 +15,7 @@ using fields::CarriedField;
 using fields::ComponentFacts;
 using fields::FieldFacts;
 
-constexpr std::size_t most_lines = 20;
+constexpr std::size_t most_arrays = 20;
 
 template <typename Value>
 Json by_component(const FieldFacts& facts, Value&& value) {
@@ -24,7 +24,7 @@ Json by_component(const FieldFacts& facts, Value&& value) {
   return list;
 }
 
-Json facts_json(const FieldFacts& facts) {
+Json array_facts_json(const FieldFacts& facts) {
   return {{"min", by_component(facts, [](const ComponentFacts& c) { return c.low; })},
           {"max", by_component(facts, [](const ComponentFacts& c) { return c.high; })},
           {"integral", by_component(facts, [](const ComponentFacts& c) { return c.integral; })},
@@ -73,13 +73,13 @@ Json fields_json(const std::vector<CarriedField>& list) {
                     {"on", entity_plural(field.dimension)},
                     {"components", field.components},
                     {"kind", kind_name(field.kind)},
-                    {"before", facts_json(field.before)},
-                    {"after", facts_json(field.after)}});
+                    {"before", array_facts_json(field.before)},
+                    {"after", array_facts_json(field.after)}});
   return json;
 }
 
 void print_fields(std::ostream& out, const std::vector<CarriedField>& list) {
-  const std::size_t shown_lines = std::min(list.size(), most_lines);
+  const std::size_t shown_lines = std::min(list.size(), most_arrays);
   for (std::size_t i = 0; i < shown_lines; ++i)
     out << "  " << shown(list[i].name) << " on " << entity_plural(list[i].dimension) << ", "
         << kind_name(list[i].kind) << ": " << change_words(list[i]) << '\n';
@@ -94,7 +94,7 @@ Json arrays_json(const MeshData& mesh) {
                     {"on", entity_plural(a.dimension)},
                     {"components", a.components},
                     {"type", type_name(a)}});
-    json.back().update(facts_json(facts));
+    json.back().update(array_facts_json(facts));
   });
   return json;
 }
@@ -102,14 +102,14 @@ Json arrays_json(const MeshData& mesh) {
 void print_arrays(std::ostream& out, const MeshData& mesh) {
   std::size_t lines = 0;
   each_array(mesh, [&](const Attribute& a, const FieldFacts& facts) {
-    if (++lines > most_lines) return;
+    if (++lines > most_arrays) return;
     out << "  " << shown(a.name) << " on " << entity_plural(a.dimension) << ", "
         << counted(static_cast<std::uint64_t>(a.components), std::string(type_name(a)) + " number")
         << ": " << range_words(facts);
     if (facts.missing > 0) out << ", " << counted(facts.missing, "value") << " no number";
     out << '\n';
   });
-  if (lines > most_lines) out << "  and " << lines - most_lines << " more; --json has all\n";
+  if (lines > most_arrays) out << "  and " << lines - most_arrays << " more; --json has all\n";
 }
 
 Json differences_json(const std::vector<measure::FieldDifference>& list) {
@@ -124,8 +124,8 @@ Json differences_json(const std::vector<measure::FieldDifference>& list) {
                     {"largest_pct", d.label ? Json(nullptr) : Json(d.percent(d.largest))},
                     {"differing_pct", d.label ? Json(100 * d.differing) : Json(nullptr)},
                     {"missing", d.missing},
-                    {"original", facts_json(d.before)},
-                    {"result", facts_json(d.after)}});
+                    {"original", array_facts_json(d.before)},
+                    {"result", array_facts_json(d.after)}});
   return json;
 }
 
