@@ -69,7 +69,8 @@ class Classifier {
     for (const Face f : mesh_.faces()) {
       if (mesh_.classification(f).dimension() == 3) mesh_.set_classification(f, {});
       const ModelRef m = mesh_.classification(f);
-      if (m.dimension() == 2) tags_[2].taken(m), faces_given_ = true;
+      if (m.dimension() == 2) tags_[2].taken(m);
+      if (m != mesh_.classification(*mesh_.faces().begin())) faces_differ_ = true;
     }
     for (const Edge e : mesh_.edges())
       if (const ModelRef m = mesh_.classification(e); m.dimension() == 1)
@@ -81,7 +82,8 @@ class Classifier {
     }
   }
 
-  // What the file classifies wins: then the angle has no say.
+  // What the file classifies wins: then the angle has no say. One model face for all of a surface
+  // says nothing of its edges.
   void find_features() {
     const auto angle = given() ? std::nullopt : options_.feature_angle_deg;
     features_ = aomd::find_features(mesh_, {angle, options_.nonmanifold_edges}, feature_);
@@ -243,7 +245,9 @@ class Classifier {
             features_, given()};
   }
 
-  [[nodiscard]] bool given() const { return faces_given_ || edges_given_; }
+  [[nodiscard]] bool given() const {
+    return faces_differ_ || edges_given_ || curves_given_by_vertices_;
+  }
 
   Mesh& mesh_;
   ClassifyOptions options_;
@@ -253,7 +257,7 @@ class Classifier {
   Column<Edge, std::uint8_t> listed_;  ///< by the file, on a model edge
   std::array<FreshTags, 3> tags_;
   FeatureCount features_;
-  bool faces_given_ = false, edges_given_ = false, curves_given_by_vertices_ = false;
+  bool faces_differ_ = false, edges_given_ = false, curves_given_by_vertices_ = false;
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ struct ClassifyOptions {
 struct ClassifyResult {
   int model_vertices = 0, model_edges = 0, model_faces = 0;
   FeatureCount features;
-  bool given = false;  ///< faces or edges were classified already: the angle had no say
+  /// Edges were classified already, or faces on more than one model face: the angle had no say.
+  bool given = false;
 };
 
 /// Classifies all vertices, edges and faces. An edge lies on a model edge where it has one face or

@@ -17,6 +17,24 @@ ClassifyResult classified(Mesh& mesh, ClassifyOptions options = {}) {
   return result;
 }
 
+// Reference 1 at every triangle, as many programs write it, says nothing of the twelve edges; two
+// references do.
+TEST(ClassifyTest, OneModelFaceForAllLeavesTheEdgesToTheAngle) {
+  MeshData data = make_sample("box", 4);
+  data.edges = {};
+  data.vertex_classes.clear();
+  for (ModelRef& model : data.faces.classes) model = ModelRef(2, 7);
+  Mesh one(data);
+  const ClassifyResult found = classify(one);
+  EXPECT_FALSE(found.given);
+  EXPECT_EQ(found.model_edges, 12);
+  EXPECT_EQ(found.model_vertices, 8);
+  for (const Face f : one.faces()) ASSERT_EQ(one.classification(f), ModelRef(2, 7));
+  data.faces.classes.front() = ModelRef(2, 8);
+  Mesh two(data);
+  EXPECT_TRUE(classify(two).given);
+}
+
 TEST(ClassifyTest, ATetrahedronHasFourSixFour) {
   Mesh mesh(zoo::tetrahedron());
   const ClassifyResult r = classified(mesh);
