@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/decimate/explain/verdict_words.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
@@ -26,8 +25,7 @@
 #include "core/model/mesh_on_model.h"
 #include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
-#include "tools/aomd/decimate_options.h"
-#include "tools/aomd/field_report.h"
+#include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/keep_file.h"
 #include "tools/aomd/missed_target.h"
@@ -35,7 +33,6 @@
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
-#include "tools/aomd/volume_report.h"
 
 namespace aomd::cli {
 namespace {
@@ -67,7 +64,7 @@ class Run {
     write();
     progress_.wipe();
     if (!options_.quiet) print_summary();
-    return missed_ && options_.strict ? says_no : done;
+    return did_.missed && options_.strict ? says_no : done;
   }
 
  private:
@@ -77,7 +74,7 @@ class Run {
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.input, read.notes);
     original_ = std::move(read.mesh);
-    seconds_["read"] = watch_.lap();
+    did_.seconds["read"] = watch_.lap();
     if (options_.triangulate) cut_quads();
     if (options_.repair) repair_mesh();
     mesh_ = Mesh(original_);
@@ -91,7 +88,7 @@ class Run {
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
-    seconds_["read"] = seconds_["read"].get<double>() + watch_.lap();
+    did_.seconds["read"] = did_.seconds["read"].get<double>() + watch_.lap();
   }
 
   [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
@@ -122,10 +119,10 @@ class Run {
 
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
-    for (const Region r : mesh_.regions()) others_ += mesh_.shape(r) != Shape::Tetrahedron;
-    const std::uint32_t cells = volume() ? mesh_.count(3) - others_ : mesh_.count(2);
-    target_ = options_.target_count(volume(), cells);
-    steps_.target_faces = target_ > 0 ? target_ + others_ : 0;
+    for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
+    const std::uint32_t cells = volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
+    did_.target = options_.target_count(volume(), cells);
+    steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
   // Where some are upright the others may be folded, which turning does not mend.
@@ -137,14 +134,15 @@ class Run {
       turned += volume < 0;
     }
     if (options_.quiet || turned < mesh_.count(3)) return;
-    print_notes(options_.input, {std::string("all ") + (others_ == 0 ? "tetrahedra" : "regions") +
-                                 " (" + grouped(mesh_.count(3)) +
-                                 ") stand inside out: aomd convert --split-to-tets turns them"});
+    print_notes(
+        options_.input,
+        {std::string("all ") + (did_.others == 0 ? "tetrahedra" : "regions") + " (" +
+         grouped(mesh_.count(3)) + ") stand inside out: aomd convert --split-to-tets turns them"});
   }
 
   /// Faces, or tetrahedra.
   [[nodiscard]] std::uint32_t cells() const {
-    return volume() ? mesh_.count(3) - others_ : mesh_.count(2);
+    return volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
   }
 
   void cut_quads() {
@@ -158,13 +156,15 @@ class Run {
     progress_.show("repairing");
     RepairOptions how;
     options_.weld.apply(how, original_);
-    repaired_ = repair(original_, how);
+    did_.repaired = repair(original_, how);
     progress_.wipe();
     if (!options_.quiet) {
-      for (const RepairItem& item : repaired_.done) print_notes(options_.input, {line_of(item)});
-      for (const RepairItem& item : repaired_.left) print_notes(options_.input, {line_of(item)});
+      for (const RepairItem& item : did_.repaired.done)
+        print_notes(options_.input, {line_of(item)});
+      for (const RepairItem& item : did_.repaired.left)
+        print_notes(options_.input, {line_of(item)});
     }
-    seconds_["repair"] = watch_.lap();
+    did_.seconds["repair"] = watch_.lap();
   }
 
   void classify_mesh() {
@@ -185,10 +185,10 @@ class Run {
     if (model_) fit_to_model();
     if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
     if (options_.snaps()) snap_to_model();
-    seconds_["classify"] = watch_.lap();
-    input_ = measure::count_entities(mesh_);
+    did_.seconds["classify"] = watch_.lap();
+    did_.input = measure::count_entities(mesh_);
     volumes_before_ = measure::region_volumes(mesh_);
-    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, input_, false));
+    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, did_.input, false));
     watch_.lap();
   }
 
@@ -248,12 +248,12 @@ class Run {
     } catch (const std::invalid_argument& e) {
       throw UsageError(std::string("--spacing: ") + e.what());
     }
-    seconds_["spacing"] = watch_.lap();
+    did_.seconds["spacing"] = watch_.lap();
   }
 
   void decimate() {
     Decimation decimation(mesh_, steps_);
-    seconds_["adjacency"] = watch_.lap();
+    did_.seconds["adjacency"] = watch_.lap();
     const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
     using namespace std::chrono_literals;
     const auto slice =
@@ -261,43 +261,43 @@ class Run {
     while (decimation.run(slice) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
     balls_ = {};
-    seconds_["decimate"] = watch_.lap();
-    memory_ = {{"mesh", std::max(entities, mesh_.entity_bytes())},
-               {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
-               {"journal", record_.journal.bytes()},
-               {"decimate_peak", peak_bytes()}};
-    sweeps_ = decimation.sweeps();
-    if (!misses(cells(), target_)) return;
+    did_.seconds["decimate"] = watch_.lap();
+    did_.memory = {{"mesh", std::max(entities, mesh_.entity_bytes())},
+                   {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
+                   {"journal", record_.journal.bytes()},
+                   {"decimate_peak", peak_bytes()}};
+    did_.sweeps = decimation.sweeps();
+    if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
-    missed_ = {decimation.edges_left(), ""};
-    missed_->would_help =
-        what_would_help(missed_->edges, options_, steps_, original_, input_, mesh_.count(2));
+    did_.missed = {decimation.edges_left(), ""};
+    did_.missed->would_help = what_would_help(did_.missed->edges, options_, steps_, original_,
+                                              did_.input, mesh_.count(2));
   }
 
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
-    self_intersections_ = measure::count_self_intersections(mesh_, steps_.threads).pairs;
+    did_.self_intersections = measure::count_self_intersections(mesh_, steps_.threads).pairs;
     if (volume()) check_volume();
     if (!volume()) count_flips();
-    seconds_["check"] = watch_.lap();
-    output_ = measure::count_entities(mesh_);
-    quality_ = measure::measure_quality(mesh_);
+    did_.seconds["check"] = watch_.lap();
+    did_.output = measure::count_entities(mesh_);
+    did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
 
   void count_flips() {
     const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
                                 steps_.threads);
-    flips_ = measure::measure_normals(original, mesh_, steps_.threads).flips;
+    did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
   }
 
   // No operation turns a tetrahedron inside out; an input may have some.
   void check_volume() {
-    volume_quality_ = measure::measure_volume(mesh_);
-    volumes_ = volume_changes(volumes_before_, measure::region_volumes(mesh_));
-    const std::size_t after = volume_quality_.inverted.size();
+    did_.volume_quality = measure::measure_volume(mesh_);
+    did_.volumes = volume_changes(volumes_before_, measure::region_volumes(mesh_));
+    const std::size_t after = did_.volume_quality.inverted.size();
     if (after > inverted_)
       throw InternalFault(options_.input +
                           ": internal fault: " + counted(after - inverted_, "region") +
@@ -328,10 +328,11 @@ class Run {
     io::EncodedMesh encoded = io::to_bytes(path, format_, result);
     files.add(path, std::move(encoded.bytes));
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
-    seconds_["write"] = watch_.lap();
-    seconds_["total"] = watch_.total();
-    memory_["peak"] = peak_bytes();
-    if (!options_.report.empty()) files.add(output_path(options_.report), text_of(report_json()));
+    did_.seconds["write"] = watch_.lap();
+    did_.seconds["total"] = watch_.total();
+    did_.memory["peak"] = peak_bytes();
+    if (!options_.report.empty())
+      files.add(output_path(options_.report), text_of(report_json(options_, steps_, how_, did_)));
     files.commit();
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
@@ -339,81 +340,16 @@ class Run {
 
   void carry_arrays(MeshData& result) {
     io::CarriedAlong along = io::carry_along(original_, result, steps_.threads);
-    fields_ = std::move(along.fields);
-    if (!fields_.empty()) seconds_["fields"] = watch_.lap();
+    did_.fields = std::move(along.fields);
+    if (!did_.fields.empty()) did_.seconds["fields"] = watch_.lap();
     if (!options_.quiet) print_notes(options_.output, along.notes);
   }
 
-  /// "stopped" of a report.
-  [[nodiscard]] Json stopped_json() const {
-    const bool aimed = steps_.target_faces > 0;
-    const char* why = missed_ ? "missed" : aimed ? "target" : "done";
-    const bool helps = missed_ && !missed_->would_help.empty();
-    return {{"why", why},
-            {"refused", missed_ ? refused_json(missed_->edges) : Json::object()},
-            {"would_help", helps ? Json(missed_->would_help) : Json(nullptr)}};
-  }
-
-  [[nodiscard]] Json options_json() const {
-    DecimationOptions told = steps_;
-    told.target_faces = target_;
-    Json options = options_.json(told, volume());
-    options["feature_angle_deg"] =
-        how_.feature_angle_deg ? Json(*how_.feature_angle_deg) : Json(nullptr);
-    return options;
-  }
-
-  [[nodiscard]] Json report_json() const {
-    return {{"schema", 1},
-            {"input", counts_json(options_.input, input_)},
-            {"output", counts_json(options_.output, output_)},
-            {"options", options_json()},
-            {"repair", options_.repair ? Json{{"done", items_json(repaired_.done)},
-                                              {"left", items_json(repaired_.left)}}
-                                       : Json(nullptr)},
-            {"seconds", seconds_},
-            {"memory_bytes", memory_},
-            {"sweeps", sweeps_json(sweeps_)},
-            {"quality", quality_report()},
-            {"model_regions", volume() ? volume_changes_json(volumes_) : Json(nullptr)},
-            {"volume_change_pct", volume() ? Json(largest_percent(volumes_)) : Json(nullptr)},
-            {"fields", fields_json(fields_)},
-            {"findings",
-             {{"flips", flips_}, {"self_intersections", self_intersections_}, {"verify", 0}}},
-            {"stopped", stopped_json()}};
-  }
-
-  [[nodiscard]] Json quality_report() const {
-    Json quality = quality_json(quality_);
-    if (volume()) add_volume_quality(quality, volume_quality_);
-    return quality;
-  }
-
-  [[nodiscard]] std::string change_words() const {
-    return volume()
-               ? counted(input_.regions - others_, "tetrahedron") + " -> " + std::to_string(cells())
-               : counted(input_.faces, "face") + " -> " + std::to_string(output_.faces);
-  }
-
-  [[nodiscard]] std::string state_words() const {
-    if (!volume()) return counted(flips_, "flipped face");
-    return "smallest dihedral angle " + words::degrees(volume_quality_.min_dihedral_deg) +
-           " degrees, largest change of a region's volume " +
-           number_text(largest_percent(volumes_), 2) + " %";
-  }
-
   void print_summary() const {
-    const bool kept = input_.euler == output_.euler;
-    std::ostream& out = stream_beside(options_.outputs());
-    out << printable(options_.input) << ": " << change_words() << ", Euler number " << input_.euler
-        << (kept ? " kept" : " -> " + std::to_string(output_.euler)) << ", "
-        << counted(self_intersections_, "self-intersection") << ", " << state_words() << ", "
-        << std::llround(1000 * watch_.total()) << " ms\n";
-    if (volume()) print_volume_changes(out, volumes_);
-    if (!fields_.empty()) print_fields(out, fields_);
-    if (!missed_) return;
-    print_notes(options_.output, {sentence(*missed_, steps_, target_, cells(), volume())});
-    print_notes(options_.input, dirt_notes(original_, input_, true));
+    print_decimation(stream_beside(options_.outputs()), options_, did_);
+    if (!did_.missed) return;
+    print_notes(options_.output, {sentence(*did_.missed, steps_, did_.target, cells(), volume())});
+    print_notes(options_.input, dirt_notes(original_, did_.input, true));
   }
 
   const DecimateOptions& options_;
@@ -422,26 +358,16 @@ class Run {
   DecimationOptions steps_;
   ClassifyOptions how_;
   Stopwatch watch_;
-  Json seconds_, memory_;
   MeshData original_;  ///< as read, or as repaired
   double diagonal_ = 0;
   bool forgotten_ = false;  ///< the vertices of the regions of `original_`
-  RepairReport repaired_;
   Mesh mesh_;
   Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
-  measure::Counts input_, output_;
-  measure::Quality quality_;
-  measure::VolumeQuality volume_quality_;
   std::vector<measure::RegionVolume> volumes_before_;
-  std::vector<VolumeChange> volumes_;
-  std::vector<SweepStatistics> sweeps_;
-  std::vector<fields::CarriedField> fields_;
-  std::optional<MissedTarget> missed_;
-  std::uint32_t target_ = 0, others_ = 0;  ///< faces or tetrahedra; regions of other shapes
-  std::size_t flips_ = 0, self_intersections_ = 0;
   std::size_t inverted_ = 0;  ///< regions of the input
+  DecimateReport did_;
 };
 
 }  // namespace

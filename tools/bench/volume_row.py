@@ -10,7 +10,7 @@ DEFECTS = ("inverted", "repeated_tets", "nonconforming_faces", "folded_faces", "
            "surfaces_with_other_euler")
 
 
-def decimate(original, percent, regularity, result):
+def decimate(mesh, percent, regularity, result):
     command = [os.environ["AOMD_PROGRAM"], "decimate", mesh, result, "--strategy", "quality", "--target-tets",
                percent + "%", "--regularity", regularity, "--quiet", "--report", result + ".json"]
     # A shell starts it: the memory of a process counts that of the one that forked it.
@@ -29,7 +29,7 @@ def measured(result, original):
         info = json.loads(subprocess.run([os.environ["AOMD_PROGRAM"], "info", result, "--json"], capture_output=True,
                                          text=True, check=True).stdout)
         return {"tets": str(info.get("regions", "-"))}
-    lines = subprocess.run([metric, result, original, "--samples", os.environ["AOMD_SAMPLES"], "--list"],
+    lines = subprocess.run([metric, result, original, "--samples", os.environ["AOMD_SAMPLES"], "--list", "--match-regions"],
                            capture_output=True, text=True, check=True).stdout.splitlines()
     return dict(line.split(": ", 1) for line in lines if ": " in line)
 
