@@ -22,6 +22,24 @@ double worst_shape(const Mesh& mesh, const Ball& ball, const glm::dvec3& centre)
   return worst;
 }
 
+double worst_dihedral_cosine(const Mesh& mesh, const Ball& ball, const glm::dvec3& centre) {
+  double worst = -1;
+  for (const BallRegion& r : ball) {
+    const Base c = corners_of(mesh, r);
+    worst = std::max(worst, smallest_dihedral_cosine(centre, c[0], c[1], c[2]));
+  }
+  return worst;
+}
+
+Verdict judge_dihedral(const Mesh& mesh, const Ball& ball, const BallRegion& r, const EndMove& move,
+                       const LeastAngle& least) {
+  const Base c = corners_of(mesh, r);
+  const double now = smallest_dihedral_cosine(move.to, c[0], c[1], c[2]);
+  const auto before = [&] { return worst_dihedral_cosine(mesh, ball, mesh.position(move.vertex)); };
+  if (!least.allows(now, before)) return {Reason::Shape, r.region, now};
+  return {};
+}
+
 Verdict judge_lengths(const Mesh& mesh, const BallRegion& r, const EndMove& move,
                       const VolumeRules& rules) {
   const glm::dvec3 from = mesh.position(move.vertex);
@@ -47,6 +65,10 @@ Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
     if (!is_upright(move.to, c[0], c[1], c[2])) return {Reason::Inverted, r.region};
     if (rules.overshoot > 0)
       if (const Verdict v = judge_lengths(mesh, r, move, rules); !v.accepted()) return v;
+    if (rules.least_dihedral.binds())
+      if (const Verdict v = judge_dihedral(mesh, ball, r, move, rules.least_dihedral);
+          !v.accepted())
+        return v;
     if (!(rules.least_shape > 0)) continue;
     const double shape = tet_shape(move.to, c[0], c[1], c[2]);
     if (shape >= rules.least_shape) continue;

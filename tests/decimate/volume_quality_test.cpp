@@ -297,6 +297,38 @@ TEST(VolumeQualityTest, NoFaceGetsAnAngleBelowTheLeast) {
   }
 }
 
+// With a target out of reach, for which all other floors are lowered; with and without volumes to
+// keep, which vertices move for at the end.
+TEST(VolumeQualityTest, NoTetrahedronGetsADihedralAngleBelowTheLeast) {
+  for (const char* sample : {"ball-in-box", "tet-bracket", "layered-beam"})
+    for (const Strategy strategy : {Strategy::Quality, Strategy::Paper})
+      for (const double least : {14.0, 25.0}) {
+        VolumeBench b(make_sample(sample, 3),
+                      strategy == Strategy::Paper ? Levels::Complete : Levels::Listed);
+        const VolumeBench free(to_data(b.mesh), Levels::Complete);
+        const double start = smallest_dihedral(b.mesh);
+        DecimationOptions options = quality(b.mesh, 0.02);
+        options.strategy = strategy;
+        options.min_dihedral_deg = least;
+        Decimation(b.mesh, options).run();
+        EXPECT_EQ(b.finding(), "");
+        EXPECT_LT(b.mesh.count(3), 0.9 * free.mesh.count(3)) << sample;
+        EXPECT_GE(smallest_dihedral(b.mesh), std::min(least, start) - 1e-9) << sample;
+      }
+}
+
+TEST(VolumeQualityTest, WithoutALeastDihedralAngleSmallerOnesCome) {
+  for (const Strategy strategy : {Strategy::Quality, Strategy::Paper}) {
+    VolumeBench b(make_sample("ball-in-box", 3),
+                  strategy == Strategy::Paper ? Levels::Complete : Levels::Listed);
+    EXPECT_GT(smallest_dihedral(b.mesh), 25);
+    DecimationOptions options = quality(b.mesh, 0.02);
+    options.strategy = strategy;
+    Decimation(b.mesh, options).run();
+    EXPECT_LT(smallest_dihedral(b.mesh), 14);
+  }
+}
+
 TEST(VolumeQualityTest, KeptVerticesAndOtherShapesStay) {
   VolumeBench b(make_sample("tet-bracket"), Levels::Listed);
   auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(b.mesh.capacity(0), std::uint8_t{0});
