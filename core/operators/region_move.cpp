@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
@@ -180,10 +181,12 @@ RegionMover::Shapes RegionMover::shapes(const glm::dvec3& at) const {
 
 Verdict RegionMover::judge_cells(const RegionMove& plan, const glm::dvec3& from,
                                  const glm::dvec3& to, const LeastAngle& least) const {
+  std::optional<double> around;  // the worst cosine where it is, once it is asked for
   const auto before = [&] {
-    double worst = -1;
-    for (const Cell& cell : cells_) worst = std::max(worst, cell.dihedral_cosine(from));
-    return worst;
+    if (around) return *around;
+    around = -1;
+    for (const Cell& cell : cells_) around = std::max(*around, cell.dihedral_cosine(from));
+    return *around;
   };
   for (std::size_t i = 0; i < cells_.size() && least.binds(); ++i) {
     const double now = cells_[i].dihedral_cosine(to);
