@@ -49,9 +49,11 @@ struct DecimationOptions {
   std::uint32_t target_faces = 0;
   double angle_deg = 10;  ///< how far the normal of a face may turn in one operation, degrees
   double min_angle_deg =
-      0;                    ///< no face gets an angle below it unless it had a smaller one, degrees
-  double regularity = 0.5;  ///< Quality: 0 accuracy first .. 1 regular faces first
-  std::uint32_t without = 0;  ///< Quality: bit i leaves out Idea i
+      0;  ///< no face gets an angle below it unless it had a smaller one, degrees
+  double min_dihedral_deg = 0;  ///< of a volume: no tetrahedron gets an angle between two faces
+                                ///< below it unless one as bad was around it, degrees
+  double regularity = 0.5;      ///< Quality: 0 accuracy first .. 1 regular faces first
+  std::uint32_t without = 0;    ///< Quality: bit i leaves out Idea i
   /// Every point of the result within it of the original, and every point of a model edge within it
   /// of that model edge, in the mesh's units; 0: no such guarantee.
   double max_distance = 0;

@@ -14,6 +14,9 @@ namespace {
 using Corners = std::array<glm::dvec3, 4>;
 
 double shape_of(const Corners& t) { return tet_shape(t[0], t[1], t[2], t[3]); }
+double dihedral_cosine_of(const Corners& t) {
+  return smallest_dihedral_cosine(t[0], t[1], t[2], t[3]);
+}
 
 // The best way to cut one side's ring into triangles, by the worst of the two tetrahedra on each:
 // best_[i][j] is that of the polygon from i to j (Klincsek's table).
@@ -95,15 +98,20 @@ Verdict judge_faces(const Mesh& mesh, const EdgeRing& ring, const RemovalRules& 
   return {};
 }
 
-double worst_shape(const Mesh& mesh, const EdgeRing& ring) {
-  double worst = 1;
+// Calls visit(corners) for each tetrahedron around the edge.
+template <typename Visit>
+void for_present(const Mesh& mesh, const EdgeRing& ring, Visit&& visit) {
   for (std::uint32_t s = 0; s < ring.side_count; ++s) {
     const RingSide& side = ring.sides[s];
     for (std::uint32_t i = 0; i < side.region_count(); ++i)
-      worst =
-          std::min(worst, shape_of({mesh.position(ring.a), mesh.position(ring.b),
-                                    mesh.position(side.ring[i]), mesh.position(side.after(i))}));
+      visit(Corners{mesh.position(ring.a), mesh.position(ring.b), mesh.position(side.ring[i]),
+                    mesh.position(side.after(i))});
   }
+}
+
+double worst_shape(const Mesh& mesh, const EdgeRing& ring) {
+  double worst = 1;
+  for_present(mesh, ring, [&](const Corners& c) { worst = std::min(worst, shape_of(c)); });
   return worst;
 }
 
@@ -122,8 +130,32 @@ Verdict judge_shape(const Mesh& mesh, EdgeRemoval& plan) {
         if (shape_of(c) == after) worst = c;
   }
   if (is_better_shape(plan.before, plan.after)) return {};
-  return {Reason::Quality, plan.ring.sides[0].regions[0],
-          smallest_dihedral_cosine(worst[0], worst[1], worst[2], worst[3])};
+  return {Reason::Quality, plan.ring.sides[0].regions[0], dihedral_cosine_of(worst)};
+}
+
+double worst_new_dihedral_cosine(const Mesh& mesh, const EdgeRemoval& plan) {
+  double worst = -1;
+  for (std::uint32_t s = 0; s < plan.ring.side_count; ++s) {
+    const RingTable table(mesh, plan.ring, plan.ring.sides[s]);
+    for (std::uint32_t t = 0; t < plan.triangles[s].count; ++t)
+      for (const Corners& c :
+           {table.above(plan.triangles[s].items[t]), table.below(plan.triangles[s].items[t])})
+        worst = std::max(worst, dihedral_cosine_of(c));
+  }
+  return worst;
+}
+
+Verdict judge_dihedrals(const Mesh& mesh, const EdgeRemoval& plan, const LeastAngle& least) {
+  if (!least.binds()) return {};
+  const double now = worst_new_dihedral_cosine(mesh, plan);
+  const auto before = [&] {
+    double worst = -1;
+    for_present(mesh, plan.ring,
+                [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
+    return worst;
+  };
+  if (!least.allows(now, before)) return {Reason::Shape, plan.ring.sides[0].regions[0], now};
+  return {};
 }
 
 std::array<Vertex, 3> corners_of(const RingSide& side, const RingTriangle& t) {
@@ -155,6 +187,7 @@ Verdict judge_plan(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rul
   if (plan.ring.on_model_face())
     if (const Verdict v = judge_faces(mesh, plan.ring, rules); !v.accepted()) return v;
   if (const Verdict v = judge_shape(mesh, plan); !v.accepted()) return v;
+  if (const Verdict v = judge_dihedrals(mesh, plan, rules.least_dihedral); !v.accepted()) return v;
   return judge_inside(mesh, plan);
 }
 

@@ -20,8 +20,10 @@ namespace aomd {
 
 /// What edge and face removal have to respect.
 struct RemovalRules {
-  TurnLimit max_turn{10.0};   ///< how far the normals of a model face may turn
-  LeastAngle least_angle{0};  ///< of a face on a model face, unless one of the two was smaller
+  TurnLimit max_turn{10.0};      ///< how far the normals of a model face may turn
+  LeastAngle least_angle{0};     ///< of a face on a model face, unless one of the two was smaller
+  LeastAngle least_dihedral{0};  ///< between two faces of a new tetrahedron, unless one of those
+                                 ///< that go had a smaller one
 };
 
 /// Positions in a ring, ascending.
@@ -52,8 +54,9 @@ struct EdgeRemoval {
 /// diagonal of its two faces. Refusals in this order: as find_ring; Topology (an edge between those
 /// faces' third vertices exists), Flat, Angle (a new normal further than `max_turn` from either old
 /// one), Shape (a new face with a smaller angle than `least_angle` allows), Quality (number: the
-/// smallest dihedral angle of the worst new tetrahedron), Topology (an edge or face inside the ring
-/// exists). What must be stored: as find_ring.
+/// smallest dihedral angle of the worst new tetrahedron), Shape (a new tetrahedron with a smaller
+/// dihedral angle than `least_dihedral` allows; named is the first of the ring), Topology (an edge
+/// or face inside the ring exists). What must be stored: as find_ring.
 Verdict judge(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rules, EdgeRemoval& plan);
 
 /// Makes what was accepted. The mesh must not have changed since. Entities inside the ring that

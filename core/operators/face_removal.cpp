@@ -1,5 +1,7 @@
 #include "core/operators/face_removal.h"
 
+#include <algorithm>
+
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
 #include "core/mesh/tet_geometry.h"
@@ -58,10 +60,26 @@ Verdict judge_shape(const Mesh& mesh, FaceRemoval& plan) {
           smallest_dihedral_cosine(p, at[worst], at[(worst + 1) % 3], q)};
 }
 
-Verdict judge_plan(const Mesh& mesh, FaceRemoval& plan) {
+Verdict judge_dihedrals(const Mesh& mesh, const FaceRemoval& plan, const LeastAngle& least) {
+  if (!least.binds()) return {};
+  const glm::dvec3 p = mesh.position(plan.apexes[0]), q = mesh.position(plan.apexes[1]),
+                   x = mesh.position(plan.corners[0]), y = mesh.position(plan.corners[1]),
+                   z = mesh.position(plan.corners[2]);
+  const double now =
+      std::max({smallest_dihedral_cosine(p, x, y, q), smallest_dihedral_cosine(p, y, z, q),
+                smallest_dihedral_cosine(p, z, x, q)});
+  const auto before = [&] {
+    return std::max(smallest_dihedral_cosine(p, x, y, z), smallest_dihedral_cosine(q, z, y, x));
+  };
+  if (!least.allows(now, before)) return {Reason::Shape, plan.regions[0], now};
+  return {};
+}
+
+Verdict judge_plan(const Mesh& mesh, const LeastAngle& least_dihedral, FaceRemoval& plan) {
   if (!find_other(mesh, plan)) return {Reason::Topology, plan.regions[0]};
   if (const Verdict v = judge_class(mesh, plan); !v.accepted()) return v;
   if (const Verdict v = judge_shape(mesh, plan); !v.accepted()) return v;
+  if (const Verdict v = judge_dihedrals(mesh, plan, least_dihedral); !v.accepted()) return v;
   if (joined_in_volume(mesh, plan.apexes[0], plan.apexes[1]))
     return {Reason::Topology, plan.apexes[0]};
   return {};
@@ -69,14 +87,15 @@ Verdict judge_plan(const Mesh& mesh, FaceRemoval& plan) {
 
 }  // namespace
 
-Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, FaceRemoval& plan) {
+Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, const LeastAngle& least_dihedral,
+              FaceRemoval& plan) {
   const auto t = mesh.tetrahedron(region);
   const auto& from = seen_from[slot];
   plan.regions = {region, Region()};
   plan.apexes = {t[slot], Vertex()};
   plan.corners = {t[from[0]], t[from[1]], t[from[2]]};
   plan.revision = mesh.revision();
-  return plan.verdict = judge_plan(mesh, plan);
+  return plan.verdict = judge_plan(mesh, least_dihedral, plan);
 }
 
 // (p, x, y, z) becomes (p, x, y, q), and (q, z, y, x) becomes (q, z, y, p).

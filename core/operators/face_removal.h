@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
 #include "core/operators/verdict.h"
 
@@ -29,10 +30,12 @@ struct FaceRemoval {
 /// What removing the face of a tetrahedron would do that lies opposite to one of its vertices (by
 /// its position there). Refusals in this order: Topology (no tetrahedron on the other side),
 /// Classification (the face lies on a model face), Quality (the worst of the three would not be
-/// better than the worst of the two, or not upright; number: its smallest dihedral angle), Topology
-/// (an edge between the apexes exists). What must be stored: as find_ring (edge_ring.h). O(regions
-/// around an apex and a corner).
-Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, FaceRemoval& plan);
+/// better than the worst of the two, or not upright; number: its smallest dihedral angle), Shape
+/// (one of the three has a smaller dihedral angle than `least_dihedral`, and than both of the two),
+/// Topology (an edge between the apexes exists). What must be stored: as find_ring (edge_ring.h).
+/// O(regions around an apex and a corner).
+Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, const LeastAngle& least_dihedral,
+              FaceRemoval& plan);
 
 /// Makes what was accepted. The mesh must not have changed since. The face is destroyed where it is
 /// an entity; the new edge and faces are made where their level is complete. One journal step.

@@ -1,6 +1,7 @@
 #include "core/operators/region_checks.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/mesh/tet_geometry.h"
 
@@ -22,6 +23,29 @@ double worst_shape(const Mesh& mesh, const Ball& ball, const glm::dvec3& centre)
   return worst;
 }
 
+double worst_dihedral_cosine(const Mesh& mesh, const Ball& ball, const glm::dvec3& centre) {
+  double worst = -1;
+  for (const BallRegion& r : ball) {
+    const Base c = corners_of(mesh, r);
+    worst = std::max(worst, smallest_dihedral_cosine(centre, c[0], c[1], c[2]));
+  }
+  return worst;
+}
+
+// `around` is the worst cosine around the end, once it has been asked for.
+Verdict judge_dihedral(const Mesh& mesh, const Ball& ball, const BallRegion& r, const EndMove& move,
+                       const LeastAngle& least, std::optional<double>& around) {
+  if (!least.binds()) return {};
+  const Base c = corners_of(mesh, r);
+  const double now = smallest_dihedral_cosine(move.to, c[0], c[1], c[2]);
+  const auto before = [&] {
+    if (!around) around = worst_dihedral_cosine(mesh, ball, mesh.position(move.vertex));
+    return *around;
+  };
+  if (!least.allows(now, before)) return {Reason::Shape, r.region, now};
+  return {};
+}
+
 Verdict judge_lengths(const Mesh& mesh, const BallRegion& r, const EndMove& move,
                       const VolumeRules& rules) {
   const glm::dvec3 from = mesh.position(move.vertex);
@@ -41,12 +65,16 @@ Verdict judge_lengths(const Mesh& mesh, const BallRegion& r, const EndMove& move
 Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
                       const VolumeRules& rules) {
   double worst = -1;  // around the end, once it is asked for
+  std::optional<double> sharpest;
   for (const BallRegion& r : ball) {
     if (r.uses(move.other)) continue;
     const Base c = corners_of(mesh, r);
     if (!is_upright(move.to, c[0], c[1], c[2])) return {Reason::Inverted, r.region};
     if (rules.overshoot > 0)
       if (const Verdict v = judge_lengths(mesh, r, move, rules); !v.accepted()) return v;
+    if (const Verdict v = judge_dihedral(mesh, ball, r, move, rules.least_dihedral, sharpest);
+        !v.accepted())
+      return v;
     if (!(rules.least_shape > 0)) continue;
     const double shape = tet_shape(move.to, c[0], c[1], c[2]);
     if (shape >= rules.least_shape) continue;

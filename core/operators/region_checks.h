@@ -13,6 +13,8 @@ struct VolumeRules {
   CollapseRules faces{};   ///< for model faces and model edges; always TopologyRule::Safe
   double least_shape = 0;  ///< no stretched tetrahedron gets a smaller tet_shape, unless one as bad
                            ///< was around the same end; 0: no limit
+  LeastAngle least_dihedral{0};  ///< between two faces of a stretched tetrahedron, unless one
+                                 ///< around the same end was smaller
   /// No edge becomes longer than this many times the larger size of its ends, unless it was; 0: no
   /// limit.
   double overshoot = 0;
@@ -20,7 +22,8 @@ struct VolumeRules {
 };
 
 /// The tetrahedra around an end that stretch with it: Inverted, Overshoot or Shape, with the first
-/// that is refused, for Overshoot the vertex at the far end of the edge.
+/// that is refused, for Overshoot the vertex at the far end of the edge. Shape: a dihedral angle,
+/// or tet_shape.
 [[nodiscard]] Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
                                     const VolumeRules& rules);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
@@ -71,6 +72,10 @@ glm::dvec3 RegionMover::Freedom::part_of(const glm::dvec3& way) const {
 }
 
 double RegionMover::Cell::shape(const glm::dvec3& at) const { return tet_shape(at, a, b, c); }
+
+double RegionMover::Cell::dihedral_cosine(const glm::dvec3& at) const {
+  return smallest_dihedral_cosine(at, a, b, c);
+}
 
 // Of sqrt(2) six_volumes / m^(3/2), where m is the mean of the squared edges.
 glm::dvec3 RegionMover::Cell::slope(const glm::dvec3& at) const {
@@ -174,6 +179,22 @@ RegionMover::Shapes RegionMover::shapes(const glm::dvec3& at) const {
   return shapes;
 }
 
+Verdict RegionMover::judge_cells(const RegionMove& plan, const glm::dvec3& from,
+                                 const glm::dvec3& to, const LeastAngle& least) const {
+  std::optional<double> around;  // the worst cosine where it is, once it is asked for
+  const auto before = [&] {
+    if (around) return *around;
+    around = -1;
+    for (const Cell& cell : cells_) around = std::max(*around, cell.dihedral_cosine(from));
+    return *around;
+  };
+  for (std::size_t i = 0; i < cells_.size() && least.binds(); ++i) {
+    const double now = cells_[i].dihedral_cosine(to);
+    if (!least.allows(now, before)) return {Reason::Shape, plan.ball[i].region, now};
+  }
+  return {};
+}
+
 // The way in which the worst cells, and those that are nearly as bad, all get better; none where
 // their slopes cancel: what rounding leaves of them then points anywhere.
 glm::dvec3 RegionMover::uphill(const glm::dvec3& at, double worst, double nearly) {
@@ -201,7 +222,9 @@ bool RegionMover::go(const Mesh& mesh, const MoveRules& rules, RegionMove& plan,
   const Shapes there = shapes(to);
   if (!is_better_shape(plan.after, there.worst)) return false;
   if (plan.before >= rules.poor && there.sum < sum_before_) return false;
-  if (const Verdict v = judge_faces(mesh, plan, to, rules); !v.accepted()) {
+  Verdict v = judge_faces(mesh, plan, to, rules);
+  if (v.accepted()) v = judge_cells(plan, mesh.position(plan.vertex), to, rules.least_dihedral);
+  if (!v.accepted()) {
     refusal_ = v;
     return false;
   }
@@ -250,7 +273,7 @@ Verdict RegionMover::judge_plan(const Mesh& mesh, const MoveRules& rules, Region
       std::min_element(cells_.begin(), cells_.end(),
                        [&](const Cell& a, const Cell& b) { return a.shape(from) < b.shape(from); });
   return {Reason::Quality, plan.ball[static_cast<std::size_t>(worst - cells_.begin())].region,
-          smallest_dihedral_cosine(from, worst->a, worst->b, worst->c)};
+          worst->dihedral_cosine(from)};
 }
 
 Verdict RegionMover::judge(const Mesh& mesh, Vertex v, const MoveRules& rules, RegionMove& plan) {

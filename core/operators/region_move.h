@@ -15,8 +15,10 @@ namespace aomd {
 
 /// What a move has to respect.
 struct MoveRules {
-  TurnLimit max_turn{10.0};      ///< how far the normals of model faces may turn
-  LeastAngle least_angle{0};     ///< of a face on a model face, unless it had a smaller one
+  TurnLimit max_turn{10.0};   ///< how far the normals of model faces may turn
+  LeastAngle least_angle{0};  ///< of a face on a model face, unless it had a smaller one
+  LeastAngle least_dihedral{
+      0};  ///< of a tetrahedron around it, unless one of them had a smaller one
   const Model* model = nullptr;  ///< new positions on it are snapped to it
   double poor = 0.3;             ///< a worst tet_shape below this is worth an optimisation
 };
@@ -46,10 +48,10 @@ class RegionMover {
   /// model vertex, an end of model edges, nothing around it, or the faces around it do not form a
   /// disc), Flat, Angle (a model edge or the faces around it are not straight, or a normal would
   /// turn by more than `max_turn`), Shape (a face would get a smaller angle than `least_angle`
-  /// allows), Quality (the shapes would not get better; number: the smallest
-  /// dihedral angle of the worst tetrahedron now). T(0,3), T(3,0), T(0,2), T(2,0) and T(0,1) must
-  /// be stored, levels 1 and 2 complete or with what lies on model edges and faces
-  /// (Mesh::request_listed). Throws as Model::closest.
+  /// allows, or a tetrahedron than `least_dihedral`), Quality (the shapes would not get better;
+  /// number: the smallest dihedral angle of the worst tetrahedron now). T(0,3), T(3,0), T(0,2),
+  /// T(2,0) and T(0,1) must be stored, levels 1 and 2 complete or with what lies on model edges and
+  /// faces (Mesh::request_listed). Throws as Model::closest.
   Verdict judge(const Mesh& mesh, Vertex v, const MoveRules& rules, RegionMove& plan);
 
   /// Moves the vertex. The mesh must not have changed since. One journal step.
@@ -66,6 +68,7 @@ class RegionMover {
   struct Cell {
     glm::dvec3 a, b, c;
     [[nodiscard]] double shape(const glm::dvec3& at) const;
+    [[nodiscard]] double dihedral_cosine(const glm::dvec3& at) const;
     [[nodiscard]] glm::dvec3 slope(const glm::dvec3& at) const;
   };
   struct Shapes {
@@ -78,6 +81,8 @@ class RegionMover {
   Verdict find_way_across(const Mesh& mesh, const RegionMove& plan);
   void average_inside(const Mesh& mesh, const Ball& ball);
   void find_cells(const Mesh& mesh, const Ball& ball);
+  [[nodiscard]] Verdict judge_cells(const RegionMove& plan, const glm::dvec3& from,
+                                    const glm::dvec3& to, const LeastAngle& least) const;
   [[nodiscard]] Shapes shapes(const glm::dvec3& at) const;
   [[nodiscard]] glm::dvec3 uphill(const glm::dvec3& at, double worst, double nearly);
   [[nodiscard]] double longest_step(const glm::dvec3& at) const;

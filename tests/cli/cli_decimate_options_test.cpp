@@ -43,6 +43,13 @@ TEST_F(DecimateOptionsCommand, WrongOptionsAreCode2AndSayWhatWouldBeRight) {
   sample("sphere", "s.ply", 2);
   expect_failure("decimate s.ply o.ply --min-angle 61", 2, "between 0 and 60, not 61");
   expect_failure("decimate s.ply o.ply --min-angle -1", 2, "--min-angle");
+  expect_failure("decimate s.ply o.ply --min-dihedral 71", 2, "between 0 and 70, not 71");
+  expect_failure("decimate s.ply o.ply --min-dihedral -1", 2, "--min-dihedral");
+  for (const std::string deg : {"10", "0"})
+    expect_failure(
+        "decimate s.ply o.ply --min-dihedral " + deg, 2,
+        "--min-dihedral is for volumes, and s.ply has no regions: --min-angle limits the "
+        "angles of faces");
   expect_failure("decimate s.ply o.ply --max-distance 0", 2, "a number above 0, not 0");
   expect_failure("decimate s.ply o.ply --target-faces 9 --factor 2", 2, "--factor");
   expect_failure("decimate s.ply o.ply --spacing h --factor 2", 2, "--factor excludes --spacing");
@@ -263,6 +270,7 @@ TEST_F(DecimateOptionsCommand, EveryReasonAndOptionIsInTheReport) {
                              "gradation",
                              "angle_deg",
                              "min_angle_deg",
+                             "min_dihedral_deg",
                              "max_distance_pct",
                              "no_intersections",
                              "feature_angle_deg",

@@ -34,6 +34,38 @@ class VolumeOptions : public CommandLine {
   }
 };
 
+TEST_F(VolumeOptions, TheLeastDihedralAngleHolds) {
+  for (const std::string options :
+       {"--strategy paper --coarsest", "--target-tets 2%", "--target-tets 5% --snap model",
+        "--target-tets 2% --volume free"}) {
+    const auto report = [&](const std::string& more) {
+      const Outcome run = aomd("decimate v.msh o.msh --report r.json " + options + more);
+      EXPECT_EQ(run.code, 0) << run.err;
+      return json("r.json");
+    };
+    const auto free = report("");
+    const std::string usual = text("o.msh");
+    EXPECT_LT(free["quality"]["min_dihedral_deg"], 30) << options;
+    EXPECT_EQ(free["options"]["min_dihedral_deg"], 0);
+    report(" --min-dihedral 0");
+    EXPECT_EQ(text("o.msh"), usual) << options;
+    const auto held = report(" --min-dihedral 30");
+    EXPECT_GE(held["quality"]["min_dihedral_deg"], 30) << options;
+    EXPECT_EQ(held["options"]["min_dihedral_deg"], 30);
+    EXPECT_GT(held["sweeps"][0]["refused"]["Shape"], 0);
+  }
+}
+
+TEST_F(VolumeOptions, AMissedTargetPointsToTheLeastDihedralAngle) {
+  const auto would_help = [&](const std::string& options) {
+    EXPECT_EQ(aomd("decimate v.msh o.msh --target-tets 1% --report r.json " + options).code, 0);
+    return json("r.json")["stopped"]["would_help"];
+  };
+  EXPECT_EQ(would_help("--min-dihedral 38"), "a smaller --min-dihedral");
+  EXPECT_EQ(would_help("--min-dihedral 38 --min-angle 5"),
+            "a smaller --min-dihedral or --min-angle");
+}
+
 TEST_F(VolumeOptions, TheReportHasTheVolumeOfEachRegionBeforeAndAfter) {
   for (const std::string options : {"--strategy paper --factor 2", "--target-tets 20%"}) {
     const Outcome run = aomd("decimate v.msh o.msh --report r.json " + options);

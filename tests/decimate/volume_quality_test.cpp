@@ -297,6 +297,31 @@ TEST(VolumeQualityTest, NoFaceGetsAnAngleBelowTheLeast) {
   }
 }
 
+// The smallest dihedral angle that is left of a sample with a limit; a target so far that all other
+// floors are lowered on the way to it.
+double smallest_dihedral_of(const MeshData& data, Strategy strategy, double least_deg) {
+  VolumeBench b(data, strategy == Strategy::Paper ? Levels::Complete : Levels::Listed);
+  const std::uint32_t before = b.mesh.count(3);
+  DecimationOptions options = quality(b.mesh, 0.01);
+  options.strategy = strategy;
+  options.min_dihedral_deg = least_deg;
+  Decimation(b.mesh, options).run();
+  EXPECT_EQ(b.finding(), "");
+  EXPECT_LT(b.mesh.count(3), 0.5 * before);
+  return smallest_dihedral(b.mesh);
+}
+
+TEST(VolumeQualityTest, NoTetrahedronGetsADihedralAngleBelowTheLeast) {
+  for (const char* sample : {"ball-in-box", "layered-beam"})
+    for (const Strategy strategy : {Strategy::Quality, Strategy::Paper}) {
+      const MeshData data = make_sample(sample, 3);
+      const double start = smallest_dihedral(Mesh(data)),
+                   free = smallest_dihedral_of(data, strategy, 0), least = 0.5 * (free + start);
+      ASSERT_LT(free, start - 5) << sample;
+      EXPECT_GE(smallest_dihedral_of(data, strategy, least), least - 1e-9) << sample;
+    }
+}
+
 TEST(VolumeQualityTest, KeptVerticesAndOtherShapesStay) {
   VolumeBench b(make_sample("tet-bracket"), Levels::Listed);
   auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(b.mesh.capacity(0), std::uint8_t{0});

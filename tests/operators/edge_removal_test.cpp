@@ -149,6 +149,37 @@ TEST(EdgeRemovalTest, TheTableFindsTheBestOfAllTriangulations) {
   EXPECT_GT(accepted, 60);
 }
 
+// Better shapes may have smaller dihedral angles: where they do, the limit lies at the smallest.
+TEST(EdgeRemovalTest, NoDihedralAngleBelowTheLeastUnlessOneAsBadWasInTheRing) {
+  int worse = 0, better = 0;
+  for (std::uint32_t n = 3; n <= 9; ++n)
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+      VolumeBench b(random_ring(n, 100 * n + seed), Levels::Listed, smooth_skin);
+      const EdgeRemoval free = judged(b.mesh, 0, 1);
+      if (!free.verdict.accepted()) continue;
+      const auto with = [&](double deg) {
+        return judged(b.mesh, 0, 1, {.least_dihedral = LeastAngle(deg)}).verdict;
+      };
+      const double before = smallest_dihedral(b.mesh);
+      const Verdict above = with(70);
+      std::array<Verdict, 2> near;
+      VolumeBench made(to_data(b.mesh), Levels::Listed, smooth_skin);
+      apply(made.mesh, judged(made.mesh, 0, 1));
+      const double after = smallest_dihedral(made.mesh);
+      for (const int side : {0, 1}) near[side] = with(after + (side == 0 ? -1e-7 : 1e-7));
+      ASSERT_TRUE(near[0].accepted()) << n << ' ' << seed;
+      ASSERT_EQ(near[1].accepted(), after > before) << n << ' ' << seed;
+      ASSERT_EQ(above.accepted(), after > before);
+      (after > before ? better : worse) += 1;
+      if (after > before) continue;
+      ASSERT_EQ(above.reason, Reason::Shape);
+      ASSERT_EQ(above.entity, EntityRef(Region(0)));
+      ASSERT_NEAR(above.number(), after, 1e-7);
+    }
+  EXPECT_GT(worse, 5);
+  EXPECT_GT(better, 100);
+}
+
 // One side of the plane y = 0: the edge 0-1 lies on it, with ring vertices 2 and 3 at its ends.
 MeshData half_ring(const std::vector<glm::dvec3>& inner, double height = 1.2) {
   std::vector<glm::dvec3> ring{{1, 0, 0}};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
 #include "core/operators/edge_removal.h"
@@ -26,9 +28,10 @@ MeshData two_flat(double height = 0.3) {
   return data;
 }
 
-FaceRemoval judged(const Mesh& mesh, std::uint32_t region, std::uint32_t slot) {
+FaceRemoval judged(const Mesh& mesh, std::uint32_t region, std::uint32_t slot,
+                   double least_dihedral_deg = 0) {
   FaceRemoval plan;
-  (void)judge(mesh, Region(region), slot, plan);
+  (void)judge(mesh, Region(region), slot, LeastAngle(least_dihedral_deg), plan);
   return plan;
 }
 
@@ -67,6 +70,35 @@ TEST(FaceRemovalTest, TwoBecomeThree) {
       EXPECT_EQ(judge(b.mesh, Vertex(3), Vertex(4), {}, back).reason, Reason::Quality);
       EXPECT_NEAR(back.after, plan.before, 1e-15);
     }
+}
+
+// The apexes stand off the axis: better shapes may have smaller dihedral angles.
+TEST(FaceRemovalTest, NoDihedralAngleBelowTheLeastUnlessOneOfTheTwoWasAsBad) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-0.6, 0.6), height(0.1, 1.2);
+  int worse = 0, better = 0;
+  for (int i = 0; i < 2000; ++i) {
+    MeshData data = two_flat();
+    data.positions[3] = {off(random), off(random), height(random)};
+    data.positions[4] = {off(random), off(random), -height(random)};
+    VolumeBench b(data, Levels::Listed), made(data, Levels::Listed);
+    const FaceRemoval plan = judged(made.mesh, 0, 3);
+    if (!plan.verdict.accepted()) continue;
+    const double before = smallest_dihedral(b.mesh);
+    apply(made.mesh, plan);
+    const double after = smallest_dihedral(made.mesh);
+    ASSERT_TRUE(judged(b.mesh, 0, 3, after - 1e-7).verdict.accepted()) << i;
+    ASSERT_EQ(judged(b.mesh, 0, 3, after + 1e-7).verdict.accepted(), after > before) << i;
+    const Verdict above = judged(b.mesh, 0, 3, 70).verdict;
+    ASSERT_EQ(above.accepted(), after > before) << i;
+    (after > before ? better : worse) += 1;
+    if (above.accepted()) continue;
+    ASSERT_EQ(above.reason, Reason::Shape);
+    ASSERT_EQ(above.entity, EntityRef(Region(0)));
+    ASSERT_NEAR(above.number(), after, 1e-7);
+  }
+  EXPECT_GT(worse, 20);
+  EXPECT_GT(better, 100);
 }
 
 TEST(FaceRemovalTest, WhatIsRefused) {

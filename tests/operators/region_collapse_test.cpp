@@ -173,6 +173,24 @@ TEST(RegionCollapseTest, AShapeBelowTheLeastNeedsOneAsBadAround) {
   EXPECT_EQ(v.entity, EntityRef(Region(1)));
 }
 
+// The kept vertex goes out to x = 2: between a stretched tetrahedron's base and its slope the
+// cosine becomes 2/3, and was 1/sqrt(3).
+TEST(RegionCollapseTest, ADihedralAngleBelowTheLeastNeedsOneAsBadAround) {
+  const double made = std::acos(2.0 / 3) * 180 / M_PI;
+  const auto judged = [](const MeshData& data, double x, double least_deg) {
+    Stored s(data);
+    return s.collapser().judge(s.mesh, {Vertex(0), Vertex(1), {x, 0, 0}},
+                               {.least_dihedral = LeastAngle(least_deg)}, s.plan);
+  };
+  EXPECT_TRUE(judged(octahedron(1, -1), 2, 0).accepted());
+  EXPECT_TRUE(judged(octahedron(1, -1), 2, made - 1e-9).accepted());
+  const Verdict v = judged(octahedron(1, -1), 2, made + 1e-9);
+  EXPECT_EQ(v.reason, Reason::Shape);
+  EXPECT_EQ(v.entity, EntityRef(Region(1)));
+  EXPECT_NEAR(v.number(), made, 1e-12);
+  EXPECT_TRUE(judged(octahedron(2.5, -1), 2, 70).accepted()) << "one as bad was there";
+}
+
 TEST(RegionCollapseTest, AnEdgeThatIsTooLongMayBecomeShorter) {
   Stored s(octahedron(1, -3));
   const Column<Vertex, double> size(7, 1);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/mesh/journal.h"
 #include "core/mesh/tet_geometry.h"
 #include "core/model/analytic_model.h"
@@ -112,6 +114,37 @@ TEST(RegionMoveTest, ThePoorClimb) {
 }
 
 // The worst of good ones may not get better at the cost of all together.
+// Moves that make the worst shape better, and a dihedral angle smaller than all were before.
+TEST(RegionMoveTest, NoDihedralAngleBelowTheLeastUnlessOneAsBadWasAround) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.5, 0.5), stretch(0.3, 4);
+  int worse = 0, refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    MeshData data = octahedron_around({place(random), place(random), place(random)},
+                                      {stretch(random), stretch(random), stretch(random)});
+    for (std::size_t k = 1; k < data.positions.size(); ++k)
+      data.positions[k] += glm::dvec3(place(random), place(random), place(random));
+    VolumeBench b(data, Levels::Listed);
+    if (volume_oracle(data).inverted > 0) continue;
+    const auto after = [&](const RegionMove& plan) {
+      VolumeBench moved(data, Levels::Listed);
+      moved.mesh.move(Vertex(0), plan.target);
+      return smallest_dihedral(moved.mesh);
+    };
+    const double before = smallest_dihedral(b.mesh), least = before + 1e-6;
+    const RegionMove free = judged(b.mesh, 0);
+    worse += free.verdict.accepted() && after(free) < before - 1e-6;
+    const RegionMove held = judged(b.mesh, 0, {.least_dihedral = LeastAngle(least)});
+    EXPECT_GE(after(held), before - 1e-9) << i;
+    if (held.verdict.reason != Reason::Shape) continue;
+    ++refused;
+    EXPECT_EQ(held.verdict.entity.dimension, 3);
+    EXPECT_LT(held.verdict.number(), before);
+  }
+  EXPECT_GT(worse, 20);
+  EXPECT_GT(refused, 5);
+}
+
 TEST(RegionMoveTest, WhereNoneIsPoorTheSumDoesNotFall) {
   int moved = 0;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {

@@ -25,6 +25,32 @@ inline double worst_shape(const Mesh& mesh) {
   return worst;
 }
 
+/// The angle at the edge p-q between the half planes through r and s, degrees: by what is left of r
+/// and s across the edge, which shares nothing with the code that is tested.
+inline double dihedral_at(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r,
+                          const glm::dvec3& s) {
+  const glm::dvec3 along = glm::normalize(q - p);
+  const auto across = [&](const glm::dvec3& v) { return v - p - glm::dot(v - p, along) * along; };
+  const glm::dvec3 u = across(r), v = across(s);
+  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / M_PI;
+}
+
+/// The smallest angle between two faces of a tetrahedron of the mesh, degrees; 180 where there is
+/// none.
+inline double smallest_dihedral(const Mesh& mesh) {
+  double least = 180;
+  for (const Region r : mesh.regions()) {
+    if (mesh.shape(r) != Shape::Tetrahedron) continue;
+    const auto t = mesh.tetrahedron(r);
+    const auto at = [&](std::size_t i) { return mesh.position(t[i]); };
+    for (const auto& [p, q, a, b] :
+         {std::array{0, 1, 2, 3}, std::array{0, 2, 1, 3}, std::array{0, 3, 1, 2},
+          std::array{1, 2, 0, 3}, std::array{1, 3, 0, 2}, std::array{2, 3, 0, 1}})
+      least = std::min(least, dihedral_at(at(p), at(q), at(a), at(b)));
+  }
+  return least;
+}
+
 enum class Levels { Listed, Complete };
 inline constexpr Levels both_levels[] = {Levels::Listed, Levels::Complete};
 inline const char* name(Levels levels) {

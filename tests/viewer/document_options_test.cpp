@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/measure/distance.h"
+#include "core/measure/volume_statistics.h"
 #include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
 
@@ -165,10 +166,11 @@ TEST(Options, WrongOnesChangeNothingAndSayWhy) {
   EXPECT_THROW(execute(s, "spacing h"), CommandError) << "without a mesh";
   drive(s, {"sample sphere 8", "spacing 3 * h"});
   const DecimationOptions before = s.document().options();
-  for (const char* line : {"strategy", "strategy best", "strategy paper now", "regularity 1.5",
-                           "regularity", "target-faces 0", "target-faces many", "target-faces 5 6",
-                           "min-angle 61", "min-angle -1", "max-distance -1", "max-distance 101",
-                           "no-intersections maybe", "spacing", "spacing 2 *", "spacing x"})
+  for (const char* line :
+       {"strategy", "strategy best", "strategy paper now", "regularity 1.5", "regularity",
+        "target-faces 0", "target-faces many", "target-faces 5 6", "min-angle 61", "min-angle -1",
+        "min-dihedral 71", "min-dihedral -1", "max-distance -1", "max-distance 101",
+        "no-intersections maybe", "spacing", "spacing 2 *", "spacing x"})
     EXPECT_THROW(execute(s, line), CommandError) << line;
   EXPECT_TRUE(s.document().options() == before);
   EXPECT_EQ(s.document().spacing_source(), "3 * h");
@@ -227,6 +229,13 @@ TEST(Options, AMinAngleIsCounted) {
   Session s;
   drive(s, {"sample sphere 12", "min-angle 40", "sweep", "expect refused-shape > 0", "reset",
             "min-angle 0", "sweep", "expect refused-shape = 0"});
+}
+
+TEST(Options, AMinDihedralHoldsForTetrahedra) {
+  Session s;
+  drive(s, {"sample ball-in-box 3", "min-dihedral 30", "target-faces 100", "run"});
+  EXPECT_EQ(s.document().options().min_dihedral_deg, 30);
+  EXPECT_GE(measure::measure_volume(s.document().mesh()).min_dihedral_deg, 30 - 1e-9);
 }
 
 }  // namespace

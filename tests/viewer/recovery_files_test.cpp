@@ -66,6 +66,7 @@ TEST(RecoveryFiles, NoValueIsTakenThatNoCommandWouldTake) {
       {"\"factor\": 4.0", "\"factor\": 1e999"},
       {"\"angle\": 10.0", "\"angle\": 181"},
       {"\"min_angle\": 0.0", "\"min_angle\": -1"},
+      {"\"min_dihedral\": 0.0", "\"min_dihedral\": 71"},
       {"\"regularity\": 0.5", "\"regularity\": 1.5"},
       {"\"target_faces\": 0", "\"target_faces\": -5"},
       {"\"target_faces\": 0", "\"target_faces\": 0.5"},

@@ -70,6 +70,23 @@ TEST(VolumeInquiry, RemovingAnInnerEdgeIsExplainedByTetrahedra) {
   EXPECT_NE(verdict(s).swap_words.find("would not pay"), std::string::npos);
 }
 
+TEST(VolumeInquiry, ADihedralAngleBelowTheLimitIsNamedWithIt) {
+  for (const char* strategy : {"paper", "quality"}) {
+    Session s;
+    drive(s, {"sample ball-in-box 1", std::string("strategy ") + strategy, "min-dihedral 60",
+              "select edge 0"});
+    const Edge thin = inner_edge(s, [](const EntityVerdict& j) {
+      return j.ways[j.best].outlook.verdict.reason == Reason::Shape;
+    });
+    ASSERT_TRUE(thin.valid()) << strategy;
+    select(s, thin);
+    const std::string words = short_words(verdict(s));
+    EXPECT_NE(words.find("Tetrahedron "), std::string::npos) << words;
+    EXPECT_NE(words.find(" would have an angle of "), std::string::npos) << words;
+    EXPECT_NE(words.find(" degrees; the limit is 60."), std::string::npos) << words;
+  }
+}
+
 TEST(VolumeInquiry, UnderACutInnerEdgesArePointedAtAndJudged) {
   Session s;
   drive(s, {"sample ball-in-box 1", "clip x 0.5 cells", "camera right", "fit", "pick-level edge"});

@@ -108,6 +108,9 @@ class Run {
       throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
     if (!volume() && !options_.volume_rule.empty())
       throw UsageError("--volume is for volumes, and " + options_.input + " has no regions");
+    if (!volume() && options_.min_dihedral_given)
+      throw UsageError("--min-dihedral is for volumes, and " + options_.input +
+                       " has no regions: --min-angle limits the angles of faces");
     if (options_.volume_rule == "keep" && options_.paper())
       throw UsageError(
           "--volume keep is for --strategy quality: the printed loop places no vertex");

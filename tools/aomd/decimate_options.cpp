@@ -160,6 +160,13 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "--min-angle", o.decimation.min_angle_deg,
       "No face gets an angle below it unless it had a smaller one (for paper: in\na collapse)");
   smallest->type_name("DEG")->check(between(0, 60));
+  CLI::Option* dihedral = command.add_option(
+      "--min-dihedral", o.decimation.min_dihedral_deg,
+      "Of a volume: no tetrahedron gets an angle between two faces below it unless\none as bad was "
+      "around it");
+  dihedral->type_name("DEG")->check(between(0, 70))->each([&o](const std::string&) {
+    o.min_dihedral_given = true;
+  });
   CLI::Option* distance = command.add_option(
       "--max-distance", o.max_distance_pct,
       "No point of the result is further from the original, percent of the diagonal;\n"
@@ -184,7 +191,8 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "All other vertices stay; a model entity lists the vertices on it, and not\n"
       "those of what bounds it (region 2: those inside)");
   for (CLI::Option* each : {keep, only}) each->type_name("FILE")->check(not_empty());
-  put_into("Guarantees", {turn, smallest, distance, intersections, volume, topology, keep, only});
+  put_into("Guarantees",
+           {turn, smallest, dihedral, distance, intersections, volume, topology, keep, only});
 }
 
 void add_outputs(CLI::App& command, DecimateOptions& o) {
@@ -292,6 +300,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"gradation", or_null(source ? source->growth : std::nullopt)},
       {"angle_deg", steps.angle_deg},
       {"min_angle_deg", steps.min_angle_deg},
+      {"min_dihedral_deg", volume ? Json(steps.min_dihedral_deg) : Json(nullptr)},
       {"max_distance_pct", max_distance_pct > 0 ? Json(max_distance_pct) : Json(nullptr)},
       {"no_intersections", steps.no_intersections},
       {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},

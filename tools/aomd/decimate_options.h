@@ -33,7 +33,8 @@ struct DecimateOptions {
   // What is guaranteed
   std::optional<double> angle_deg;  ///< none: what suits the strategy
   std::string topology = "safe", keep, only;
-  std::string volume_rule;      ///< keep or free; empty: what the strategy does
+  std::string volume_rule;  ///< keep or free; empty: what the strategy does
+  bool min_dihedral_given = false;
   double max_distance_pct = 0;  ///< of the diagonal of the input's box
   int threads = 0;              ///< 0: all cores
   // What is written

@@ -38,7 +38,7 @@ class Help {
                    ? "--angle " + number_text(std::min(90.0, 2 * steps_.angle_deg))
                    : "";
       case Reason::Shape:
-        return steps_.min_angle_deg > 0 ? "a smaller --min-angle" : "";
+        return against_shape();
       case Reason::Kept:
         if (!given_.keep.empty()) return "fewer vertices in --keep";
         if (!given_.only.empty()) return "more vertices in --only";
@@ -68,6 +68,12 @@ class Help {
   }
 
  private:
+  [[nodiscard]] std::string against_shape() const {
+    const bool dihedral = steps_.min_dihedral_deg > 0, angle = steps_.min_angle_deg > 0;
+    if (dihedral) return std::string("a smaller --min-dihedral") + (angle ? " or --min-angle" : "");
+    return angle ? "a smaller --min-angle" : "";
+  }
+
   /// Borders that should be none, and edges of many faces, are model edges as features are. Those
   /// of a volume are mostly its interfaces, which no option takes away.
   [[nodiscard]] std::string against_classification() const {

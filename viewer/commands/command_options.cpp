@@ -21,6 +21,13 @@ void min_angle(Session& session, Arguments& arguments) {
   session.document().set_options(options);
 }
 
+void min_dihedral(Session& session, Arguments& arguments) {
+  DecimationOptions options = session.document().options();
+  options.min_dihedral_deg = arguments.number("an angle in degrees", 0, 70);
+  arguments.end();
+  session.document().set_options(options);
+}
+
 /// In units of the mesh from here on: those of the mesh that is there.
 void max_distance(Session& session, Arguments& arguments) {
   need_mesh(session);
@@ -109,6 +116,13 @@ std::vector<Command> option_commands() {
        "No collapse gives a face a smaller angle, degrees, unless it had one; 0 at first.",
        CommandGroup::Options,
        min_angle,
+       {}},
+      {"min-dihedral",
+       "DEG",
+       "Of tetrahedra: none gets an angle between two faces below it, degrees, unless one as bad "
+       "was around it; 0 at first.",
+       CommandGroup::Options,
+       min_dihedral,
        {}},
       {"max-distance",
        "PCT",

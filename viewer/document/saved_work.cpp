@@ -84,6 +84,7 @@ Json options_json(const DecimationOptions& o) {
           {"target_faces", o.target_faces},
           {"angle", o.angle_deg},
           {"min_angle", o.min_angle_deg},
+          {"min_dihedral", o.min_dihedral_deg},
           {"regularity", o.regularity},
           {"without", o.without},
           {"max_distance", o.max_distance},
@@ -103,6 +104,7 @@ DecimationOptions options_from(const Json& json) {
   o.target_faces = whole_from<std::uint32_t>(json, "target_faces", 1e9);
   o.angle_deg = number_from(json, "angle", 0, 180);
   o.min_angle_deg = number_from(json, "min_angle", 0, 60);
+  if (json.contains("min_dihedral")) o.min_dihedral_deg = number_from(json, "min_dihedral", 0, 70);
   o.regularity = number_from(json, "regularity", 0, 1);
   o.without = whole_from<std::uint32_t>(json, "without", (1 << idea_count) - 1);
   o.max_distance = number_from(json, "max_distance", 0, any);

@@ -14,14 +14,15 @@ namespace aomd {
 
 /// What verdicts are held against, degrees and lengths; 0 where there is no such limit.
 struct Limits {
-  double turn_deg = 0;       ///< of a face's normal in one operation
-  double away_deg = 0;       ///< of a face from what the original looked like there
-  double curve_deg = 0;      ///< of a model edge in one collapse along itself
-  double curve_sum_deg = 0;  ///< of a model edge in all operations together
-  double min_angle_deg = 0;  ///< of a face, unless it had a smaller one
-  double distance = 0;       ///< from the original
-  double volume_pct = 0;     ///< by which a model region may change in all, of its volume
-  bool regions = false;      ///< tetrahedra are held to be upright and of some shape
+  double turn_deg = 0;          ///< of a face's normal in one operation
+  double away_deg = 0;          ///< of a face from what the original looked like there
+  double curve_deg = 0;         ///< of a model edge in one collapse along itself
+  double curve_sum_deg = 0;     ///< of a model edge in all operations together
+  double min_angle_deg = 0;     ///< of a face, unless it had a smaller one
+  double min_dihedral_deg = 0;  ///< between faces of a tetrahedron, unless one there was smaller
+  double distance = 0;          ///< from the original
+  double volume_pct = 0;        ///< by which a model region may change in all, of its volume
+  bool regions = false;         ///< tetrahedra are held to be upright and of some shape
 };
 
 /// A collapse of an edge: who would go, who would stay and where that one would be then.

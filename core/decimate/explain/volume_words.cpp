@@ -27,6 +27,16 @@ std::string change_words(ModelRef region, double percent, double limit) {
                   (percent < 0 ? "smaller" : "larger") + "; " + held.limit + " % is the limit");
 }
 
+// One number for both: an angle that is large enough was refused for the shape as a whole.
+std::string shape_words(EntityRef who, double deg, double least_deg) {
+  if (deg >= least_deg)
+    return sentence(name_of(who) + " would be too flat, with a smallest dihedral angle of " +
+                    degrees(deg) + " degrees");
+  const Held held = held_degrees(deg, least_deg);
+  return sentence("tetrahedron " + std::to_string(who.index) + " would have an angle of " +
+                  held.value + " degrees; the limit is " + held.limit);
+}
+
 std::string removal_model_words(const Mesh& mesh, Edge edge, EntityRef who) {
   if (mesh.classification(edge).dimension() == 1)
     return sentence("the edge lies on " + name(mesh.classification(edge)));
@@ -97,8 +107,7 @@ std::string region_words(const Mesh& mesh, const Verdict& verdict, const Limits&
                       ": only tetrahedra are decimated");
     case Reason::Shape:
       if (who.dimension != 3) return {};
-      return sentence(name_of(who) + " would be too flat, with a smallest dihedral angle of " +
-                      degrees(verdict.number()) + " degrees");
+      return shape_words(who, verdict.number(), limits.min_dihedral_deg);
     default:
       return {};
   }

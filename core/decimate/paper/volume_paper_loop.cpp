@@ -19,6 +19,8 @@ void VolumePaperLoop::set_rules() {
   rules_.faces.max_turn = removal_.max_turn = moves_.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.least_angle = removal_.least_angle = moves_.least_angle =
       LeastAngle(options_.min_angle_deg);
+  rules_.least_dihedral = removal_.least_dihedral = moves_.least_dihedral =
+      LeastAngle(options_.min_dihedral_deg);
   rules_.least_shape = least_shape;
   moves_.model = options_.model;
 }
@@ -28,6 +30,7 @@ Limits VolumePaperLoop::limits(ModelRef edge) const {
   limits.turn_deg = options_.angle_deg;
   if (edge.dimension() == 1) limits.curve_deg = rules_.faces.max_curve_turn.angle_deg();
   limits.min_angle_deg = options_.min_angle_deg;
+  limits.min_dihedral_deg = options_.min_dihedral_deg;
   limits.distance = options_.max_distance;
   limits.regions = true;
   return limits;

@@ -74,6 +74,18 @@ double VertexRelaxation::worst_shape(const glm::dvec3& x) const {
   return worst;
 }
 
+double VertexRelaxation::worst_dihedral_cosine(const glm::dvec3& x) const {
+  double worst = -1;
+  for (const Cell& c : cells_) worst = std::max(worst, smallest_dihedral_cosine(x, c.a, c.b, c.c));
+  return worst;
+}
+
+bool VertexRelaxation::keeps_dihedrals(const glm::dvec3& x) const {
+  return !least_dihedral_.binds() || least_dihedral_.allows(worst_dihedral_cosine(x), [&] {
+    return worst_dihedral_cosine(glm::dvec3(0.0));
+  });
+}
+
 // In the directions that are open: the closed ones are made so stiff that nothing moves there, and
 // what is left of it is taken away.
 glm::dvec3 VertexRelaxation::newton(const Slope& slope) const {
@@ -99,7 +111,7 @@ bool VertexRelaxation::step(double floor, const glm::dvec3& shift, glm::dvec3& x
                most = (shifts ? 1 + most_given : 1 - least_gain) * here.energy;
   for (double share = 1; share > 0.2; share /= 2) {
     x = shift + share * full;
-    if (energy(x, least) < most) return true;
+    if (energy(x, least) < most && keeps_dihedrals(x)) return true;
   }
   return false;
 }

@@ -11,6 +11,7 @@
 
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/volume/region_balance.h"
+#include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
 #include "core/operators/ball.h"
 
@@ -27,6 +28,11 @@ class VertexRelaxation {
   void add_surface(const Quadric& quadric, double weight);
   /// Ways that are closed: across each of them, at right angles to each other and of length 1.
   void close(const glm::dvec3& axis) { closed_.push_back(axis); }
+
+  /// Beside the floor: no tetrahedron gets a smaller dihedral angle unless one here has it now.
+  /// Stays from one vertex to the next.
+  void limit_dihedrals(const LeastAngle& least) { least_dihedral_ = least; }
+  [[nodiscard]] bool keeps_dihedrals(const glm::dvec3& x) const;
 
   /// Fills `x` with a place of less energy, at which no tetrahedron is poorer than `floor` unless
   /// the worst is so now; false where a step down does not lead to one. It is off the open ways by
@@ -46,12 +52,14 @@ class VertexRelaxation {
   };
   [[nodiscard]] Slope slope(const glm::dvec3& x) const;
   [[nodiscard]] double energy(const glm::dvec3& x, double floor) const;
+  [[nodiscard]] double worst_dihedral_cosine(const glm::dvec3& x) const;
   [[nodiscard]] glm::dvec3 newton(const Slope& slope) const;
 
   std::vector<Cell> cells_;
   std::vector<glm::dvec3> closed_;
   Quadric quadric_;
   double weight_ = 0;
+  LeastAngle least_dihedral_{0};
 };
 
 }  // namespace aomd

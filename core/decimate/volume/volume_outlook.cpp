@@ -58,6 +58,7 @@ Limits VolumeQualityLoop::limits() const {
   Limits limits;
   limits.turn_deg = improving_.removal.max_turn.angle_deg();
   limits.min_angle_deg = rules_.faces.least_angle.angle_deg();
+  limits.min_dihedral_deg = rules_.least_dihedral.angle_deg();
   limits.distance = options_.max_distance;
   limits.volume_pct = options_.keep_volumes ? 100 * most_owed : 0;
   limits.regions = true;

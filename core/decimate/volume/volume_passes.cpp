@@ -145,13 +145,14 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
          keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }
 
-// Ends the way on the model; false where a tetrahedron there is poorer than the floor and than all
-// are now.
+// Ends the way on the model; false where a tetrahedron there is poorer than the floor, or has a
+// smaller dihedral angle than the limit, and than all are now.
 bool VolumeQualityLoop::end_on_model(Vertex v, glm::dvec3& x) {
   const glm::dvec3 from = mesh_.position(v);
   x = options_.model->snap(state_[v].model, from + x) - from;
   const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
-  return x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least;
+  return x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least &&
+         relaxation_.keeps_dihedrals(x);
 }
 
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges

@@ -122,7 +122,7 @@ bool VolumeQualityLoop::settle(Vertex v) {
   relaxation_.begin(mesh_, v, scratch_.balls[0]);
   const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
   if (x == glm::dvec3(0.0) || relaxation_.worst_shape(x) < least ||
-      !keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
+      !relaxation_.keeps_dihedrals(x) || !keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
     spread(v);
     return false;
   }

@@ -77,13 +77,16 @@ void VolumeQualityLoop::set_rules() {
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
+  rules_.least_dihedral = LeastAngle(options_.min_dihedral_deg);
   rules_.least_shape = floor_;
   rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
   improving_.removal.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   improving_.removal.least_angle = rules_.faces.least_angle;
+  improving_.removal.least_dihedral = rules_.least_dihedral;
   improving_.poor = 0.65;
   improvement_.set_rules(improving_);
+  relaxation_.limit_dihedrals(rules_.least_dihedral);
 }
 
 void VolumeQualityLoop::find_unit() {
