@@ -11,8 +11,8 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/bulk.h"
-#include "core/mesh/tet_geometry.h"
 #include "core/mesh/side_groups.h"
+#include "core/mesh/tet_geometry.h"
 
 namespace aomd::measure {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/decimate/decimation.h"
 #include "core/decimate/curves/original_curves.h"
+#include "core/decimate/decimation.h"
 #include "core/decimate/quality/point_fit.h"
 #include "core/mesh/geometry.h"
 #include "core/operators/collapse.h"
