@@ -33,8 +33,9 @@ void expect_same(const Document& a, const Document& b) {
 TEST(Recovery, BringsBackMeshHistoryAndOptions) {
   const TemporaryFolder folder;
   const std::initializer_list<std::string_view> lines = {
-      "sample bracket 6", "factor 2.5",   "angle 33", "feature-angle 35", "sweep", "swap",
-      "step -7",          "spacing 3 * h"};
+      "sample bracket 6", "factor 2.5", "angle 33", "min-dihedral 12",
+      "feature-angle 35", "sweep",      "swap",     "step -7",
+      "spacing 3 * h"};
   work_and_die(folder / "", lines);
   Session expected, s;
   drive(expected, lines);
@@ -47,6 +48,7 @@ TEST(Recovery, BringsBackMeshHistoryAndOptions) {
   EXPECT_TRUE(s.document().unsaved());
   EXPECT_EQ(s.document().options().factor, expected.document().options().factor);
   EXPECT_EQ(s.document().options().angle_deg, 33);
+  EXPECT_EQ(s.document().options().min_dihedral_deg, 12);
   EXPECT_EQ(s.document().spacing_source(), "3 * h");
   EXPECT_EQ(s.document().classify_options().feature_angle_deg, 35);
   EXPECT_EQ(s.sheet().loaded_facts(), expected.sheet().loaded_facts());
