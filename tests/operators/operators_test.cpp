@@ -9,6 +9,7 @@
 #include "core/operators/collapse.h"
 #include "core/operators/smooth.h"
 #include "core/operators/swap.h"
+#include "tests/support/as_listed.h"
 #include "tests/support/zoo.h"
 
 namespace aomd {
@@ -17,7 +18,7 @@ namespace {
 // A mesh with what the operators need, classified.
 struct Bench {
   explicit Bench(const MeshData& data) : mesh(data) {
-    classify(mesh);
+    classify(mesh, test::as_listed(data));
     for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) mesh.set(i, j);
   }
   Edge edge(std::uint32_t a, std::uint32_t b) const { return mesh.find_edge(Vertex(a), Vertex(b)); }

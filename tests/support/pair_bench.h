@@ -7,6 +7,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/model/classify.h"
+#include "tests/support/as_listed.h"
 #include "tests/support/zoo.h"
 
 namespace aomd::test {
@@ -23,7 +24,7 @@ inline const char* name(Edges edges) {
 /// ready().
 struct PairBench {
   explicit PairBench(const MeshData& data) : mesh(data) {
-    classify(mesh);
+    classify(mesh, as_listed(data));
     mesh.set(0, 1);
   }
   PairBench& ready(Edges edges) {

@@ -7,6 +7,7 @@
 #include "core/decimate/options.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "tests/support/as_listed.h"
 
 namespace aomd::test {
 
@@ -14,7 +15,7 @@ enum class Edges { All, OnModelEdges };
 
 inline Mesh classified(const MeshData& data, Edges edges = Edges::All) {
   Mesh mesh(data);
-  classify(mesh);
+  classify(mesh, as_listed(data));
   if (edges == Edges::OnModelEdges) mesh.keep_model_edges_only();
   return mesh;
 }

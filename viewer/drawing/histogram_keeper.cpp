@@ -89,6 +89,7 @@ std::vector<RegionChange> side_by_side(const std::vector<RegionContent>& now,
   for (const RegionContent& each : before) both[each.model] = {{each.model, 0, 0}, each};
   for (const RegionContent& each : now) both[each.model].now = each;
   std::vector<RegionChange> changes;
+  changes.reserve(both.size());
   for (const auto& [model, change] : both) changes.push_back(change);
   return changes;
 }
