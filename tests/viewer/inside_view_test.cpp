@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include <glm/geometric.hpp>
 
 #include "tests/support/view_helpers.h"
@@ -65,6 +69,35 @@ TEST(Clip, FacesOfTheFileGoWithTheirRegions) {
   EXPECT_EQ(drawn(corners(s)), 32u);
   drive(s, {"clip z 0.5 cells flip"});
   EXPECT_EQ(drawn(corners(s)), 32u);
+}
+
+/// Triangles in the outermost planes across an axis, and how far a corner's normal is from theirs.
+std::pair<int, float> shading_of_walls(std::span<const Corner> corners, int axis) {
+  float low = 0, high = 0;
+  for (const Corner& c : corners) {
+    low = std::min(low, c.position[axis]);
+    high = std::max(high, c.position[axis]);
+  }
+  std::pair<int, float> result{0, 0.0f};
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const float at = corners[i].position[axis];
+    if (at != low && at != high) continue;
+    if (corners[i + 1].position[axis] != at || corners[i + 2].position[axis] != at) continue;
+    ++result.first;
+    for (std::size_t k = i; k < i + 3; ++k)
+      result.second = std::max(result.second, 1 - std::abs(unpack_normal(corners[k].normal)[axis]));
+  }
+  return result;
+}
+
+TEST(Clip, WhatIsCutOpenDoesNotShadeTheOutsideBesideIt) {
+  Session s;
+  drive(s, {"sample ball-in-box 1", "clip y 0.5 cells flip", "step 10"});
+  for (const int axis : {0, 2}) {
+    const auto [triangles, worst] = shading_of_walls(corners(s), axis);
+    EXPECT_GT(triangles, 8) << axis;
+    EXPECT_LT(worst, 1e-3f) << axis;
+  }
 }
 
 TEST(Clip, CutsASectionThroughEveryRegion) {

@@ -27,7 +27,7 @@ struct DecimateReport {
   std::uint32_t target = 0;  ///< faces, or tetrahedra; 0: none
   std::uint32_t others = 0;  ///< regions that are no tetrahedra
   std::size_t flips = 0, self_intersections = 0;
-  Json seconds, memory;
+  Json seconds = Json::object(), memory = Json::object();
   // Of a volume
   measure::VolumeQuality volume_quality;
   std::vector<VolumeChange> volumes;

@@ -49,15 +49,16 @@ void CornerNormals::gather(const Mesh& mesh, Vertex v) {
   corners_.clear();
   normals_.clear();
   weights_.clear();
+  inside_.clear();
   for (const Face f : mesh.row<2>(v)) {
     if (faces_)
-      add(f, v, (*faces_)[f]);
+      add(mesh, f, v, (*faces_)[f]);
     else
-      add(f, v, face_normal(mesh, f));
+      add(mesh, f, v, face_normal(mesh, f));
   }
 }
 
-void CornerNormals::add(Face f, Vertex v, const FaceNormal& normal) {
+void CornerNormals::add(const Mesh& mesh, Face f, Vertex v, const FaceNormal& normal) {
   const auto& t = normal.vertices;
   const std::uint32_t slot = t[0] == v ? 0 : t[1] == v ? 1 : 2;
   Corner& corner = corners_.emplace_back();
@@ -67,6 +68,7 @@ void CornerNormals::add(Face f, Vertex v, const FaceNormal& normal) {
   corner.previous = t[slot == 0 ? 2 : slot - 1];
   weights_.push_back(normal.angle(slot));
   normals_.push_back(normal.unit);
+  inside_.push_back(mesh.classification(f).dimension() == 3);
 }
 
 void CornerNormals::find_sharp_ones(const Mesh& mesh, Vertex v) {
@@ -81,8 +83,8 @@ bool CornerNormals::share_one() {
   glm::vec3 sum(0);
   for (std::size_t i = 0; i < corners_.size(); ++i) sum += weights_[i] * normals_[i];
   const glm::vec3 mean = unit_or_zero(sum);
-  for (const glm::vec3& n : normals_)
-    if (glm::dot(n, mean) < half_cosine) return false;
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    if (inside_[i] != inside_[0] || glm::dot(normals_[i], mean) < half_cosine) return false;
   for (Corner& c : corners_) c.normal = mean;
   return true;
 }
@@ -104,6 +106,7 @@ void CornerNormals::join_smooth_ones() {
     // Of three and more faces at an edge each is held against all others: their ids have no say.
     for (std::size_t k = i + 1; k < sides_.size() && sides_[k].far == x.far; ++k) {
       const Side& y = sides_[k];
+      if (inside_[x.corner] != inside_[y.corner]) continue;
       if (glm::dot(normals_[x.corner], normals_[y.corner]) < split_cosine) continue;
       const std::uint32_t i_root = root(x.corner);
       const std::uint32_t j_root = root(y.corner);

@@ -46,7 +46,8 @@ class CornerNormals {
   /// The corners at `v`, by ascending face ids. Faces share a normal (their own ones weighted by
   /// their angles at v) where they can be reached from each other through edges that are not on
   /// model edges and turn by less than 40 degrees; all share one where no model edge is at v and
-  /// each turns by at most 20 degrees from it. Depends on the star of v alone. O(k log k) for k
+  /// each turns by at most 20 degrees from it. Faces on model regions, where a volume is cut open,
+  /// share none with those on model faces. Depends on the star of v alone. O(k log k) for k
   /// faces. Valid until the next call.
   [[nodiscard]] std::span<const Corner> at(const Mesh& mesh, Vertex v);
 
@@ -56,7 +57,7 @@ class CornerNormals {
     std::uint32_t corner = 0;
   };
   void gather(const Mesh& mesh, Vertex v);
-  void add(Face f, Vertex v, const FaceNormal& normal);
+  void add(const Mesh& mesh, Face f, Vertex v, const FaceNormal& normal);
   void find_sharp_ones(const Mesh& mesh, Vertex v);
   [[nodiscard]] bool share_one();
   void join_smooth_ones();
@@ -66,6 +67,7 @@ class CornerNormals {
   std::vector<Corner> corners_;
   std::vector<glm::vec3> normals_;  ///< of the faces, unit length or zero
   std::vector<float> weights_;
+  std::vector<char> inside_;  ///< whether the faces lie on model regions
   std::vector<Side> sides_;
   std::vector<Vertex> sharp_;  ///< far ends of model edges at v, sorted
   std::vector<std::uint32_t> parent_;

@@ -43,6 +43,8 @@ void clip_buttons(Frame& frame, const scene::Clip& present) {
   tooltip("Hides the other side.");
   ImGui::SameLine(0, 0.15f * em());
   if (changed) frame.emit(clip_line(clip));
+  // A narrow panel has no room for it in the same row.
+  if (ImGui::GetContentRegionAvail().x < 1.2f * em()) ImGui::NewLine();
   if (ImGui::SmallButton("\u00d7")) frame.emit("clip off");
   tooltip("Ends clipping.");
 }
