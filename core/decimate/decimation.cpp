@@ -208,6 +208,7 @@ void Decimation::begin_volume(const DecimationOptions& options) {
     needs.push_back(mesh_.request_listed(i, j, name));
   needs_ = std::move(needs);
   require_classified(mesh_);
+  if (const auto finding = first_repeated_region(mesh_)) throw std::invalid_argument(finding->text);
   if (paper)
     loop_ = std::make_unique<VolumePaperLoop>(mesh_, for_loop(options));
   else

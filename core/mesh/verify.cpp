@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 
 #include "core/mesh/bulk.h"
@@ -308,6 +309,27 @@ std::vector<Finding> verify(const Mesh& mesh, const VerifyOptions& options) {
 std::optional<Finding> first_misclassified(const Mesh& mesh) {
   for (int dim = 1; dim <= 3; ++dim)
     if (auto finding = first_misclassified_of(mesh, dim)) return finding;
+  return {};
+}
+
+std::optional<Finding> first_repeated_region(const Mesh& mesh) {
+  const VertexRows rows(mesh, 3);
+  const auto lowest = [&](std::uint32_t id) { return std::ranges::min(rows.vertices(id)); };
+  std::vector<std::uint32_t> begin(mesh.capacity(0) + std::size_t{1}, 0), by_lowest(mesh.count(3));
+  for (const Region r : mesh.regions()) ++begin[lowest(r.index)];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  for (const Region r : mesh.regions()) by_lowest[--begin[lowest(r.index)]] = r.index;
+  const auto same = [&](std::uint32_t a, std::uint32_t b) {
+    const auto u = rows.vertices(a), v = rows.vertices(b);
+    return u.size() == v.size() && std::is_permutation(u.begin(), u.end(), v.begin());
+  };
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
+    for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i)
+      for (std::uint32_t k = i + 1; k < begin[v + 1]; ++k)
+        if (same(by_lowest[i], by_lowest[k]))  // ids descend
+          return Finding{"duplicate region", Region(by_lowest[i]),
+                         name_of(Region(by_lowest[i])) + " has the same vertices as " +
+                             name_of(Region(by_lowest[k]))};
   return {};
 }
 

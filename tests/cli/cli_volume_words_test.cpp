@@ -76,6 +76,31 @@ TEST_F(VolumeWords, AnAngleThatHasNoSay) {
   EXPECT_EQ(said("decimate bare.off o.off --feature-angle 40").find("no say"), std::string::npos);
 }
 
+// The same tetrahedron twice, its vertices in another order: nothing of it could ever collapse.
+TEST_F(VolumeWords, RepeatedTetrahedraAreRefused) {
+  const std::string head =
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 "
+      "0\n"
+      "Tetrahedra\n3\n1 2 3 4 1\n2 3 4 5 1\n";
+  put("twice.mesh", head + "3 1 2 4 1\nEnd\n");
+  for (const char* how : {"--coarsest", "--strategy paper", "--target-tets 1"})
+    expect_failure(std::string("decimate twice.mesh o.msh ") + how, 3,
+                   "twice.mesh: cannot be decimated: region 2 has the same vertices as region 0");
+  EXPECT_FALSE(exists("o.msh"));
+  put("once.mesh", head + "1 4 3 5 1\nEnd\n");
+  EXPECT_EQ(aomd("decimate once.mesh o.msh --coarsest").code, 0);
+}
+
+TEST_F(VolumeWords, SomeThatStandInsideOutAreCounted) {
+  put("turned.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n8\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+      "5 0 0 0\n6 0 0 0\n5 1 0 0\n5 0 1 0\nTetrahedra\n2\n1 2 3 4 1\n5 7 6 8 1\nEnd\n");
+  EXPECT_NE(said("decimate turned.mesh o.msh --coarsest")
+                .find("1 of 2 tetrahedra stand inside out or are flat, and may stay so: aomd check "
+                      "names them"),
+            std::string::npos);
+}
+
 // Labels too large for tags count as 1, 2; in the result each region has that of its class.
 TEST_F(VolumeWords, MaterialsFollowTheOperations) {
   sample("tet-box", "box.msh", 4);

@@ -82,6 +82,8 @@ class Run {
       throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
     if (const char* obstacle = decimation_obstacle(mesh_))
       throw io::LimitError(options_.input, {}, obstacle);
+    if (const auto finding = first_repeated_region(mesh_))
+      throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding->text);
     check_kind();
     count_cells();
     if (volume()) look_inside_out();
@@ -128,7 +130,7 @@ class Run {
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
-  // Where some are upright the others may be folded, which turning does not mend.
+  // Where some are upright the others may be folded, which turning does not mend; they stay so.
   void look_inside_out() {
     std::uint32_t turned = 0;
     for (const Region r : mesh_.regions()) {
@@ -136,11 +138,15 @@ class Run {
       inverted_ += !(volume > 0);
       turned += volume < 0;
     }
-    if (options_.quiet || turned < mesh_.count(3)) return;
-    print_notes(
-        options_.input,
-        {std::string("all ") + (did_.others == 0 ? "tetrahedra" : "regions") + " (" +
-         grouped(mesh_.count(3)) + ") stand inside out: aomd convert --split-to-tets turns them"});
+    if (options_.quiet || inverted_ == 0) return;
+    const char* kind = did_.others == 0 ? "tetrahedra" : "regions";
+    if (turned == mesh_.count(3))
+      print_notes(options_.input, {std::string("all ") + kind + " (" + grouped(turned) +
+                                   ") stand inside out: aomd convert --split-to-tets turns them"});
+    else
+      print_notes(options_.input,
+                  {grouped(inverted_) + " of " + grouped(mesh_.count(3)) + " " + kind +
+                   " stand inside out or are flat, and may stay so: aomd check names them"});
   }
 
   /// Faces, or tetrahedra.

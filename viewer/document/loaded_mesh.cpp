@@ -8,6 +8,7 @@
 #include "core/decimate/spacing/spacing.h"
 #include "core/io/io.h"
 #include "core/io/notes.h"
+#include "core/mesh/verify.h"
 #include "core/samples/samples.h"
 #include "viewer/document/saved_work.h"
 
@@ -51,7 +52,10 @@ bool needs_skin(const Mesh& mesh) {
 }
 
 void find_obstacle(LoadedMesh& loaded) {
-  if (const char* why = decimation_obstacle(loaded.mesh)) loaded.obstacle = why;
+  if (const char* why = decimation_obstacle(loaded.mesh))
+    loaded.obstacle = why;
+  else if (first_repeated_region(loaded.mesh))
+    loaded.obstacle = "Two regions have the same vertices: aomd check names them.";
   for (const Region r : loaded.mesh.regions())
     loaded.stays += loaded.mesh.shape(r) != Shape::Tetrahedron;
 }
