@@ -70,7 +70,7 @@ class Classifier {
       if (mesh_.classification(f).dimension() == 3) mesh_.set_classification(f, {});
       const ModelRef m = mesh_.classification(f);
       if (m.dimension() == 2) tags_[2].taken(m);
-      if (m != mesh_.classification(*mesh_.faces().begin())) faces_differ_ = true;
+      note_face(m);
     }
     for (const Edge e : mesh_.edges())
       if (const ModelRef m = mesh_.classification(e); m.dimension() == 1)
@@ -82,8 +82,14 @@ class Classifier {
     }
   }
 
+  void note_face(ModelRef model) {
+    if (!model.valid()) faces_left_out_ = true;
+    if (model.valid() && !some_face_.valid()) some_face_ = model;
+    faces_differ_ |= model.valid() && model != some_face_;
+  }
+
   // What the file classifies wins: then the angle has no say. One model face for all of a surface
-  // says nothing of its edges.
+  // says nothing of its edges, and faces that are left out are not said to be smooth.
   void find_features() {
     const auto angle = given() ? std::nullopt : options_.feature_angle_deg;
     features_ = aomd::find_features(mesh_, {angle, options_.nonmanifold_edges}, feature_);
@@ -246,7 +252,7 @@ class Classifier {
   }
 
   [[nodiscard]] bool given() const {
-    return faces_differ_ || edges_given_ || curves_given_by_vertices_;
+    return (faces_differ_ && !faces_left_out_) || edges_given_ || curves_given_by_vertices_;
   }
 
   Mesh& mesh_;
@@ -257,7 +263,9 @@ class Classifier {
   Column<Edge, std::uint8_t> listed_;  ///< by the file, on a model edge
   std::array<FreshTags, 3> tags_;
   FeatureCount features_;
-  bool faces_differ_ = false, edges_given_ = false, curves_given_by_vertices_ = false;
+  ModelRef some_face_;
+  bool faces_differ_ = false, faces_left_out_ = false, edges_given_ = false,
+       curves_given_by_vertices_ = false;
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ struct ClassifyOptions {
 struct ClassifyResult {
   int model_vertices = 0, model_edges = 0, model_faces = 0;
   FeatureCount features;
-  /// Edges were classified already, or faces on more than one model face: the angle had no say.
+  /// Edges were classified already, or all faces, on more than one model face: the angle had no
+  /// say.
   bool given = false;
 };
 

@@ -33,6 +33,9 @@ TEST(ClassifyTest, OneModelFaceForAllLeavesTheEdgesToTheAngle) {
   data.faces.classes.front() = ModelRef(2, 8);
   Mesh two(data);
   EXPECT_TRUE(classify(two).given);
+  data.faces.classes.back() = {};
+  Mesh not_all(data);
+  EXPECT_FALSE(classify(not_all).given);
 }
 
 TEST(ClassifyTest, ATetrahedronHasFourSixFour) {

@@ -80,6 +80,7 @@ std::vector<VolumeChange> volume_changes(const std::vector<measure::RegionVolume
     ++side;
   }
   std::vector<VolumeChange> all;
+  all.reserve(changes.size());
   for (const auto& [model, change] : changes) all.push_back(change);
   return all;
 }
