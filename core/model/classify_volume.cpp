@@ -152,8 +152,10 @@ class VolumeClassifier {
   // model edges and vertices have a say wherever they are.
   MeshData skin_data() {
     MeshData data;
-    for (const SkinFace& face : skin_)
-      for (const std::uint32_t v : vertices(face).span()) on_skin_[v] = 1;
+    for (const SkinFace& face : skin_) {
+      const SideVertices side = vertices(face);
+      for (const std::uint32_t v : side.span()) on_skin_[v] = 1;
+    }
     for (const Edge e : mesh_.edges())
       if (given(e).dimension() == 1)
         for (const Vertex v : mesh_.edge_vertices(e)) on_skin_[v.index] = 1;
@@ -167,7 +169,8 @@ class VolumeClassifier {
     }
     for (const SkinFace& face : skin_) {
       data.faces.shapes.push_back(shape(face));
-      for (const std::uint32_t v : vertices(face).span()) data.faces.vertices.push_back(place_[v]);
+      const SideVertices side = vertices(face);
+      for (const std::uint32_t v : side.span()) data.faces.vertices.push_back(place_[v]);
       data.faces.classes.push_back(face.listed.valid() ? given(face.listed) : ModelRef());
     }
     for (const Edge e : mesh_.edges()) {
