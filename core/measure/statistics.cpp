@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/disjoint_sets.h"
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/side_groups.h"
@@ -81,15 +82,14 @@ void count_edges(const Mesh& mesh, Counts& counts) {
 // Sets of vertices that faces and regions connect.
 class Components {
  public:
-  explicit Components(const Mesh& mesh) : parent_(mesh.capacity(0)), used_(mesh.capacity(0), 0) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
+  explicit Components(const Mesh& mesh) : sets_(mesh.capacity(0)), used_(mesh.capacity(0), 0) {
     for (const Face f : mesh.faces()) connect(mesh, f);
     for (const Region r : mesh.regions()) connect(mesh, r);
   }
 
   [[nodiscard]] std::size_t count() {
     std::size_t sets = 0;
-    for (std::uint32_t v = 0; v < parent_.size(); ++v) sets += used_[v] && root(v) == v;
+    for (std::uint32_t v = 0; v < used_.size(); ++v) sets += used_[v] && sets_.find(v) == v;
     return sets;
   }
   [[nodiscard]] bool used(Vertex v) const { return used_[v.index] != 0; }
@@ -98,16 +98,10 @@ class Components {
   void connect(const Mesh& mesh, EntityRef e) {
     VertexBuffer buffer;
     const auto v = mesh.vertices_of(e, buffer);
-    const std::uint32_t together = root(v[0]);
-    for (const std::uint32_t u : v) used_[u] = 1, parent_[root(u)] = together;
+    for (const std::uint32_t u : v) used_[u] = 1, sets_.unite(v[0], u);
   }
 
-  std::uint32_t root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-
-  std::vector<std::uint32_t> parent_;
+  DisjointSets sets_;
   std::vector<std::uint8_t> used_;
 };
 

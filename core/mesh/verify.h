@@ -48,7 +48,8 @@ struct VerifyOptions {
 [[nodiscard]] std::optional<Finding> first_misclassified(const Mesh& mesh);
 
 /// The first region on the same vertices as an earlier one: among tetrahedra both would fall
-/// together for ever. For meshes that come from outside. O(regions), eight bytes each for the while.
+/// together for ever. For meshes that come from outside. O(regions), eight bytes each for the
+/// while.
 [[nodiscard]] std::optional<Finding> first_repeated_region(const Mesh& mesh);
 
 }  // namespace aomd

@@ -169,8 +169,7 @@ Verdict judge_other_faces(const Mesh& mesh, const EdgeRing& ring, const Links& l
 Verdict judge_edge(const Mesh& mesh, Vertex a, Vertex b) {
   if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return {};
   const Edge edge = mesh.find_edge(a, b);
-  if (edge.valid() && mesh.classification(edge).dimension() <= 1)
-    return {Reason::Classification, edge};
+  if (on_model_edge(mesh, edge)) return {Reason::Classification, edge};
   return {};
 }
 

@@ -49,12 +49,10 @@ bool leaves_bare_edge(const EdgeEnds& ends, const StarPair& stars, Vertex apex) 
 }
 
 Vertex closes_chain(const Mesh& mesh, const EdgeEnds& ends, const Star& around_first) {
-  const auto on_model_edge = [&](Edge e) {
-    return e.valid() && mesh.classification(e).dimension() <= 1;
-  };
   Vertex third;
   for_edges_at(mesh, ends[0], around_first, [&](Edge e, Vertex far) {
-    if (far != ends[1] && on_model_edge(e) && on_model_edge(mesh.find_edge(ends[1], far)))
+    if (far != ends[1] && on_model_edge(mesh, e) &&
+        on_model_edge(mesh, mesh.find_edge(ends[1], far)))
       third = far;
   });
   return third;

@@ -87,8 +87,7 @@ Verdict judge_regions(const Mesh& mesh, const Ball& ball, const EndMove& move,
 
 ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b, const Star& star, const Ball& ball) {
   if (may_end_model_edge(mesh, a) && may_end_model_edge(mesh, b))
-    if (const Edge e = mesh.find_edge(a, b); e.valid() && mesh.classification(e).dimension() <= 1)
-      return mesh.classification(e);
+    if (const Edge e = mesh.find_edge(a, b); on_model_edge(mesh, e)) return mesh.classification(e);
   for (const StarFace& f : star)
     if (f.uses(b)) return mesh.classification(f.face);
   for (const BallRegion& r : ball)

@@ -110,6 +110,11 @@ void for_neighbours(const Star& star, Visit&& visit) {
   return !on.valid() || on.dimension() <= 1;
 }
 
+/// Whether an edge is an entity and lies on a model edge.
+[[nodiscard]] inline bool on_model_edge(const Mesh& mesh, Edge e) {
+  return e.valid() && mesh.classification(e).dimension() <= 1;
+}
+
 /// What the edge between two vertices lies on, from the faces around the first. Only model edges
 /// may be entities; every other edge lies on the face around it. Invalid where no face joins them.
 [[nodiscard]] inline ModelRef class_between(const Mesh& mesh, Vertex a, Vertex b,

@@ -44,8 +44,6 @@ std::string change_words(const CarriedField& field) {
     return counted(static_cast<std::uint64_t>(field.components), "component");
   const std::string before = range_words(field.before), after = range_words(field.after);
   std::string text = before == after ? before : before + " -> " + after;
-  if (field.components > 1)
-    return counted(static_cast<std::uint64_t>(field.components), "component") + ", " + text;
   if (field.kind == fields::FieldKind::Label) return text;
   const std::string sum = number_text(field.before.components[0].integral, 12),
                     now = number_text(field.after.components[0].integral, 12);

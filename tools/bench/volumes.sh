@@ -4,8 +4,8 @@
 # rows of Markdown: dihedral angles, volumes of regions, distances between the same interfaces, CPU seconds of the
 # whole command, memory. Distances and topology are measured by a PROGRAM that is no part of this one: it is called
 # as PROGRAM RESULT ORIGINAL --samples N --list --match-regions and prints "key: value" lines. Without it those
-# columns stay empty and
-# angles are those of `aomd info`. Without a MESH: the samples. AOMD names the program. Needs python3.
+# columns stay empty and angles are those of `aomd info`. Without a MESH: the samples. AOMD names the program. Needs
+# python3.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 program=${AOMD:-$root/build/bin/aomd}

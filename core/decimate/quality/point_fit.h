@@ -53,9 +53,8 @@ class Fitter {
   /// neighbourhood's centre; inside a model edge that for these points and those of the edge,
   /// pulled along it. Half or a quarter of the way where all of it goes too far. Refusals:
   /// Classification, Flat (no area around it), Angle (against what the face was, or the original
-  /// under it), Quality (a poor face would get poorer, or the model edge
-  /// further off), Shape (below the least angle). `star`
-  /// receives the faces around the vertex.
+  /// under it), Quality (a poor face would get poorer, or the model edge further
+  /// off), Shape (below the least angle). `star` receives the faces around the vertex.
   [[nodiscard]] Verdict judge_move(Vertex v, const FitRules& rules, Star& star,
                                    glm::dvec3& target) const;
 

@@ -73,7 +73,6 @@ float VolumeQualityLoop::cost(Vertex v, Vertex w) const {
   return surface_cost(q, x, size) + shape;
 }
 
-// A candidate that was not there before, or of which nothing better is known.
 void VolumeQualityLoop::dequeue(Vertex v) {
   state_[v].forget();
   queue_.remove(v);
