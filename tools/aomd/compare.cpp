@@ -13,6 +13,7 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/compare_volumes.h"
+#include "tools/aomd/field_report.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
@@ -34,6 +35,7 @@ struct Comparison {
   double diagonal = 0;
   measure::MutualDistance distance;
   measure::NormalDeviation normals;
+  std::vector<measure::FieldDifference> fields;
 
   /// A length in percent of the original's diagonal; infinite where that is a point.
   [[nodiscard]] double percent(double length) const {
@@ -62,6 +64,7 @@ Comparison compare(const CompareArguments& options, Mesh original, Mesh result) 
   Comparison c{measured(options.original, std::move(original), progress, threads),
                measured(options.result, std::move(result), progress, threads),
                0,
+               {},
                {},
                {}};
   progress.show("measuring distances");
@@ -125,6 +128,7 @@ Json comparison_json(const Comparison& c, const std::vector<std::string>& object
           {"original_to_result", distance_json(c, c.distance.to_result)},
           {"result_to_original", distance_json(c, c.distance.to_original)},
           {"original", side_json(c.original)},
+          {"fields", differences_json(c.fields)},
           {"result", side_json(c.result)},
           {"objections", objections}};
 }
@@ -164,6 +168,7 @@ void print_distances(const Comparison& c) {
 void print(const Comparison& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n' << std::fixed;
   print_distances(c);
+  print_differences(std::cout, c.fields, "area");
   std::cout << std::setprecision(2);
   row("normals turned by more", "than 10 deg", "than 60 deg", "than 90 deg");
   row("  faces", c.normals.above_10deg, c.normals.above_60deg, c.normals.flips);
@@ -183,8 +188,10 @@ void print(const Comparison& c) {
   sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
 }
 
-int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result) {
-  const Comparison c = compare(options, std::move(original), std::move(result));
+int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result,
+                     std::vector<measure::FieldDifference> fields) {
+  Comparison c = compare(options, std::move(original), std::move(result));
+  c.fields = std::move(fields);
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
     std::cout << text_of(comparison_json(c, list));
@@ -205,7 +212,7 @@ int run(const CompareArguments& options) {
   Mesh first(std::exchange(original, {})), second(std::exchange(result, {}));
   progress.wipe();
   return volumes ? compare_volumes(options, first, second, fields)
-                 : compare_surfaces(options, std::move(first), std::move(second));
+                 : compare_surfaces(options, std::move(first), std::move(second), fields);
 }
 
 void add_limits(CLI::App* command, CompareArguments& options) {

@@ -316,24 +316,6 @@ void print_sides(const Compared& c) {
   sides("self-intersections", c, [](const VolumeSide& s) { return s.self_intersections; });
 }
 
-std::string field_name(const measure::FieldDifference& d) {
-  return "  " + shown(d.name) + " on " + entity_plural(d.dimension);
-}
-
-void print_differences(const Compared& c) {
-  if (c.fields.empty()) return;
-  columns("field, % of its range", "rms", "max", "% of volume");
-  const std::size_t shown = std::min(c.fields.size(), most_lines);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const measure::FieldDifference& d = c.fields[i];
-    if (d.label)
-      columns(field_name(d), "-", "-", 100 * d.differing);
-    else
-      columns(field_name(d), d.percent(d.rms), d.percent(d.largest));
-  }
-  print_rest(shown, c.fields.size());
-}
-
 void print_histograms(const Compared& c) {
   columns("smallest dihedral, deg", "original, %", "result, %");
   const measure::Histogram &a = c.original.dihedrals, &b = c.result.dihedrals;
@@ -352,7 +334,7 @@ void print(const Compared& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n';
   print_regions(c);
   print_surfaces(c);
-  print_differences(c);
+  print_differences(std::cout, c.fields, "volume");
   print_sides(c);
   print_histograms(c);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
@@ -180,6 +181,7 @@ class Run {
     progress_.show("classifying");
     const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
     how_.complete = looks_at_all || options_.paper();
+    if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(original_);
     if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
     if (!looks_at_all) {
@@ -188,6 +190,7 @@ class Run {
     }
     if (!options_.journal.empty()) {
       record_.classify = how_;
+      record_.seams = !how_.seams.empty();
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
