@@ -1,5 +1,7 @@
 // aomd compare, info and check on meshes with regions.
 
+#include <sstream>
+
 #include "tests/support/cli_helpers.h"
 
 namespace aomd::test {
@@ -59,6 +61,38 @@ TEST_F(Volumes, LimitsSayNoWithCode1) {
   const Outcome run = aomd("compare coarse.msh box.msh --same-topology");
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("no: the topology differs"), std::string::npos);
+}
+
+// What one of the two lacks is at no distance: no limit holds there.
+TEST_F(Volumes, WhatIsLostIsBeyondEveryLimit) {
+  sample("ball-in-box", "two.msh", 2);
+  sample("tet-box", "one.msh", 2);
+  for (const char* files : {"two.msh one.msh", "one.msh two.msh"}) {
+    for (const char* limit : {"--max-distance", "--max-rms"}) {
+      const Outcome run = aomd(std::string("compare ") + files + ' ' + limit + " 1000");
+      EXPECT_EQ(run.code, 1) << files << ' ' << limit;
+      EXPECT_NE(run.out.find("distance inf % is above the limit of 1000 %"), std::string::npos);
+    }
+    EXPECT_TRUE(json_of(std::string("compare --json ") + files)["hausdorff_pct"].is_null());
+  }
+}
+
+// Where model faces have other tags the interfaces that they are parts of are measured.
+TEST_F(Volumes, ModelFacesOfOtherTagsAreMeasuredAsInterfaces) {
+  sample("tet-box", "a.mesh", 2);
+  std::string other = text("a.mesh");
+  const std::size_t triangles = other.find("Triangles\n"), end = other.find("Tetrahedra\n");
+  std::istringstream lines(other.substr(triangles, end - triangles));
+  std::string line, changed;
+  for (int n = 0; std::getline(lines, line); ++n)
+    changed += n < 2 || line.find(' ') == std::string::npos
+                   ? line + '\n'
+                   : line.substr(0, line.rfind(' ')) + " 9\n";
+  put("b.mesh", other.replace(triangles, end - triangles, changed));
+  const auto json = json_of("compare --json a.mesh b.mesh");
+  EXPECT_EQ(json["model_faces"].size(), 7u);
+  EXPECT_NEAR(json["hausdorff_pct"], 0, 1e-9);
+  EXPECT_EQ(aomd("compare a.mesh b.mesh --max-distance 0.001").code, 0);
 }
 
 TEST_F(Volumes, TheTextShowsWhatChanged) {
