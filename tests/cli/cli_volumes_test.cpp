@@ -7,6 +7,11 @@
 namespace aomd::test {
 namespace {
 
+// Three tetrahedra on one face.
+constexpr const char* crowded =
+    "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+    "0 0 -1 0\n0 0 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n";
+
 // Two tetrahedra; the second one is on the wrong side of the face that they share.
 constexpr const char* folded =
     "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
@@ -153,15 +158,33 @@ TEST_F(Volumes, CheckNamesFoldedAndCrowdedRegions) {
   EXPECT_EQ(run.out,
             "folded region: region 1: lies on the same side as region 0 of a face of both\n"
             "folded.mesh: 1 finding\n");
-  put("crowded.mesh",
-      "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
-      "0 0 -1 0\n0 0 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n");
+  put("crowded.mesh", crowded);
   EXPECT_NE(
       aomd("check crowded.mesh").out.find("crowded face: region 0: has a face that two more "),
       std::string::npos);
   const auto json = nlohmann::json::parse(aomd("check crowded.mesh --json").out);
   EXPECT_EQ(json["volume"]["nonconforming"], 1);
   EXPECT_EQ(json["findings"].size(), 1u);
+}
+
+// What check names is a note of a decimation, which makes no more of it.
+TEST_F(Volumes, DecimatingFoldedAndCrowdedRegionsSaysSo) {
+  put("folded.mesh", folded);
+  put("crowded.mesh", crowded);
+  for (const char* how : {"--coarsest", "--coarsest --strategy paper"}) {
+    const Outcome one = aomd(std::string("decimate folded.mesh o.mesh ") + how);
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.err,
+              "aomd: note: folded.mesh: 1 face with two tetrahedra on one side, and may "
+              "stay so: aomd check names them\n");
+    const Outcome three = aomd(std::string("decimate crowded.mesh o.mesh ") + how);
+    EXPECT_EQ(three.code, 0);
+    EXPECT_EQ(three.err,
+              "aomd: note: crowded.mesh: 1 face of three or more tetrahedra, and may "
+              "stay so: aomd check names them\n");
+  }
+  sample("tet-box", "fine.mesh", 2);
+  EXPECT_EQ(aomd("decimate fine.mesh o.mesh").err, "");
 }
 
 }  // namespace
