@@ -146,14 +146,18 @@ Counts count_entities(const Mesh& mesh) {
 
 namespace {
 
-/// Products of coordinates beyond 1e+150 are no numbers: there the triangle is measured in small.
+double largest_coordinate(const glm::dvec3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
+// Fourth powers of lengths from 1e-70 to 1e+70 are numbers: other triangles are measured at size 1.
+// Differences of quarters are never infinite.
 double angle_at_any_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const double angle = smallest_angle_deg(a, b, c);
-  if (std::isfinite(angle)) return angle;
-  double most = 0;
-  for (const glm::dvec3& p : {a, b, c})
-    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return smallest_angle_deg(a / most, b / most, c / most);
+  constexpr double least = 1e-70, most = 1e70;
+  const glm::dvec3 u = b / 4.0 - a / 4.0, v = c / 4.0 - a / 4.0;
+  const double size = std::max(largest_coordinate(u), largest_coordinate(v));
+  if (size == 0 || (size >= least && size <= most)) return smallest_angle_deg(a, b, c);
+  return smallest_angle_deg(glm::dvec3(0.0), u / size, v / size);
 }
 
 }  // namespace

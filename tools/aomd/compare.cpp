@@ -10,6 +10,7 @@
 #include "core/measure/distance.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
+#include "core/mesh/extent.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/compare_volumes.h"
@@ -40,6 +41,14 @@ struct Comparison {
     return length > 0 ? 100 * length / diagonal : 0;
   }
 };
+
+// Squares of what is larger or smaller are no numbers, and a distance of none would look like 0.
+void check_extent(const std::string& file, const Mesh& mesh) {
+  if (!has_usual_extent(mesh))
+    throw io::LimitError(file, {},
+                         "Only meshes from 1e-20 to 1e+18 across can be compared: write it in "
+                         "another unit.");
+}
 
 MeshData read(const std::string& file, bool quiet, Progress& progress) {
   progress.show("reading " + file);
@@ -204,6 +213,8 @@ int run(const CompareArguments& options) {
   const auto fields = measure::compare_fields(original, result, thread_count(options.threads));
   Mesh first(std::exchange(original, {})), second(std::exchange(result, {}));
   progress.wipe();
+  check_extent(options.original, first);
+  check_extent(options.result, second);
   return volumes ? compare_volumes(options, first, second, fields)
                  : compare_surfaces(options, std::move(first), std::move(second));
 }

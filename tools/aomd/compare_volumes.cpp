@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -43,6 +44,10 @@ struct VolumeSide {
   std::size_t self_intersections;
 };
 
+bool all_measured(const std::vector<InterfaceChange>& list) {
+  return std::all_of(list.begin(), list.end(), [](const auto& c) { return c.measured(); });
+}
+
 struct Compared {
   VolumeSide original, result;
   measure::VolumeComparison changes;
@@ -53,11 +58,15 @@ struct Compared {
   [[nodiscard]] double percent(double length) const {
     return length > 0 ? 100 * length / changes.diagonal : 0;
   }
-  /// The largest of all surfaces that both have.
+  /// The largest of all surfaces: of model faces where both have all of them, else of interfaces;
+  /// infinite where one of these is in one mesh alone.
   [[nodiscard]] measure::SetDistance largest() const {
+    const auto& list = all_measured(changes.surfaces()) ? changes.surfaces() : changes.interfaces;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (!all_measured(list)) return {none, none};
     measure::SetDistance all;
     for (const bool boundary : {true, false})
-      if (const auto part = measure::distance_over(changes.surfaces(), boundary))
+      if (const auto part = measure::distance_over(list, boundary))
         all = {std::max(all.rms, part->rms), std::max(all.max, part->max)};
     return all;
   }

@@ -33,6 +33,7 @@
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_faults.h"
 
 namespace aomd::cli {
 namespace {
@@ -86,7 +87,6 @@ class Run {
       throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding->text);
     check_kind();
     count_cells();
-    if (volume()) look_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
@@ -128,25 +128,6 @@ class Run {
     const std::uint32_t cells = volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
     did_.target = options_.target_count(volume(), cells);
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
-  }
-
-  // Where some are upright the others may be folded, which turning does not mend; they stay so.
-  void look_inside_out() {
-    std::uint32_t turned = 0;
-    for (const Region r : mesh_.regions()) {
-      const double volume = measure::signed_volume(mesh_, r);
-      inverted_ += !(volume > 0);
-      turned += volume < 0;
-    }
-    if (options_.quiet || inverted_ == 0) return;
-    const char* kind = did_.others == 0 ? "tetrahedra" : "regions";
-    if (turned == mesh_.count(3))
-      print_notes(options_.input, {std::string("all ") + kind + " (" + grouped(turned) +
-                                   ") stand inside out: aomd convert --split-to-tets turns them"});
-    else
-      print_notes(options_.input,
-                  {grouped(inverted_) + " of " + grouped(mesh_.count(3)) + " " + kind +
-                   " stand inside out or are flat, and may stay so: aomd check names them"});
   }
 
   /// Faces, or tetrahedra.
@@ -197,8 +178,15 @@ class Run {
     did_.seconds["classify"] = watch_.lap();
     did_.input = measure::count_entities(mesh_);
     volumes_before_ = measure::region_volumes(mesh_);
-    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, did_.input, false));
+    if (volume()) faults_.emplace(mesh_, did_.input);
+    if (!options_.quiet) print_notes(options_.input, what_is_wrong());
     watch_.lap();
+  }
+
+  /// What keeps a surface from its target, or what does not fit together in a volume.
+  [[nodiscard]] std::vector<std::string> what_is_wrong() const {
+    if (!volume()) return dirt_notes(original_, did_.input, false);
+    return notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
   }
 
   // The mesh may lie on what its own facets do not give, such as a model face without faces.
@@ -288,10 +276,10 @@ class Run {
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
     did_.self_intersections = measure::count_self_intersections(mesh_, steps_.threads).pairs;
+    did_.output = measure::count_entities(mesh_);
     if (volume()) check_volume();
     if (!volume()) count_flips();
     did_.seconds["check"] = watch_.lap();
-    did_.output = measure::count_entities(mesh_);
     did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
@@ -302,15 +290,13 @@ class Run {
     did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
   }
 
-  // No operation turns a tetrahedron inside out; an input may have some.
+  // An input may have faults of its own.
   void check_volume() {
     did_.volume_quality = measure::measure_volume(mesh_);
     did_.volumes = volume_changes(volumes_before_, measure::region_volumes(mesh_));
-    const std::size_t after = did_.volume_quality.inverted.size();
-    if (after > inverted_)
-      throw InternalFault(options_.input +
-                          ": internal fault: " + counted(after - inverted_, "region") +
-                          " inside out in the result, which was not written");
+    if (const auto worse = made_worse(*faults_, VolumeFaults(mesh_, did_.output)))
+      throw InternalFault(options_.input + ": internal fault: " + *worse +
+                          " in the result, which was not written");
   }
 
   /// The result contradicts itself: because the input did, or because of a fault in this program.
@@ -375,7 +361,7 @@ class Run {
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
   std::vector<measure::RegionVolume> volumes_before_;
-  std::size_t inverted_ = 0;  ///< regions of the input
+  std::optional<VolumeFaults> faults_;  ///< of a volume as classified
   DecimateReport did_;
 };
 

@@ -25,7 +25,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SOURCES = ["CMakeLists.txt", "cmake", "core", "viewer", "tools", "tests", "shaders", "assets"]
+SOURCES = ["CMakeLists.txt", "LICENSE", "cmake", "core", "viewer", "tools", "tests", "shaders",
+           "assets"]
 
 
 class Mutation:
