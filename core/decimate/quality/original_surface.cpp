@@ -19,6 +19,13 @@ constexpr std::size_t items_a_piece = 1024;
 
 bool has(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] == v || t[2] == v; }
 
+bool looks_alike(const Mesh& mesh, Face f, const OriginalPoint& p) {
+  const auto t = mesh.triangle(f);
+  const glm::dvec3 normal =
+      area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  return glm::dot(normal, glm::dvec3(p.normal)) > 0;
+}
+
 }  // namespace
 
 OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
@@ -91,15 +98,21 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
+// Of the faces that look the way the original did, else of all: from a face behind an edge, where
+// the nearest place may lie inside, no walk leads back.
 void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
   double best = std::numeric_limits<double>::infinity();
+  bool faces_it = false;
   p.face = no_index;
   for (const Face f : mesh.row<2>(v)) {
     const auto t = mesh.triangle(f);
+    const bool now = looks_alike(mesh, f, p);
+    if (faces_it && !now) continue;
     glm::dvec3 at;
     const double d = nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]),
                                          mesh.position(t[2]), at);
-    if (d >= best) continue;
+    if (faces_it == now && d >= best) continue;
+    faces_it = now;
     best = d;
     p.face = f.index;
     p.barycentric = at;
@@ -146,7 +159,7 @@ void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
 
 void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
   OriginalPoint& p = points_[i];
-  if (p.face != no_index && mesh.alive(Face(p.face))) {
+  if (p.face != no_index && mesh.alive(Face(p.face)) && looks_alike(mesh, Face(p.face), p)) {
     const auto t = mesh.triangle(Face(p.face));
     glm::dvec3 at;
     p.distance2 = static_cast<float>(nearest_barycentric(
