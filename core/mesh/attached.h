@@ -15,6 +15,8 @@
 
 #include "core/mesh/handle.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What a mesh does to attached data of any type. Values of new entities are the column's initial
@@ -137,3 +139,5 @@ class AttachedData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

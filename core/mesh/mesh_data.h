@@ -14,6 +14,8 @@
 #include "core/mesh/model_table.h"
 #include "core/mesh/shape.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Entities of one dimension (1 edges, 2 faces, 3 regions), each by its vertices in template order.
@@ -80,3 +82,5 @@ struct MeshData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

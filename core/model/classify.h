@@ -7,6 +7,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/features.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 struct ClassifyOptions {
@@ -51,3 +53,5 @@ struct ClassifyResult {
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options = {});
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

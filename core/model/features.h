@@ -7,6 +7,8 @@
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What find_features() saw.
@@ -52,3 +54,5 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop
