@@ -13,6 +13,8 @@
 #include "core/operators/collapse.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Paper: the printed loop. Quality: collapses in the order of the error they make, the kept vertex
@@ -113,3 +115,5 @@ struct Operation {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Normal of a triangle, its length twice the area.
@@ -74,3 +76,5 @@ class LeastAngle {
                                         const glm::dvec3& c);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop
