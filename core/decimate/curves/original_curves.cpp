@@ -40,7 +40,8 @@ Foot foot_of(const glm::dvec3& p, const Mesh& mesh, const CurvePlace& place, con
 
 }  // namespace
 
-OriginalCurves::OriginalCurves(const Mesh& mesh) {
+OriginalCurves::OriginalCurves(const Mesh& mesh, std::uint32_t most_points)
+    : most_points_(most_points) {
   find_pieces(mesh);
   add_points(mesh);
 }
@@ -221,6 +222,23 @@ void OriginalCurves::share_out(const Mesh& mesh, const CurvePlace& place, Vertex
       add_point(place.pieces[foot_of(points_[i].position, mesh, place, mesh.position(v)).side], i);
       i = following;
     }
+  for (const std::uint32_t piece : place.pieces)
+    if (piece != no_index) join_points(piece);
+}
+
+// Two in a row that stand for more than twice their share stay, so that half of the points do.
+void OriginalCurves::join_points(std::uint32_t piece) {
+  std::uint32_t count = 0;
+  double length = 0;
+  for (std::uint32_t i = pieces_[piece].first; i != no_index; i = points_[i].next)
+    ++count, length += points_[i].length;
+  if (count <= most_points_) return;
+  const double enough = 4 * length / most_points_;
+  for (std::uint32_t i = pieces_[piece].first; i != no_index; i = points_[i].next)
+    for (std::uint32_t out = points_[i].next;
+         out != no_index && points_[i].length + points_[out].length <= enough;
+         out = points_[i].next = points_[out].next)
+      points_[i].length += std::exchange(points_[out].length, 0);
 }
 
 void OriginalCurves::locate(const Mesh& mesh) {
