@@ -49,6 +49,8 @@ class OriginalCurves {
   /// The other ends of the pieces at a vertex inside a curve.
   [[nodiscard]] std::array<Vertex, 2> neighbours(Vertex v) const;
 
+  /// What the points around a place stand for: CurveError::length, wherever its vertex is.
+  [[nodiscard]] double length(const CurvePlace& place) const;
   /// The error around a place whose vertex is at `x`.
   [[nodiscard]] CurveError error(const Mesh& mesh, const CurvePlace& place,
                                  const glm::dvec3& x) const;
