@@ -73,6 +73,32 @@ TEST(OriginalCurvesTest, TheQuadricLeadsBack) {
   EXPECT_NEAR(error(glm::dvec3(1, 0, 0) + step), error(step), 1e-5) << "along it nothing is lost";
 }
 
+// A disc whose rim has an edge for each half degree; 60 of them become one piece.
+TEST(OriginalCurvesTest, APieceOfManyPointsTurnsTheSameWithFewOfThem) {
+  constexpr std::uint32_t count = 720;
+  MeshData disc;
+  disc.positions.emplace_back(0, 0, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    disc.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    disc.faces.add(Shape::Triangle, {0, 1 + i, 1 + (i + 1) % count});
+  }
+  const Mesh mesh = classified(std::move(disc));
+  OriginalCurves all(mesh), few(mesh, 16);
+  constexpr std::uint32_t last = 100;
+  for (std::uint32_t v = last - 59; v < last; ++v)
+    for (OriginalCurves* curves : {&all, &few}) curves->merged(mesh, Vertex(v), Vertex(v + 1));
+  const glm::dvec3 at = mesh.position(Vertex(last));
+  const double cosine = all.turn_cosine(mesh, all.around(Vertex(last)), at);
+  EXPECT_NEAR(cosine, std::cos(15 * std::numbers::pi / 180), 1e-9) << "half of what the arc turns";
+  EXPECT_NEAR(few.turn_cosine(mesh, few.around(Vertex(last)), at), cosine, 2e-3);
+  const CurveError exact = all.error(mesh, all.around(Vertex(last)), at),
+                   nearly = few.error(mesh, few.around(Vertex(last)), at);
+  EXPECT_NEAR(nearly.length, exact.length, 1e-12);
+  EXPECT_NE(nearly.squares, exact.squares) << "from fewer points";
+  EXPECT_NEAR(nearly.squares, exact.squares, exact.squares / 5);
+}
+
 TEST(OriginalCurvesTest, PointsFollowCollapses) {
   Mesh mesh = sheet();
   OriginalCurves curves(mesh);

@@ -52,12 +52,14 @@ bool is_required(const CheckArguments& options, SurfaceProperty property) {
 // A border is no dirt: it is told where the surface is to be closed.
 void look_at_surface(const CheckArguments& options, const MeshData& data, const Mesh& mesh,
                      Checked& result) {
-  if (!data.regions.empty()) return;
+  const auto add = [&](const std::vector<SurfaceFinding>& findings) {
+    result.surface.insert(result.surface.end(), findings.begin(), findings.end());
+  };
   for (const SurfaceFinding& finding : survey(data))
     if (finding.breaks != SurfaceProperty::Closed || is_required(options, finding.breaks))
-      result.surface.push_back(finding);
-  const auto cuts = self_intersection_findings(mesh);
-  result.surface.insert(result.surface.end(), cuts.begin(), cuts.end());
+      add({finding});
+  add(hanging_findings(mesh, thread_count(0), measure::Skin::Derived));
+  if (data.regions.empty()) add(self_intersection_findings(mesh));
   for (const SurfaceFinding& finding : result.surface)
     if (is_required(options, finding.breaks)) {
       const std::string name = property_name(finding.breaks);

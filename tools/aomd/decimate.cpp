@@ -126,8 +126,7 @@ class Run {
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    const std::uint32_t cells = volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
-    did_.target = options_.target_count(volume(), cells);
+    did_.target = options_.target_count(volume(), cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
@@ -189,7 +188,12 @@ class Run {
   /// What keeps a surface from its target, or what does not fit together in a volume.
   [[nodiscard]] std::vector<std::string> what_is_wrong() const {
     if (!volume()) return dirt_notes(original_, did_.input, false);
-    return notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
+    std::vector<std::string> notes =
+        notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
+    for (const SurfaceFinding& finding :
+         hanging_findings(mesh_, steps_.threads, measure::Skin::Listed))
+      notes.push_back(finding.dirt.name + ": " + finding.dirt.text + ": aomd check names them");
+    return notes;
   }
 
   // The mesh may lie on what its own facets do not give, such as a model face without faces.
