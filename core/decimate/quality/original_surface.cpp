@@ -9,6 +9,7 @@
 #include "core/base/box.h"
 #include "core/base/parallel.h"
 #include "core/mesh/geometry.h"
+#include "core/model/nearest_lanes.h"
 #include "core/model/triangle_tree.h"
 #include "core/operators/star.h"
 
@@ -91,18 +92,26 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
+// Two faces at a time.
 void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
+  const Row<2> faces = mesh.row<2>(v);
+  const TwoPoints position(p.position);
   double best = std::numeric_limits<double>::infinity();
   p.face = no_index;
-  for (const Face f : mesh.row<2>(v)) {
-    const auto t = mesh.triangle(f);
-    glm::dvec3 at;
-    const double d = nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]),
-                                         mesh.position(t[2]), at);
-    if (d >= best) continue;
-    best = d;
-    p.face = f.index;
-    p.barycentric = at;
+  for (std::size_t begin = 0; begin < faces.size(); begin += DoubleLanes::count) {
+    const std::array two{faces[begin], faces[std::min(begin + 1, faces.size() - 1)]};
+    const auto f = mesh.triangle(two[0]), g = mesh.triangle(two[1]);
+    const auto corner = [&](std::size_t k) {
+      return two_points(mesh.position(f[k]), mesh.position(g[k]));
+    };
+    TwoPoints at;
+    const DoubleLanes d = nearest_barycentric(position, corner(0), corner(1), corner(2), at);
+    for (std::size_t i = 0; i < two.size(); ++i) {
+      if (d[i] >= best) continue;
+      best = d[i];
+      p.face = two[i].index;
+      p.barycentric = {at.x[i], at.y[i], at.z[i]};
+    }
   }
   p.distance2 = static_cast<float>(best);
 }

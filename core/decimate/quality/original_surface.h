@@ -67,6 +67,13 @@ class OriginalSurface {
     if (f.index >= first_.size()) return;
     for (std::uint32_t i = first_[f]; i != no_index; i = points_[i].next) visit(points_[i]);
   }
+  /// The same as long as visit(point) is true; whether it was for all of them.
+  template <typename Visit>
+  bool for_points_while(Face f, Visit&& visit) const {
+    std::uint32_t i = f.index < first_.size() ? first_[f] : no_index;
+    while (i != no_index && visit(points_[i])) i = points_[i].next;
+    return i == no_index;
+  }
   /// Distributes the points of two faces anew: to `f` where goes_to_f(point), else to `g`. The call
   /// may set barycentric coordinates and distance.
   template <typename Where>
