@@ -218,18 +218,16 @@ void CollapseQueue::reset(const CostRules& rules) {
 
 void CollapseQueue::measure(bool by_points) {
   normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
-  const auto measure = [&](std::uint32_t id) {
-    const Vertex v(id);
+  for (const Vertex v : mesh_.vertices()) {
     State fresh;
     fresh.reach = state_[v].reach;
     fresh.model = mesh_.classification(v);
     state_[v] = fresh;
-    if (!by_points) quadric_of_faces(v);
-  };
-  parallel_for(
-      mesh_.capacity(0), options_.threads, vertices_a_piece,
-      [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
-  if (by_points) quadrics_of_points();
+  }
+  if (by_points)
+    quadrics_of_points();
+  else
+    quadrics_of_faces();
   fill();
 }
 

@@ -116,7 +116,7 @@ class CollapseQueue {
 
   // Quadrics (quadrics.cpp)
   void add_normal(Vertex v, const glm::vec3& normal);
-  void quadric_of_faces(Vertex v);
+  void quadrics_of_faces();
   void quadrics_of_points();
 
   const Mesh& mesh_;
