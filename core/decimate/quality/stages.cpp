@@ -63,7 +63,7 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      original_(mesh, sampling(mesh, options), options.threads),
+      original_(mesh, sampling(mesh, options)),
       curves_(mesh),
       collapser_(mesh),
       fitter_(mesh, original_, curves_),
