@@ -1,4 +1,5 @@
-/* Goes through the whole C interface on generated meshes. Exit code 0 where all of it comes out as it must. */
+// Goes through the whole C interface on generated meshes. Exit code 0 where all of it comes out as
+// it must.
 
 #include <math.h>
 #include <stdio.h>
@@ -7,19 +8,19 @@
 
 #include "core/c/aomd.h"
 
-#define EXPECT(condition)                                                             \
-  do {                                                                                \
-    if (!(condition)) {                                                               \
-      fprintf(stderr, "consumer.c:%d: %s (last error: %s)\n", __LINE__, #condition,   \
-              aomd_last_error());                                                     \
-      exit(1);                                                                        \
-    }                                                                                 \
+#define EXPECT(condition)                                                           \
+  do {                                                                              \
+    if (!(condition)) {                                                             \
+      fprintf(stderr, "consumer.c:%d: %s (last error: %s)\n", __LINE__, #condition, \
+              aomd_last_error());                                                   \
+      exit(1);                                                                      \
+    }                                                                               \
   } while (0)
 #define DONE(call) EXPECT((call) == AOMD_DONE)
 
 static const double corners_of_tet[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/* The surface of a tetrahedron: every count is known. */
+// The surface of a tetrahedron: every count is known.
 static aomd_mesh* four_triangles(void) {
   static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
   aomd_mesh* mesh = NULL;
@@ -59,7 +60,7 @@ static void test_refusals(void) {
   nan_position[1] = NAN;
   EXPECT(aomd_mesh_from_triangles(1, nan_position, 0, NULL, &mesh) == AOMD_USAGE);
   EXPECT(aomd_mesh_read("no such file.ply", &mesh) == AOMD_INPUT);
-  EXPECT(strcmp(aomd_last_error(), "no such file.ply: cannot be opened: No such file or directory") == 0);
+  EXPECT(strstr(aomd_last_error(), "no such file.ply: cannot be opened") == aomd_last_error());
   EXPECT(aomd_mesh_sample("no such sample", 0, &mesh) == AOMD_USAGE);
   EXPECT(mesh == NULL);
 }
@@ -119,7 +120,7 @@ static void test_decimate(void) {
   aomd_mesh_free(ball);
 }
 
-/* A program that was compiled when there was nothing behind `target`. */
+// A program that was compiled when there was nothing behind `target`.
 static void test_older_options(void) {
   aomd_mesh *ball = NULL, *coarse = NULL;
   aomd_decimate_options options;
