@@ -10,6 +10,8 @@
 #include "core/io/error.h"
 #include "core/mesh/mesh_data.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::io {
 
 enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
@@ -109,3 +111,5 @@ std::vector<std::string> write(const std::filesystem::path& path, const MeshData
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace aomd::io
+
+#pragma GCC visibility pop

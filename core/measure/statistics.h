@@ -8,6 +8,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::measure {
 
 /// How many there are of what. A face that occurs twice counts twice, also at its edges.
@@ -44,3 +46,5 @@ struct Quality {
 [[nodiscard]] Quality measure_quality(const Mesh& mesh);
 
 }  // namespace aomd::measure
+
+#pragma GCC visibility pop

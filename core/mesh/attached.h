@@ -16,6 +16,8 @@
 #include "core/mesh/handle.h"
 #include "core/mesh/mesh_data.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What a file says of an array beside its values, of which Attribute tells: to_data() gives it
@@ -150,3 +152,5 @@ class AttachedData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -16,6 +16,8 @@
 #include "core/mesh/number_type.h"
 #include "core/mesh/shape.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Entities of one dimension (1 edges, 2 faces, 3 regions), each by its vertices in template order.
@@ -110,3 +112,5 @@ struct MeshData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

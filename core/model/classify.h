@@ -10,6 +10,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/features.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 struct ClassifyOptions {
@@ -57,3 +59,5 @@ struct ClassifyResult {
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options = {});
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

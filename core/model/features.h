@@ -9,6 +9,8 @@
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What find_features() saw.
@@ -55,3 +57,5 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -15,6 +15,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/tilted_box.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The corners of a triangle in its own order.
@@ -131,3 +133,5 @@ void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) 
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

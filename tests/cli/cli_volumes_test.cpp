@@ -10,7 +10,7 @@ namespace {
 // Three tetrahedra on one face.
 constexpr const char* crowded =
     "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
-    "0 0 -1 0\n0 0 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n";
+    "0 0 -1 0\n0.3 0.3 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n";
 
 // Two tetrahedra; the second one is on the wrong side of the face that they share.
 constexpr const char* folded =
@@ -185,6 +185,26 @@ TEST_F(Volumes, DecimatingFoldedAndCrowdedRegionsSaysSo) {
   }
   sample("tet-box", "fine.mesh", 2);
   EXPECT_EQ(aomd("decimate fine.mesh o.mesh").err, "");
+}
+
+// A vertex of two upper tetrahedra in the middle of an edge of the lower one.
+TEST_F(Volumes, HangingVerticesAreNamed) {
+  put("hanging.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n2 0 0 0\n0 2 0 0\n1 1 0 0\n"
+      "0 0 2 0\n0 0 -2 0\nTetrahedra\n3\n1 2 4 5 1\n1 4 3 5 1\n1 3 2 6 1\nEnd\n");
+  const std::string found =
+      "hanging vertices: 1 vertex lies on faces without being a corner of them";
+  const Outcome check = aomd("check hanging.mesh");
+  EXPECT_EQ(check.code, 0);
+  EXPECT_EQ(check.out, found +
+                           " (vertex 3)\nhanging.mesh: nothing found in the mesh, 1 kind of "
+                           "dirt on the surface\n");
+  EXPECT_EQ(aomd("check hanging.mesh --require welded").code, 1);
+  for (const char* strategy : {"quality", "paper"}) {
+    const Outcome run = aomd(std::string("decimate hanging.mesh o.mesh --strategy ") + strategy);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(run.err, "aomd: note: hanging.mesh: " + found + ": aomd check names them\n");
+  }
 }
 
 }  // namespace

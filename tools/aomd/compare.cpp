@@ -15,6 +15,7 @@
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/compare_volumes.h"
 #include "tools/aomd/field_report.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
@@ -68,7 +69,7 @@ Side measured(const std::string& file, Mesh mesh, Progress& progress, int thread
 }
 
 Comparison compare(const CompareArguments& options, Mesh original, Mesh result) {
-  Progress progress(false);
+  Progress progress(options.quiet);
   const int threads = thread_count(options.threads);
   Comparison c{measured(options.original, std::move(original), progress, threads),
                measured(options.result, std::move(result), progress, threads),
@@ -249,6 +250,16 @@ void add_limits(CLI::App* command, CompareArguments& options) {
 }
 
 }  // namespace
+
+Json compare(const CompareArguments& options, const MeshData& original, const MeshData& result) {
+  Mesh first(original), second(result);
+  if (!original.regions.empty() && !result.regions.empty())
+    return volume_comparison_json(
+        options, first, second,
+        measure::compare_fields(original, result, thread_count(options.threads)));
+  const Comparison c = compare(options, std::move(first), std::move(second));
+  return comparison_json(c, objections(c, options));
+}
 
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(

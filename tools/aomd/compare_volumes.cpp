@@ -74,7 +74,7 @@ struct Compared {
 
 Compared compared(const CompareArguments& options, const Mesh& original, const Mesh& result) {
   const int threads = thread_count(options.threads);
-  Progress progress(false);
+  Progress progress(options.quiet);
   progress.show("measuring " + options.original);
   VolumeSide before(options.original, original, threads);
   progress.show("measuring " + options.result);
@@ -349,6 +349,13 @@ void print(const Compared& c) {
 }
 
 }  // namespace
+
+Json volume_comparison_json(const CompareArguments& options, const Mesh& original,
+                            const Mesh& result, std::vector<measure::FieldDifference> fields) {
+  Compared c = compared(options, original, result);
+  c.fields = std::move(fields);
+  return comparison_json(c, objections(c, options));
+}
 
 int compare_volumes(const CompareArguments& options, const Mesh& original, const Mesh& result,
                     std::vector<measure::FieldDifference> fields) {
