@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 enum class NumberType : std::uint8_t {
@@ -69,3 +71,5 @@ void use_as(NumberType type, double x, Use&& use) {
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop
