@@ -82,6 +82,7 @@ class MeshToGrid {
   void add_cell_values(const Attribute& a) {
     const std::size_t k = array_for(a);
     VtkArray& array = grid_.cell_data[own_arrays_ + k];
+    if (a.type) array.type = a.type;
     const auto n = static_cast<std::size_t>(a.components);
     std::copy(a.values.begin(), a.values.end(),
               array.values.begin() + static_cast<std::ptrdiff_t>(n * first_cell_[a.dimension]));
@@ -91,9 +92,10 @@ class MeshToGrid {
   /// The array that takes these values: one of the same kind that has none of this dimension, or a
   /// new one.
   std::size_t array_for(const Attribute& a) {
-    std::vector<std::size_t>& same =
-        arrays_[(a.integer ? 'i' : 'r') + std::to_string(a.type ? static_cast<int>(*a.type) : -1) +
-                ' ' + std::to_string(a.components) + ' ' + a.name];
+    const bool usual = !a.type || *a.type == NumberType::Int64;
+    const int type = usual ? -1 : static_cast<int>(*a.type);
+    std::vector<std::size_t>& same = arrays_[(a.integer ? 'i' : 'r') + std::to_string(type) + ' ' +
+                                             std::to_string(a.components) + ' ' + a.name];
     for (const std::size_t k : same) {
       if ((static_cast<int>(coverage_[k]) >> a.dimension & 1) == 0) return k;
     }

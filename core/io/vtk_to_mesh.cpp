@@ -13,6 +13,7 @@
 #include "core/io/face_sink.h"
 #include "core/io/notes.h"
 #include "core/io/polygon.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_cells.h"
 #include "core/io/vtk_dataset.h"
 #include "core/mesh/handle.h"
@@ -327,7 +328,8 @@ class GridToMesh {
                                 ? usual_meaning(array)
                                 : array.meaning;
     Attribute a{array.name, d, array.components, array.integer && exact, std::move(values)};
-    if (exact || !array.integer) a.type = array.type;
+    const bool usual = array.type == NumberType::Int64 && !fit_int32(a.values);
+    if (!usual && (exact || !array.integer)) a.type = array.type;
     a.meaning = meaning == Meaning::Any ? array.meaning : meaning;
     mesh_.attributes.push_back(std::move(a));
   }

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/io/held_arrays.h"
+#include "core/io/stored_numbers.h"
 #include "tests/support/volume_helpers.h"
 
 namespace aomd::test {
@@ -43,7 +44,9 @@ Attribute array(const MeshData& mesh, const std::string& name, int dim, int comp
                 NumberType type, Meaning meaning = Meaning::Any) {
   Attribute a{name, dim, components, is_integer(type), {}};
   a.values = values_of(type, static_cast<std::size_t>(components) * entities(mesh, dim));
-  if (type != NumberType::Float64 && type != NumberType::Int32) a.type = type;
+  const bool usual = type == NumberType::Float64 || type == NumberType::Int32 ||
+                     (type == NumberType::Int64 && !io::detail::fit_int32(a.values));
+  if (!usual) a.type = type;
   a.meaning = meaning;
   return a;
 }

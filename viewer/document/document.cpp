@@ -264,10 +264,12 @@ void Document::reclassify(const ClassifyOptions& options) {
   if (!loaded_) return;
   record("classify", [&] {
     ClassifyOptions each = options;
+    each.seams = std::move(loaded_->classify_options.seams);
     each.keep_present = loaded_->classified_by_file();
     if (each.keep_present) restore_file_classes();
     loaded_->classified = classify(loaded_->mesh, each);
     loaded_->classify_options = options;
+    loaded_->classify_options.seams = std::move(each.seams);
     forget_fits();
     stale_ = loaded_->decimation.has_value();
   });

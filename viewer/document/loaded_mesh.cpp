@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/decimate/spacing/spacing.h"
+#include "core/fields/seams.h"
 #include "core/io/io.h"
 #include "core/io/notes.h"
 #include "core/mesh/verify.h"
@@ -81,7 +82,10 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   loaded->mesh = Mesh(data);
   if (data.classified()) remember_file_classes(*loaded);
   loaded->classify_options = options;
+  loaded->corners = data.corners;
+  loaded->remarks = data.remarks;
   Mesh& mesh = loaded->mesh;
+  if (!loaded->volume()) loaded->classify_options.seams = fields::seams_of(data);
   if (!loaded->volume()) prepare_surface(*loaded);
   // Going through a volume takes its time and all its faces: only where the file says nothing.
   if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
@@ -108,7 +112,6 @@ void note_arrays_lost(const MeshData& data, LoadedMesh& loaded) {
   for (const Attribute& a : data.attributes)
     if (!held[static_cast<std::size_t>(a.dimension)].contains(a.name))
       lost.add("attribute " + shown(a.name));
-  for (const Attribute& a : data.corners) lost.add("attribute " + shown(a.name) + " on corners");
   io::detail::note_left_out(loaded.notes, lost);
 }
 

@@ -51,6 +51,8 @@ struct LoadedMesh {
   Box bounds;                      ///< of the vertices that can be seen
   Mesh mesh;
   Journal journal;
+  std::vector<Attribute> corners;  ///< what the file has on the corners of faces
+  std::vector<Remark> remarks;     ///< and what it says of the whole: a Mesh holds neither
   ClassifyOptions classify_options;
   ClassifyResult classified;
   Column<Vertex, double>
