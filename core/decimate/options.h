@@ -29,8 +29,8 @@ enum class Idea : std::uint8_t {
   Facing,       ///< no face looks away from the original around its corners
   SecondStage,  ///< the last collapses follow errors that were measured anew
   FarPoints,    ///< the fit cares more for points that are far off
-  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices, flat places left out, come to
-                ///< each face of the result: the original has a point in each face too
+  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices, those in flat places left
+                ///< out, come to each face of the result: the original has a point in each face too
 };
 inline constexpr int idea_count = 6;
 /// "placement", "third-powers", "facing", "second-stage", "far-points", "dense-points".

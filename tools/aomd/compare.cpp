@@ -261,6 +261,13 @@ Json compare(const CompareArguments& options, const MeshData& original, const Me
   return comparison_json(c, objections(c, options));
 }
 
+double largest_distance_pct(const measure::Surface& original, const Mesh& result, int threads) {
+  const std::size_t samples = CompareArguments().samples;
+  const measure::Surface to(result, threads);
+  const double distance = measure::mutual_distance(original, to, samples, threads).max();
+  return distance > 0 ? 100 * distance / original.tree().box().diagonal() : 0;
+}
+
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "compare",

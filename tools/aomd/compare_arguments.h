@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/distance.h"
+
 namespace aomd::cli {
 
 struct CompareArguments {
@@ -17,6 +19,11 @@ struct CompareArguments {
   std::optional<double> max_distance, max_rms;
   std::optional<std::size_t> max_flips, max_intersections;
 };
+
+/// The largest distance between two surfaces in percent of the original's diagonal, as `aomd
+/// compare` measures it unless told otherwise.
+[[nodiscard]] double largest_distance_pct(const measure::Surface& original, const Mesh& result,
+                                          int threads);
 
 /// Collects what goes beyond the limits that were given, one sentence each.
 class Objections {

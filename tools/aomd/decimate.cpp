@@ -10,10 +10,12 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/decimate/error_search.h"
 #include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
+#include "core/measure/distance.h"
 #include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
@@ -24,26 +26,26 @@
 #include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
-#include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/compare_arguments.h"
+#include "tools/aomd/decimate_input.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
 #include "tools/aomd/in_memory.h"
 #include "tools/aomd/keep_file.h"
+#include "tools/aomd/letting_go.h"
 #include "tools/aomd/missed_target.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
-#include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
 #include "tools/aomd/volume_faults.h"
 
 namespace aomd::cli {
 namespace {
 
-std::string dear_features(int model_vertices, std::uint32_t faces) {
-  return std::to_string(model_vertices) + " model vertices would take more than half of " +
-         counted(faces, "face") +
-         ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
+void leave_as_it_is(DecimationOptions& steps) {
+  steps.target_faces = no_index;
+  steps.swap = steps.smooth = false;
 }
 
 /// The files of a run whose mesh, the first of them, is in memory.
@@ -61,16 +63,14 @@ class Run {
         listener_(listener),
         progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
         steps_(options.for_library()),
-        how_(options.for_classification()) {}
+        asked_(options.for_classification()) {}
 
   int run() {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
     read();
-    classify_mesh();
-    add_what_needs_the_mesh();
-    decimate();
+    meet_target();
     check();
     write();
     progress_.wipe();
@@ -83,12 +83,10 @@ class Run {
     options_.check_spacing();
     check_files(beside_mesh(options_.inputs()), beside_mesh(options_.outputs()));
     take(std::move(mesh));
-    classify_mesh();
-    add_what_needs_the_mesh();
-    decimate();
+    meet_target();
     check();
     write();
-    if (did_.missed) note_what_is_missed();
+    note_target();
     return {std::move(result_), std::move(report_), did_.missed ? missed_words() : std::string()};
   }
 
@@ -103,28 +101,102 @@ class Run {
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
-    if (!options_.quiet) print_notes(options_.input, read.notes);
+    note(options_.input, read.notes);
     take(std::move(read.mesh));
   }
 
   void take(MeshData mesh) {
     original_ = std::move(mesh);
-    did_.seconds["read"] = watch_.lap();
-    if (options_.triangulate) cut_quads();
+    lap("read");
+    if (options_.triangulate) note(options_.input, cut_quads(original_));
     if (options_.repair) repair_mesh();
     mesh_ = Mesh(original_);
-    if (volume() && !has_tetrahedra(mesh_))
-      throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
-    if (const char* obstacle = decimation_obstacle(mesh_))
-      throw io::LimitError(options_.input, {}, obstacle);
-    if (const auto finding = first_repeated_region(mesh_))
-      throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding->text);
-    check_kind();
+    check_decimable(mesh_, options_.input);
+    options_.check_kind(volume());
+    if (volume() && steps_.exchange)
+      note(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
     count_cells();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
-    did_.seconds["read"] = did_.seconds["read"].get<double>() + watch_.lap();
+    lap("read");
+  }
+
+  /// A stage may come several times.
+  void lap(const char* stage) {
+    did_.seconds[stage] = did_.seconds.value(stage, 0.0) + watch_.lap();
+  }
+
+  /// Said once, also where it is found again.
+  void note(const std::string& file, const std::vector<std::string>& notes) const {
+    if (!options_.quiet && !repeated_) print_notes(file, notes);
+  }
+
+  void meet_target() {
+    if (options_.target_error_pct > 0)
+      meet_error();
+    else
+      reach_target();
+  }
+
+  void attempt() {
+    how_ = asked_;
+    classify_mesh();
+    add_what_needs_the_mesh();
+    decimate();
+  }
+
+  // From what was read, without what an attempt before has done.
+  void start_over() {
+    repeated_ = true;
+    balls_ = {};
+    steps_.keep = {};
+    steps_.model = nullptr;
+    if (options_.model.empty()) model_.reset();
+    mesh_ = Mesh(original_);
+    record_ = {};
+    did_.missed.reset();
+    watch_.lap();
+  }
+
+  // Where the number is missed, once more with one guard after the other let go.
+  void reach_target() {
+    attempt();
+    if (!options_.reach) return;
+    for (const Guard guard : guards_in_order) {
+      const bool of_model = guard == Guard::Features || guard == Guard::Corners;
+      if (!did_.missed || (of_model && given_classes_)) return;
+      if (!let_go(guard, steps_, asked_)) continue;
+      did_.let_go.push_back(guard);
+      start_over();
+      attempt();
+    }
+  }
+
+  // The coarsest result that is no further off; where there is none, what was read.
+  void meet_error() {
+    const Mesh start(original_);
+    const measure::Surface original(start, steps_.threads);
+    ErrorSearch search(options_.target_error_pct);
+    double last = 0;
+    const auto run = [&](double guard_pct) {
+      if (last > 0) start_over();
+      steps_.max_distance = guard_pct / 100 * diagonal_;
+      last = guard_pct;
+      attempt();
+      progress_.show("measuring");
+      did_.error_pct = largest_distance_pct(original, mesh_, steps_.threads);
+      lap("measure");
+    };
+    steps_.coarsest = true;
+    while (const auto guard_pct = search.next()) {
+      run(*guard_pct);
+      search.tried(*guard_pct, mesh_.count(2), *did_.error_pct);
+    }
+    did_.tries = search.tries();
+    if (!search.best()) leave_as_it_is(steps_);
+    if (const double best = search.best().value_or(options_.target_error_pct); last != best)
+      run(best);
   }
 
   [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
@@ -134,27 +206,10 @@ class Run {
   void forget_regions() {
     const bool again = listener_ == nullptr && options_.input != "-" &&
                        std::filesystem::is_regular_file(options_.input);
+    if (options_.reach) return;
     if (!again || !original_.attributes.empty() || !original_.periodic.empty()) return;
     original_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
-  }
-
-  // Options that belong to the other kind of mesh, or of strategy.
-  void check_kind() const {
-    if (volume() && steps_.topology != TopologyRule::Safe)
-      throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
-    if (!volume() && !options_.volume_rule.empty())
-      throw UsageError("--volume is for volumes, and " + options_.input + " has no regions");
-    if (!volume() && options_.min_dihedral_given)
-      throw UsageError("--min-dihedral is for volumes, and " + options_.input +
-                       " has no regions: --min-angle limits the angles of faces");
-    if (options_.volume_rule == "keep" && options_.paper())
-      throw UsageError(
-          "--volume keep is for --strategy quality: the printed loop places no vertex");
-    if (options_.volume_rule == "keep" && options_.snaps())
-      throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
-    if (volume() && steps_.exchange && !options_.quiet)
-      print_notes(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
   }
 
   // Regions of other shapes than tetrahedra stay, and count beside the target.
@@ -169,26 +224,13 @@ class Run {
     return volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
   }
 
-  void cut_quads() {
-    const std::size_t quads = triangulate_quads(original_);
-    if (quads > 0 && !options_.quiet)
-      print_notes(options_.input, {counted(quads, "quad") + " cut into triangles"});
-  }
-
   void repair_mesh() {
-    check_mendable(options_.input, original_);
     progress_.show("repairing");
-    RepairOptions how;
-    options_.weld.apply(how, original_);
-    did_.repaired = repair(original_, how);
+    std::vector<std::string> notes;
+    did_.repaired = mend(original_, options_, notes);
     progress_.wipe();
-    if (!options_.quiet) {
-      for (const RepairItem& item : did_.repaired.done)
-        print_notes(options_.input, {line_of(item)});
-      for (const RepairItem& item : did_.repaired.left)
-        print_notes(options_.input, {line_of(item)});
-    }
-    did_.seconds["repair"] = watch_.lap();
+    note(options_.input, notes);
+    lap("repair");
   }
 
   void classify_mesh() {
@@ -208,14 +250,15 @@ class Run {
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
-    if (model_) fit_to_model();
+    if (model_) fit_to_model(mesh_, original_.classified(), *model_, options_);
     if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
-    if (options_.snaps()) snap_to_model();
-    did_.seconds["classify"] = watch_.lap();
+    if (options_.snaps()) check_snapping(mesh_, *model_, options_);
+    if (options_.snaps()) steps_.model = model_.get();
+    lap("classify");
     did_.input = measure::count_entities(mesh_);
     volumes_before_ = measure::region_volumes(mesh_);
     if (volume()) faults_.emplace(mesh_, did_.input);
-    if (!options_.quiet) print_notes(options_.input, what_is_wrong());
+    note(options_.input, what_is_wrong());
     watch_.lap();
   }
 
@@ -230,42 +273,19 @@ class Run {
     return notes;
   }
 
-  // The mesh may lie on what its own facets do not give, such as a model face without faces.
-  void snap_to_model() {
-    try {
-      check_entities(mesh_, *model_);
-    } catch (const ModelError& e) {
-      throw io::ReadError(options_.input, {}, std::string("--snap model: ") + e.what());
-    }
-    steps_.model = model_.get();
-  }
-
   // What the angle finds is classified without edges that would cost too much of the target.
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
-    if (found.given && options_.feature_angle_given && !options_.quiet)
-      print_notes(options_.input,
-                  {"the file classifies faces or edges: --feature-angle has no say"});
-    const bool free =
-        !volume() && !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
+    given_classes_ = found.given || !options_.model.empty();
+    if (found.given && options_.feature_angle_given)
+      note(options_.input, {"the file classifies faces or edges: --feature-angle has no say"});
+    const bool free = !volume() && !options_.feature_angle_given && !model_ &&
+                      steps_.target_faces > 0 && how_.feature_angle_deg;
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(original_);
     classify(mesh_, how_);
-    if (!options_.quiet)
-      print_notes(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
-  }
-
-  // Classification by the model is a step of the journal, so that a replay needs no model.
-  void fit_to_model() {
-    try {
-      if (original_.classified())
-        check_against(mesh_, *model_);
-      else
-        classify_on(mesh_, *model_);
-    } catch (const ModelError& e) {
-      throw io::ReadError(options_.input, {}, e.what() + (" (" + options_.model + ")"));
-    }
+    note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
   /// What the decimation is told that needs the mesh.
@@ -276,8 +296,8 @@ class Run {
     if (!options_.only.empty()) steps_.keep = read_only_file(options_.only, mesh_, steps_.keep);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, steps_.keep, required);
-    if (required > 0 && !options_.quiet)
-      print_notes(options_.input, {counted(required, "required vertex") + " kept in place"});
+    if (required > 0)
+      note(options_.input, {counted(required, "required vertex") + " kept in place"});
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -286,12 +306,12 @@ class Run {
     } catch (const std::invalid_argument& e) {
       throw UsageError(std::string("--spacing: ") + e.what());
     }
-    did_.seconds["spacing"] = watch_.lap();
+    lap("spacing");
   }
 
   void decimate() {
     Decimation decimation(mesh_, steps_);
-    did_.seconds["adjacency"] = watch_.lap();
+    lap("adjacency");
     const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
     using namespace std::chrono_literals;
     const auto slice =
@@ -299,7 +319,7 @@ class Run {
     while (decimation.run(slice) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
     balls_ = {};
-    did_.seconds["decimate"] = watch_.lap();
+    lap("decimate");
     did_.memory = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                    {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
                    {"journal", record_.journal.bytes()},
@@ -307,9 +327,9 @@ class Run {
     did_.sweeps = decimation.sweeps();
     if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
-    did_.missed = {decimation.edges_left(), ""};
-    did_.missed->would_help = what_would_help(did_.missed->edges, options_, steps_, original_,
-                                              did_.input, mesh_.count(2));
+    did_.missed = {decimation.edges_left(), {}};
+    did_.missed->help = what_would_help(did_.missed->edges, options_, steps_, original_, did_.input,
+                                        mesh_.count(2));
   }
 
   void check() {
@@ -320,7 +340,7 @@ class Run {
     did_.output = measure::count_entities(mesh_);
     if (volume()) check_volume();
     if (!volume()) count_flips();
-    did_.seconds["check"] = watch_.lap();
+    lap("check");
     did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
@@ -367,7 +387,7 @@ class Run {
       files.add(path, std::move(encoded.bytes));
     }
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
-    did_.seconds["write"] = watch_.lap();
+    lap("write");
     did_.seconds["total"] = watch_.total();
     did_.memory["peak"] = peak_bytes();
     report_ = report_json(options_, steps_, how_, did_);
@@ -380,20 +400,23 @@ class Run {
   void carry_arrays(MeshData& result) {
     io::CarriedAlong along = io::carry_along(original_, result, steps_.threads);
     did_.fields = std::move(along.fields);
-    if (!did_.fields.empty()) did_.seconds["fields"] = watch_.lap();
+    if (!did_.fields.empty()) lap("fields");
     if (!options_.quiet) print_notes(options_.output, along.notes);
   }
 
   void print_summary() const {
     print_decimation(stream_beside(options_.outputs()), options_, did_);
-    if (did_.missed) note_what_is_missed();
+    note_target();
   }
 
   [[nodiscard]] std::string missed_words() const {
     return sentence(*did_.missed, steps_, did_.target, cells(), volume());
   }
 
-  void note_what_is_missed() const {
+  /// What was let go of to meet the target, and what it was missed for.
+  void note_target() const {
+    if (!did_.let_go.empty()) print_notes(options_.output, {words_of_let_go(did_.let_go)});
+    if (!did_.missed) return;
     print_notes(options_.output, {missed_words()});
     print_notes(options_.input, dirt_notes(original_, did_.input, true));
   }
@@ -403,11 +426,13 @@ class Run {
   Progress progress_;
   io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
-  ClassifyOptions how_;
+  ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
   MeshData original_;  ///< as read, or as repaired
   double diagonal_ = 0;
-  bool forgotten_ = false;  ///< the vertices of the regions of `original_`
+  bool forgotten_ = false;      ///< the vertices of the regions of `original_`
+  bool repeated_ = false;       ///< the attempt is not the first
+  bool given_classes_ = false;  ///< by the file or a model: the angle had no say
   Mesh mesh_;
   Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
