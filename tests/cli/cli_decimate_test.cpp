@@ -100,9 +100,13 @@ TEST_F(DecimateCommand, ReportHasEveryKey) {
   EXPECT_NE(run.out.find("Euler number 2 kept"), std::string::npos) << run.out;
   const auto report = json("r.json");
   EXPECT_EQ(report["schema"], 1);
-  EXPECT_EQ(report["stopped"],
-            nlohmann::json(
-                {{"why", "done"}, {"refused", nlohmann::json::object()}, {"would_help", nullptr}}));
+  EXPECT_EQ(report["stopped"], nlohmann::json({{"why", "done"},
+                                               {"refused", nlohmann::json::object()},
+                                               {"would_help", nullptr},
+                                               {"help", nlohmann::json::object()},
+                                               {"let_go", nlohmann::json::array()},
+                                               {"error_pct", nullptr},
+                                               {"tries", nullptr}}));
   for (const char* side : {"input", "output"})
     for (const char* key :
          {"file", "vertices", "unused_vertices", "edges", "faces", "regions", "boundary_edges",
