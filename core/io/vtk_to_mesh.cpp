@@ -323,8 +323,13 @@ class GridToMesh {
     const bool exact = std::all_of(values.begin(), values.end(),
                                    [](double x) { return std::abs(x) < largest_whole; });
     if (array.integer && !exact) rounded_.add(shown(array.name));
-    mesh_.attributes.push_back(
-        {array.name, d, array.components, array.integer && exact, std::move(values)});
+    const Meaning meaning = array.meaning == Meaning::Any || array.meaning == Meaning::Scalars
+                                ? usual_meaning(array)
+                                : array.meaning;
+    Attribute a{array.name, d, array.components, array.integer && exact, std::move(values)};
+    if (exact || !array.integer) a.type = array.type;
+    a.meaning = meaning == Meaning::Any ? array.meaning : meaning;
+    mesh_.attributes.push_back(std::move(a));
   }
 
   /// Nodes that only higher-order cells use, other than as a corner.

@@ -12,6 +12,8 @@
 #include "core/base/lanes.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Normal of a triangle, its length twice the area.
@@ -100,3 +102,5 @@ template <typename Number>
                                         const glm::dvec3& c);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

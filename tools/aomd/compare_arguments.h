@@ -11,7 +11,7 @@ namespace aomd::cli {
 
 struct CompareArguments {
   std::string original, result;
-  bool json = false, same_topology = false;
+  bool json = false, same_topology = false, quiet = false;
   std::size_t samples = 500'000;
   int threads = 0;  ///< 0: all cores
   std::optional<double> max_distance, max_rms;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
@@ -27,12 +28,14 @@
 #include "tools/aomd/command.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/keep_file.h"
 #include "tools/aomd/missed_target.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_faults.h"
 
 namespace aomd::cli {
 namespace {
@@ -43,12 +46,20 @@ std::string dear_features(int model_vertices, std::uint32_t faces) {
          ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
 }
 
+/// The files of a run whose mesh, the first of them, is in memory.
+std::vector<NamedFile> beside_mesh(std::vector<NamedFile> files) {
+  files.erase(files.begin());
+  return files;
+}
+
 /// One run, stage by stage; each fills its part of the report.
 class Run {
  public:
-  explicit Run(const DecimateOptions& options)
+  /// With a listener the mesh is in memory.
+  explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
       : options_(options),
-        progress_(options.quiet),
+        listener_(listener),
+        progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
         steps_(options.for_library()),
         how_(options.for_classification()) {}
 
@@ -67,13 +78,37 @@ class Run {
     return did_.missed && options_.strict ? says_no : done;
   }
 
+  /// The same without files for the meshes.
+  Decimated run(MeshData mesh) {
+    options_.check_spacing();
+    check_files(beside_mesh(options_.inputs()), beside_mesh(options_.outputs()));
+    take(std::move(mesh));
+    classify_mesh();
+    add_what_needs_the_mesh();
+    decimate();
+    check();
+    write();
+    if (did_.missed) note_what_is_missed();
+    return {std::move(result_), std::move(report_), did_.missed ? missed_words() : std::string()};
+  }
+
  private:
+  // All notes of a run pass here: to whoever listens, else to standard error.
+  void print_notes(const std::string& file, const std::vector<std::string>& notes) const {
+    if (listener_ == nullptr) return cli::print_notes(file, notes);
+    for (const std::string& note : notes) listener_->note(note);
+  }
+
   void read() {
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.input, read.notes);
-    original_ = std::move(read.mesh);
+    take(std::move(read.mesh));
+  }
+
+  void take(MeshData mesh) {
+    original_ = std::move(mesh);
     did_.seconds["read"] = watch_.lap();
     if (options_.triangulate) cut_quads();
     if (options_.repair) repair_mesh();
@@ -86,7 +121,6 @@ class Run {
       throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding->text);
     check_kind();
     count_cells();
-    if (volume()) look_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
@@ -98,7 +132,8 @@ class Run {
   // Their vertices, a fifth of what a decimation takes, are asked for where data go with them, and
   // where something is to be blamed on the input, which can be read again.
   void forget_regions() {
-    const bool again = options_.input != "-" && std::filesystem::is_regular_file(options_.input);
+    const bool again = listener_ == nullptr && options_.input != "-" &&
+                       std::filesystem::is_regular_file(options_.input);
     if (!again || !original_.attributes.empty() || !original_.periodic.empty()) return;
     original_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
@@ -125,28 +160,8 @@ class Run {
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    const std::uint32_t cells = volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
-    did_.target = options_.target_count(volume(), cells);
+    did_.target = options_.target_count(volume(), cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
-  }
-
-  // Where some are upright the others may be folded, which turning does not mend; they stay so.
-  void look_inside_out() {
-    std::uint32_t turned = 0;
-    for (const Region r : mesh_.regions()) {
-      const double volume = measure::signed_volume(mesh_, r);
-      inverted_ += !(volume > 0);
-      turned += volume < 0;
-    }
-    if (options_.quiet || inverted_ == 0) return;
-    const char* kind = did_.others == 0 ? "tetrahedra" : "regions";
-    if (turned == mesh_.count(3))
-      print_notes(options_.input, {std::string("all ") + kind + " (" + grouped(turned) +
-                                   ") stand inside out: aomd convert --split-to-tets turns them"});
-    else
-      print_notes(options_.input,
-                  {grouped(inverted_) + " of " + grouped(mesh_.count(3)) + " " + kind +
-                   " stand inside out or are flat, and may stay so: aomd check names them"});
   }
 
   /// Faces, or tetrahedra.
@@ -180,6 +195,7 @@ class Run {
     progress_.show("classifying");
     const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
     how_.complete = looks_at_all || options_.paper();
+    if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(original_);
     if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
     if (!looks_at_all) {
@@ -188,6 +204,7 @@ class Run {
     }
     if (!options_.journal.empty()) {
       record_.classify = how_;
+      record_.seams = !how_.seams.empty();
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
@@ -197,8 +214,20 @@ class Run {
     did_.seconds["classify"] = watch_.lap();
     did_.input = measure::count_entities(mesh_);
     volumes_before_ = measure::region_volumes(mesh_);
-    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, did_.input, false));
+    if (volume()) faults_.emplace(mesh_, did_.input);
+    if (!options_.quiet) print_notes(options_.input, what_is_wrong());
     watch_.lap();
+  }
+
+  /// What keeps a surface from its target, or what does not fit together in a volume.
+  [[nodiscard]] std::vector<std::string> what_is_wrong() const {
+    if (!volume()) return dirt_notes(original_, did_.input, false);
+    std::vector<std::string> notes =
+        notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
+    for (const SurfaceFinding& finding :
+         hanging_findings(mesh_, steps_.threads, measure::Skin::Listed))
+      notes.push_back(finding.dirt.name + ": " + finding.dirt.text + ": aomd check names them");
+    return notes;
   }
 
   // The mesh may lie on what its own facets do not give, such as a model face without faces.
@@ -288,10 +317,10 @@ class Run {
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
     did_.self_intersections = measure::count_self_intersections(mesh_, steps_.threads).pairs;
+    did_.output = measure::count_entities(mesh_);
     if (volume()) check_volume();
     if (!volume()) count_flips();
     did_.seconds["check"] = watch_.lap();
-    did_.output = measure::count_entities(mesh_);
     did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
@@ -302,15 +331,13 @@ class Run {
     did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
   }
 
-  // No operation turns a tetrahedron inside out; an input may have some.
+  // An input may have faults of its own.
   void check_volume() {
     did_.volume_quality = measure::measure_volume(mesh_);
     did_.volumes = volume_changes(volumes_before_, measure::region_volumes(mesh_));
-    const std::size_t after = did_.volume_quality.inverted.size();
-    if (after > inverted_)
-      throw InternalFault(options_.input +
-                          ": internal fault: " + counted(after - inverted_, "region") +
-                          " inside out in the result, which was not written");
+    if (const auto worse = made_worse(*faults_, VolumeFaults(mesh_, did_.output)))
+      throw InternalFault(options_.input + ": internal fault: " + *worse +
+                          " in the result, which was not written");
   }
 
   /// The result contradicts itself: because the input did, or because of a fault in this program.
@@ -329,19 +356,22 @@ class Run {
 
   void write() {
     progress_.show("writing");
-    MeshData result = to_data(mesh_);
-    GivenClasses(original_).apply(result);
-    carry_arrays(result);
+    result_ = to_data(mesh_);
+    GivenClasses(original_).apply(result_);
+    carry_arrays(result_);
     io::OutputFiles files;
-    const auto path = output_path(options_.output);
-    io::EncodedMesh encoded = io::to_bytes(path, format_, result);
-    files.add(path, std::move(encoded.bytes));
+    io::EncodedMesh encoded;
+    if (listener_ == nullptr) {
+      const auto path = output_path(options_.output);
+      encoded = io::to_bytes(path, format_, result_);
+      files.add(path, std::move(encoded.bytes));
+    }
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
     did_.seconds["write"] = watch_.lap();
     did_.seconds["total"] = watch_.total();
     did_.memory["peak"] = peak_bytes();
-    if (!options_.report.empty())
-      files.add(output_path(options_.report), text_of(report_json(options_, steps_, how_, did_)));
+    report_ = report_json(options_, steps_, how_, did_);
+    if (!options_.report.empty()) files.add(output_path(options_.report), text_of(report_));
     files.commit();
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
@@ -356,12 +386,20 @@ class Run {
 
   void print_summary() const {
     print_decimation(stream_beside(options_.outputs()), options_, did_);
-    if (!did_.missed) return;
-    print_notes(options_.output, {sentence(*did_.missed, steps_, did_.target, cells(), volume())});
+    if (did_.missed) note_what_is_missed();
+  }
+
+  [[nodiscard]] std::string missed_words() const {
+    return sentence(*did_.missed, steps_, did_.target, cells(), volume());
+  }
+
+  void note_what_is_missed() const {
+    print_notes(options_.output, {missed_words()});
     print_notes(options_.input, dirt_notes(original_, did_.input, true));
   }
 
   const DecimateOptions& options_;
+  const Listener* listener_;  ///< null: the mesh comes from a file and goes into one
   Progress progress_;
   io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
@@ -375,11 +413,17 @@ class Run {
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
   std::vector<measure::RegionVolume> volumes_before_;
-  std::size_t inverted_ = 0;  ///< regions of the input
+  std::optional<VolumeFaults> faults_;  ///< of a volume as classified
   DecimateReport did_;
+  MeshData result_;
+  Json report_;
 };
 
 }  // namespace
+
+Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener& listener) {
+  return Run(options, &listener).run(std::move(mesh));
+}
 
 void add_decimate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");

@@ -42,10 +42,6 @@ CLI::Validator number_or_share() {
   return CLI::Validator(check, "");
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  return CLI::IsMember(words, CLI::ignore_case).description("");
-}
-
 std::vector<std::string> idea_names() {
   std::vector<std::string> names;
   names.reserve(idea_count);
@@ -117,6 +113,12 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "than half of --target-faces, only from 50 degrees on unless\nit is given");
   features->type_name("DEG|off")->transform(angle_or_off())->capture_default_str();
   features->each([&o](const std::string&) { o.feature_angle_given = true; });
+  command
+      .add_option("--seams", o.seams,
+                  "Whether edges where texture coordinates jump become model edges")
+      ->type_name("keep|ignore")
+      ->transform(one_of({"keep", "ignore"}))
+      ->capture_default_str();
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
@@ -304,6 +306,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"max_distance_pct", max_distance_pct > 0 ? Json(max_distance_pct) : Json(nullptr)},
       {"no_intersections", steps.no_intersections},
       {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
+      {"seams", seams},
       {"improve", steps.improve_passes},
       {"exchange", steps.exchange},
       {"without", without},

@@ -25,7 +25,7 @@ struct DecimateOptions {
   std::string spacing;              ///< empty: by factor
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
-  std::string strategy = "quality", feature_angle = "20", snap = "none", model;
+  std::string strategy = "quality", feature_angle = "20", seams = "keep", snap = "none", model;
   bool feature_angle_given = false, factor_given = false, no_swap = false, no_smooth = false,
        repair = false, triangulate = false;
   WeldOption weld;                   ///< with repair

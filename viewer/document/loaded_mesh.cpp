@@ -108,6 +108,7 @@ void note_arrays_lost(const MeshData& data, LoadedMesh& loaded) {
   for (const Attribute& a : data.attributes)
     if (!held[static_cast<std::size_t>(a.dimension)].contains(a.name))
       lost.add("attribute " + shown(a.name));
+  for (const Attribute& a : data.corners) lost.add("attribute " + shown(a.name) + " on corners");
   io::detail::note_left_out(loaded.notes, lost);
 }
 

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/mesh/regions_with.h"
 #include "core/mesh/side_index.h"
 #include "viewer/base/sort_once.h"
 #include "viewer/drawing/palette.h"
@@ -109,23 +110,13 @@ class OuterSides {
   std::vector<Key> single_;
 };
 
-bool has_region(const Mesh& mesh, std::span<const std::uint32_t> face) {
-  VertexBuffer buffer;
-  for (const Region r : mesh.row<3>(Vertex(face[0]))) {
-    const auto whole = mesh.vertices_of(r, buffer);
-    if (std::all_of(face.begin(), face.end(),
-                    [&](std::uint32_t v) { return contains(whole, Vertex(v)); }))
-      return true;
-  }
-  return false;
-}
-
 /// Faces that no region has are part of the outer surface too.
 bool on_loose_face(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style) {
   VertexBuffer buffer;
   for (const Face f : mesh.row<2>(ends[0])) {
     const auto face = mesh.vertices_of(f, buffer);
-    if (contains(face, ends[1]) && !has_region(mesh, face) && !is_behind(mesh, f, style))
+    if (contains(face, ends[1]) && count_regions_with(mesh, face, 1) == 0 &&
+        !is_behind(mesh, f, style))
       return true;
   }
   return false;

@@ -117,11 +117,11 @@ glm::dvec3 CollapseQueue::least_on_curve(const CurvePlace& place, const Quadric&
                                          const glm::dvec3& from, const glm::dvec3& to) const {
   constexpr float steady = 1e-3f;  // of the quadric's trace: straight pieces leave it open else
   const glm::dvec3 middle = (from + to) / 2.0;
-  const double length2 = glm::dot(from - to, from - to);
+  const double length2 = glm::dot(from - to, from - to), length = curves_.length(place);
   glm::dvec3 x = middle;
   for (int i = 0; i < 2; ++i) {
     Quadric error = curves_.quadric(mesh_, place, x);
-    error *= curves_.error(mesh_, place, x).length / rules_.unit_area;
+    error *= length / rules_.unit_area;
     error += quadric.about(x - to);
     glm::dvec3 step;
     if (!error.minimum(middle - x, double(steady) * error.trace(), step)) return middle;

@@ -20,6 +20,13 @@ constexpr std::size_t items_a_piece = 1024;
 
 bool has(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] == v || t[2] == v; }
 
+bool looks_alike(const Mesh& mesh, Face f, const OriginalPoint& p) {
+  const auto t = mesh.triangle(f);
+  const glm::dvec3 normal =
+      area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  return glm::dot(normal, glm::dvec3(p.normal)) > 0;
+}
+
 }  // namespace
 
 OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling)
@@ -102,11 +109,13 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
-// Two faces at a time.
+// Of the faces that look the way the original did, else of all: from a face behind an edge, where
+// the nearest place may lie inside, no walk leads back. Two faces at a time.
 void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
   const Row<2> faces = mesh.row<2>(v);
   const TwoPoints position(p.position);
   double best = std::numeric_limits<double>::infinity();
+  bool faces_it = false;
   p.face = no_index;
   for (std::size_t begin = 0; begin < faces.size(); begin += DoubleLanes::count) {
     const std::array two{faces[begin], faces[std::min(begin + 1, faces.size() - 1)]};
@@ -117,7 +126,9 @@ void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex
     TwoPoints at;
     const DoubleLanes d = nearest_barycentric(position, corner(0), corner(1), corner(2), at);
     for (std::size_t i = 0; i < two.size(); ++i) {
-      if (d[i] >= best) continue;
+      const bool now = looks_alike(mesh, two[i], p);
+      if ((faces_it && !now) || (faces_it == now && d[i] >= best)) continue;
+      faces_it = now;
       best = d[i];
       p.face = two[i].index;
       p.barycentric = {at.x[i], at.y[i], at.z[i]};
@@ -165,7 +176,7 @@ void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
 
 void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
   OriginalPoint& p = points_[i];
-  if (p.face != no_index && mesh.alive(Face(p.face))) {
+  if (p.face != no_index && mesh.alive(Face(p.face)) && looks_alike(mesh, Face(p.face), p)) {
     const auto t = mesh.triangle(Face(p.face));
     glm::dvec3 at;
     p.distance2 = static_cast<float>(nearest_barycentric(

@@ -78,7 +78,7 @@ bool Fitter::least_squares_on_curve(Vertex v, const Star& star, const FitRules& 
   constexpr double along = 10;
   const glm::dvec3 at = mesh_.position(v);
   const CurvePlace place = curves_.around(v);
-  const double length = curves_.error(mesh_, place, at).length;
+  const double length = curves_.length(place);
   const glm::dvec3 a = mesh_.position(place.far[0]) - at, b = mesh_.position(place.far[1]) - at;
   const double chord = glm::length(b - a);
   if (!(length > 0) || !(chord > 0)) return false;
