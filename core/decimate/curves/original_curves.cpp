@@ -186,16 +186,23 @@ CurveError OriginalCurves::error(const Mesh& mesh, const CurvePlace& place,
 Quadric OriginalCurves::quadric(const Mesh& mesh, const CurvePlace& place,
                                 const glm::dvec3& x) const {
   const Feet feet(mesh, place, x);
+  std::array<glm::dvec3, 2> ends{}, directions{};  // of the pieces to either side
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!place.far[side].valid()) continue;
+    ends[side] = mesh.position(place.far[side]) - x;
+    const double length = glm::length(ends[side]);
+    if (length > 0) directions[side] = ends[side] / length;
+  }
   Quadric sum;
   for_points(place, [&](const Point& p) {
     const Foot foot = feet.of(p.position);
     const double own = 1 - foot.part;
     if (!(own > 0)) return;
-    const glm::dvec3 end = mesh.position(place.far[foot.side]) - x;
-    const glm::dvec3 off = (p.position - x - foot.part * end) / own;
-    const double weight = own * own * p.length, length = glm::length(end);
+    const glm::dvec3 off = (p.position - x - foot.part * ends[foot.side]) / own;
+    const double weight = own * own * p.length;
     sum.add_point(off, weight);
-    if (length > 0) sum.add_plane(end / length, -glm::dot(end / length, off), -weight);
+    const glm::dvec3& along = directions[foot.side];
+    if (along != glm::dvec3(0.0)) sum.add_plane(along, -glm::dot(along, off), -weight);
   });
   return sum;
 }
