@@ -45,6 +45,20 @@ TEST_F(ViewerWindow, AClickHitsWhereItWasMadeHoweverFastTheMouseGoesOn) {
   command("expect selected = 0");
 }
 
+TEST_F(ViewerWindow, TheScrubberEndsWhereTheMouseIsLetGoHoweverFastThatIs) {
+  start({mesh_file("cylinder", 8, "first.ply")});
+  command("step 100");
+  const glm::ivec2 from = place_of("seek 20"), to = place_of("seek 70");
+  screen_->move_mouse(from);
+  settle();
+  screen_->button(1, true);
+  screen_->move_mouse(to);
+  screen_->button(1, false);
+  screen_->move_mouse(middle(layout().viewport));
+  ASSERT_TRUE(carries_out("seek 70")) << said();
+  command("expect cursor = 70");
+}
+
 TEST_F(ViewerWindow, EscapeClosesAMenu) {
   start({mesh_file("cylinder", 8, "first.ply")});
   const ui::Area menu = layout().menu;

@@ -20,9 +20,6 @@ struct ImGuiContext;
 
 namespace aomd::app {
 
-/// From this aspect on, more width shows nothing more of most shapes.
-inline constexpr double widest_aspect = 1.4;
-
 /// The command that the program starts with: what opens FILE or the first sample; empty where a
 /// script decides.
 [[nodiscard]] std::string first_command(const Options& options);
@@ -71,12 +68,15 @@ class Viewer {
   void print_log();
   void update_look(float scale);
   void update_aspect();
+  [[nodiscard]] double farther(double before, double now) const;
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no
   /// drawing.
   void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent = false);
   void draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
                   bool transparent);
+  void draw_scales(glm::ivec2 size, GLuint destination);
+  [[nodiscard]] scene::Camera camera_for(double before, double now) const;
   void take_screenshots_or_tell();
   [[nodiscard]] render::RenderSettings settings(bool transparent) const;
 

@@ -160,6 +160,7 @@ void prepare_volume(LoadedMesh& loaded) {
   mesh.attach(&loaded.journal);
   if (loaded.source.recoverable) loaded.start = io::fingerprint(mesh);
   loaded.needs = request_for_patches(mesh);
+  loaded.edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   loaded.prepared = true;
   if (loaded.skin) loaded.skin.emplace(whole_skin(loaded));
 }
