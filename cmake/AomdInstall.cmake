@@ -140,6 +140,12 @@ if(TARGET aomd_shared)
     "mesh database and decimation, shared library"
     "What programs need that are linked with the library under aomd and"
     "aomd-view, in C++ or in C.")
+  # What dpkg-shlibdeps and ldconfig want to know of it.
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/package/shlibs
+    "libaomd ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${runtime_package} (>= ${PROJECT_VERSION})\n")
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_BINARY_DIR}/package/shlibs;${CMAKE_CURRENT_BINARY_DIR}/package/triggers")
   set(runtime_needed "${runtime_package} (= ${PROJECT_VERSION}), ")
 endif()
 if(TARGET aomd_python)

@@ -114,6 +114,8 @@ def test_attributes():
     assert mesh.attributes()["flow"].shape == (4, 3)
     mesh = mesh.with_attribute("mark", [1, 0, 0, 1], "faces").without_attribute("heat")
     assert set(mesh.attributes()) == {"flow"} and set(mesh.attributes("faces")) == {"mark"}
+    textured = mesh.with_attribute("uv", np.zeros((12, 2)), "corners")
+    assert textured.attributes("corners")["uv"].shape == (12, 2) and not mesh.attributes("corners")
     with pytest.raises(ValueError, match="must be numbers of the shape"):
         mesh.with_attribute("heat", [1.0, 2.0])
 

@@ -86,33 +86,45 @@ py::array numbers_of(const Attribute& attribute, const py::object& owner) {
   return view(attribute.values.data(), rows, columns > 1 ? columns : 0, owner);
 }
 
-py::dict attributes(const py::object& self, const std::string& kind) {
+/// Where the arrays of one kind are, what dimension they name, and how long they are.
+struct Place {
+  std::vector<Attribute> MeshData::*list;
+  int dimension;
+  std::size_t entities;
+};
+
+Place place_of(const MeshData& mesh, const std::string& kind) {
+  if (kind == "corners") return {&MeshData::corners, 2, mesh.faces.vertices.size()};
   const int dim = dimension_of(kind);
-  py::dict result;
-  for (const Attribute& attribute : py::cast<const MeshData&>(self).attributes)
-    if (attribute.dimension == dim) result[py::str(attribute.name)] = numbers_of(attribute, self);
-  return result;
+  return {&MeshData::attributes, dim, count_of(mesh, dim)};
 }
 
-bool is_attribute(const Attribute& attribute, const std::string& name, int dim) {
-  return attribute.name == name && attribute.dimension == dim;
+py::dict attributes(const py::object& self, const std::string& kind) {
+  const auto& mesh = py::cast<const MeshData&>(self);
+  const Place place = place_of(mesh, kind);
+  py::dict result;
+  for (const Attribute& attribute : mesh.*place.list)
+    if (attribute.dimension == place.dimension)
+      result[py::str(attribute.name)] = numbers_of(attribute, self);
+  return result;
 }
 
 MeshHandle without_attribute(const MeshData& mesh, const std::string& name,
                              const std::string& kind) {
-  const int dim = dimension_of(kind);
+  const Place place = place_of(mesh, kind);
   auto result = std::make_shared<MeshData>(mesh);
-  std::erase_if(result->attributes,
-                [&](const Attribute& each) { return is_attribute(each, name, dim); });
+  std::erase_if((*result).*place.list, [&](const Attribute& each) {
+    return each.name == name && each.dimension == place.dimension;
+  });
   return result;
 }
 
 MeshHandle with_attribute(const MeshData& mesh, const std::string& name, const py::array& values,
                           const std::string& kind) {
-  const int dim = dimension_of(kind);
-  Attribute added = attribute_from(name, values, dim, count_of(mesh, dim));
+  const Place place = place_of(mesh, kind);
+  Attribute added = attribute_from(name, values, place.dimension, place.entities);
   MeshHandle result = without_attribute(mesh, name, kind);
-  result->attributes.push_back(std::move(added));
+  ((*result).*place.list).push_back(std::move(added));
   return result;
 }
 

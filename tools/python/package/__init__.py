@@ -117,13 +117,17 @@ class Mesh:
         return self._data.classes(kind)
 
     def attributes(self, kind: str = "vertices") -> dict[str, np.ndarray]:
-        """Attached numbers by name: float64 or int64, shape (m,) or (m, components)."""
+        """Attached numbers by name: float64 or int64, shape (m,) or (m, components).
+
+        kind "corners": one row for each corner of each face, in the order of the faces.
+        """
         return self._data.attributes(kind)
 
     def with_attribute(self, name: str, values, kind: str = "vertices") -> Mesh:
         """A copy with these numbers attached, in the place of any of that name.
 
-        values: shape (m,) or (m, components), one row for each entity of `kind`. Raises ValueError
+        values: shape (m,) or (m, components), one row for each entity of `kind`, or
+        for each corner of each face ("corners"). Raises ValueError
         where that is not so.
         """
         return Mesh._of(self._data.with_attribute(name, np.asarray(values), kind), self.notes)
