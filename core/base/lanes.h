@@ -8,6 +8,8 @@
 
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The vector types of the compilers, and what comparing two of them gives.
@@ -96,3 +98,5 @@ inline double select(bool which, double a, double b) { return which ? a : b; }
 
 template <typename Number>
 struct std::numeric_limits<aomd::LanesOf<Number>> : std::numeric_limits<Number> {};
+
+#pragma GCC visibility pop

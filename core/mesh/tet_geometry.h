@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <glm/geometric.hpp>
@@ -45,6 +46,16 @@ namespace aomd {
                                      const glm::dvec3& d) {
   const double size = squared_edges(a, b, c, d);
   return six_volumes(a, b, c, d) > 1e-13 * size * std::sqrt(size);
+}
+
+/// What a shape is worth where many are summed: tet_shape to the power of -2, so 1 for the regular
+/// tetrahedron and the more the flatter; infinite where it is not upright. Convex in the place of a
+/// vertex as long as all around it stand upright (Munson 2007).
+[[nodiscard]] inline double tet_energy(const glm::dvec3& a, const glm::dvec3& b,
+                                       const glm::dvec3& c, const glm::dvec3& d) {
+  if (!is_upright(a, b, c, d)) return std::numeric_limits<double>::infinity();
+  const double mean_square = squared_edges(a, b, c, d) / 6, volumes = six_volumes(a, b, c, d);
+  return mean_square * mean_square * mean_square / (2 * volumes * volumes);
 }
 
 /// The cosine of the smallest dihedral angle (so larger is worse); 1 where a face has no area.

@@ -1,12 +1,12 @@
 #include "core/operators/edge_removal.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
 #include "core/mesh/tet_geometry.h"
-#include "core/operators/tet_edits.h"
 
 namespace aomd {
 namespace {
@@ -14,21 +14,24 @@ namespace {
 using Corners = std::array<glm::dvec3, 4>;
 
 double shape_of(const Corners& t) { return tet_shape(t[0], t[1], t[2], t[3]); }
+double value_of(const RemovalValue& value, const Corners& t) {
+  return value.of(t[0], t[1], t[2], t[3]);
+}
 double dihedral_cosine_of(const Corners& t) {
   return smallest_dihedral_cosine(t[0], t[1], t[2], t[3]);
 }
 
-// The best way to cut one side's ring into triangles, by the worst of the two tetrahedra on each:
-// best_[i][j] is that of the polygon from i to j (Klincsek's table).
+// The best way to cut one side's ring into triangles, by the two tetrahedra on each: best_[i][j] is
+// the value of the polygon from i to j (Klincsek's table).
 class RingTable {
  public:
-  RingTable(const Mesh& mesh, const EdgeRing& ring, const RingSide& side)
-      : a_(mesh.position(ring.a)), b_(mesh.position(ring.b)), count_(side.count) {
+  RingTable(const Mesh& mesh, const EdgeRing& ring, const RingSide& side, RemovalGoal goal)
+      : value_(goal), a_(mesh.position(ring.a)), b_(mesh.position(ring.b)), count_(side.count) {
     for (std::uint32_t i = 0; i < count_; ++i) at_[i] = mesh.position(side.ring[i]);
   }
 
   double solve(RingTriangles& triangles) {
-    for (std::uint32_t i = 0; i + 1 < count_; ++i) best_[i][i + 1] = unbounded;
+    for (std::uint32_t i = 0; i + 1 < count_; ++i) best_[i][i + 1] = value_.none();
     for (std::uint32_t width = 2; width < count_; ++width)
       for (std::uint32_t i = 0; i + width < count_; ++i) fill(i, i + width);
     triangles.count = 0;
@@ -44,19 +47,17 @@ class RingTable {
   }
 
  private:
-  static constexpr double unbounded = 2;  // no shape is better than 1
-
   void fill(std::uint32_t i, std::uint32_t j) {
-    double& best = best_[i][j] = -unbounded;
+    double& best = best_[i][j] = -std::numeric_limits<double>::infinity();
     middle_[i][j] = std::uint8_t(i + 1);
     for (std::uint32_t k = i + 1; k < j; ++k) {
-      double worst = std::min(best_[i][k], best_[k][j]);
-      if (worst <= best) continue;
+      double now = value_.both(best_[i][k], best_[k][j]);
+      if (now <= best) continue;
       const RingTriangle t{std::uint8_t(i), std::uint8_t(k), std::uint8_t(j)};
-      worst = std::min(worst, shape_of(above(t)));
-      if (worst > best) worst = std::min(worst, shape_of(below(t)));
-      if (worst <= best) continue;
-      best = worst;
+      now = value_.both(now, value_of(value_, above(t)));
+      if (now > best) now = value_.both(now, value_of(value_, below(t)));
+      if (now <= best) continue;
+      best = now;
       middle_[i][j] = std::uint8_t(k);
     }
   }
@@ -69,6 +70,7 @@ class RingTable {
     collect(k, j, triangles);
   }
 
+  RemovalValue value_;
   glm::dvec3 a_, b_;
   std::uint32_t count_;
   std::array<glm::dvec3, largest_ring> at_;
@@ -109,51 +111,58 @@ void for_present(const Mesh& mesh, const EdgeRing& ring, Visit&& visit) {
   }
 }
 
-double worst_shape(const Mesh& mesh, const EdgeRing& ring) {
-  double worst = 1;
-  for_present(mesh, ring, [&](const Corners& c) { worst = std::min(worst, shape_of(c)); });
-  return worst;
+// Calls visit(corners) for each tetrahedron that would be.
+template <typename Visit>
+void for_new(const Mesh& mesh, const EdgeRemoval& plan, Visit&& visit) {
+  for (std::uint32_t s = 0; s < plan.ring.side_count; ++s) {
+    const RingTable table(mesh, plan.ring, plan.ring.sides[s], RemovalGoal::Worst);
+    for (std::uint32_t t = 0; t < plan.triangles[s].count; ++t) {
+      visit(table.above(plan.triangles[s].items[t]));
+      visit(table.below(plan.triangles[s].items[t]));
+    }
+  }
 }
 
-Verdict judge_shape(const Mesh& mesh, EdgeRemoval& plan) {
-  plan.before = worst_shape(mesh, plan.ring);
-  plan.after = 1;
+// Of the new tetrahedron with the poorest shape.
+double worst_new_cosine(const Mesh& mesh, const EdgeRemoval& plan) {
   Corners worst{};
+  double least = 2;
+  for_new(mesh, plan, [&](const Corners& c) {
+    if (const double shape = shape_of(c); shape < least) least = shape, worst = c;
+  });
+  return dihedral_cosine_of(worst);
+}
+
+Verdict judge_shape(const Mesh& mesh, RemovalGoal goal, EdgeRemoval& plan) {
+  const RemovalValue value(goal);
+  plan.before = plan.after = value.none();
+  for_present(mesh, plan.ring,
+              [&](const Corners& c) { plan.before = value.both(plan.before, value_of(value, c)); });
   for (std::uint32_t s = 0; s < plan.ring.side_count; ++s) {
-    RingTable table(mesh, plan.ring, plan.ring.sides[s]);
-    const double after = table.solve(plan.triangles[s]);
-    if (after >= plan.after) continue;
-    plan.after = after;
-    for (std::uint32_t t = 0; t < plan.triangles[s].count; ++t)
-      for (const Corners& c :
-           {table.above(plan.triangles[s].items[t]), table.below(plan.triangles[s].items[t])})
-        if (shape_of(c) == after) worst = c;
+    RingTable table(mesh, plan.ring, plan.ring.sides[s], goal);
+    plan.after = value.both(plan.after, table.solve(plan.triangles[s]));
   }
-  if (is_better_shape(plan.before, plan.after)) return {};
-  return {Reason::Quality, plan.ring.sides[0].regions[0], dihedral_cosine_of(worst)};
+  if (value.is_better(plan.before, plan.after)) return {};
+  return {Reason::Quality, plan.ring.sides[0].regions[0], worst_new_cosine(mesh, plan)};
 }
 
 double worst_new_dihedral_cosine(const Mesh& mesh, const EdgeRemoval& plan) {
   double worst = -1;
-  for (std::uint32_t s = 0; s < plan.ring.side_count; ++s) {
-    const RingTable table(mesh, plan.ring, plan.ring.sides[s]);
-    for (std::uint32_t t = 0; t < plan.triangles[s].count; ++t)
-      for (const Corners& c :
-           {table.above(plan.triangles[s].items[t]), table.below(plan.triangles[s].items[t])})
-        worst = std::max(worst, dihedral_cosine_of(c));
-  }
+  for_new(mesh, plan, [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
+  return worst;
+}
+
+double worst_dihedral_cosine(const Mesh& mesh, const EdgeRing& ring) {
+  double worst = -1;
+  for_present(mesh, ring,
+              [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
   return worst;
 }
 
 Verdict judge_dihedrals(const Mesh& mesh, const EdgeRemoval& plan, const LeastAngle& least) {
   if (!least.binds()) return {};
   const double now = worst_new_dihedral_cosine(mesh, plan);
-  const auto before = [&] {
-    double worst = -1;
-    for_present(mesh, plan.ring,
-                [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
-    return worst;
-  };
+  const auto before = [&] { return worst_dihedral_cosine(mesh, plan.ring); };
   if (!least.allows(now, before)) return {Reason::Shape, plan.ring.sides[0].regions[0], now};
   return {};
 }
@@ -186,7 +195,7 @@ Verdict judge_plan(const Mesh& mesh, Vertex a, Vertex b, const RemovalRules& rul
   if (const Verdict v = find_ring(mesh, a, b, plan.ring); !v.accepted()) return v;
   if (plan.ring.on_model_face())
     if (const Verdict v = judge_faces(mesh, plan.ring, rules); !v.accepted()) return v;
-  if (const Verdict v = judge_shape(mesh, plan); !v.accepted()) return v;
+  if (const Verdict v = judge_shape(mesh, rules.goal, plan); !v.accepted()) return v;
   if (const Verdict v = judge_dihedrals(mesh, plan, rules.least_dihedral); !v.accepted()) return v;
   return judge_inside(mesh, plan);
 }

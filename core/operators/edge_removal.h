@@ -14,16 +14,18 @@
 #include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
 #include "core/operators/edge_ring.h"
+#include "core/operators/tet_edits.h"
 #include "core/operators/verdict.h"
 
 namespace aomd {
 
-/// What edge and face removal have to respect.
+/// What edge and face removal are after, and what they have to respect.
 struct RemovalRules {
   TurnLimit max_turn{10.0};      ///< how far the normals of a model face may turn
   LeastAngle least_angle{0};     ///< of a face on a model face, unless one of the two was smaller
   LeastAngle least_dihedral{0};  ///< between two faces of a new tetrahedron, unless one of those
                                  ///< that go had a smaller one
+  RemovalGoal goal = RemovalGoal::Worst;
 };
 
 /// Positions in a ring, ascending.
@@ -44,13 +46,13 @@ struct EdgeRemoval {
   Verdict verdict;
   EdgeRing ring;
   std::array<RingTriangles, 2> triangles;  ///< accepted or Quality: by side of the ring
-  double before = 0, after = 0;            ///< the worst tet_shape
+  double before = 0, after = 0;            ///< by the goal: more is better
   std::uint64_t revision = 0;              ///< of the mesh that was judged
 };
 
 /// What removing the edge between two vertices would do: of all ways to cut the ring into
-/// triangles, the one whose worst tetrahedron is best (Klincsek 1980), accepted only where that is
-/// better than the worst one is now, and upright. On a model face the edge becomes the other
+/// triangles, the best one by the goal (Klincsek 1980), accepted only where that is better than
+/// what there is now, and upright. On a model face the edge becomes the other
 /// diagonal of its two faces. Refusals in this order: as find_ring; Topology (an edge between those
 /// faces' third vertices exists), Flat, Angle (a new normal further than `max_turn` from either old
 /// one), Shape (a new face with a smaller angle than `least_angle` allows), Quality (number: the

@@ -7,7 +7,6 @@
 #include "core/mesh/tet_geometry.h"
 #include "core/operators/ball.h"
 #include "core/operators/edge_ring.h"
-#include "core/operators/tet_edits.h"
 
 namespace aomd {
 namespace {
@@ -42,20 +41,23 @@ Verdict judge_class(const Mesh& mesh, const FaceRemoval& plan) {
   return {};
 }
 
-Verdict judge_shape(const Mesh& mesh, FaceRemoval& plan) {
+Verdict judge_shape(const Mesh& mesh, RemovalGoal goal, FaceRemoval& plan) {
+  const RemovalValue value(goal);
   const glm::dvec3 p = mesh.position(plan.apexes[0]), q = mesh.position(plan.apexes[1]);
   const std::array at{mesh.position(plan.corners[0]), mesh.position(plan.corners[1]),
                       mesh.position(plan.corners[2])};
-  plan.before = std::min(tet_shape(p, at[0], at[1], at[2]), tet_shape(q, at[2], at[1], at[0]));
-  plan.after = 1;
+  plan.before = value.both(value.of(p, at[0], at[1], at[2]), value.of(q, at[2], at[1], at[0]));
+  plan.after = value.none();
+  double least = 2;
   std::size_t worst = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double shape = tet_shape(p, at[k], at[(k + 1) % 3], q);
-    if (shape >= plan.after) continue;
-    plan.after = shape;
+    const double one = value.of(p, at[k], at[(k + 1) % 3], q);
+    plan.after = value.both(plan.after, one);
+    if (one >= least) continue;
+    least = one;
     worst = k;
   }
-  if (is_better_shape(plan.before, plan.after)) return {};
+  if (value.is_better(plan.before, plan.after)) return {};
   return {Reason::Quality, plan.regions[0],
           smallest_dihedral_cosine(p, at[worst], at[(worst + 1) % 3], q)};
 }
@@ -75,11 +77,11 @@ Verdict judge_dihedrals(const Mesh& mesh, const FaceRemoval& plan, const LeastAn
   return {};
 }
 
-Verdict judge_plan(const Mesh& mesh, const LeastAngle& least_dihedral, FaceRemoval& plan) {
+Verdict judge_plan(const Mesh& mesh, const RemovalRules& rules, FaceRemoval& plan) {
   if (!find_other(mesh, plan)) return {Reason::Topology, plan.regions[0]};
   if (const Verdict v = judge_class(mesh, plan); !v.accepted()) return v;
-  if (const Verdict v = judge_shape(mesh, plan); !v.accepted()) return v;
-  if (const Verdict v = judge_dihedrals(mesh, plan, least_dihedral); !v.accepted()) return v;
+  if (const Verdict v = judge_shape(mesh, rules.goal, plan); !v.accepted()) return v;
+  if (const Verdict v = judge_dihedrals(mesh, plan, rules.least_dihedral); !v.accepted()) return v;
   if (joined_in_volume(mesh, plan.apexes[0], plan.apexes[1]))
     return {Reason::Topology, plan.apexes[0]};
   return {};
@@ -87,7 +89,7 @@ Verdict judge_plan(const Mesh& mesh, const LeastAngle& least_dihedral, FaceRemov
 
 }  // namespace
 
-Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, const LeastAngle& least_dihedral,
+Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, const RemovalRules& rules,
               FaceRemoval& plan) {
   const auto t = mesh.tetrahedron(region);
   const auto& from = seen_from[slot];
@@ -95,7 +97,7 @@ Verdict judge(const Mesh& mesh, Region region, std::uint32_t slot, const LeastAn
   plan.apexes = {t[slot], Vertex()};
   plan.corners = {t[from[0]], t[from[1]], t[from[2]]};
   plan.revision = mesh.revision();
-  return plan.verdict = judge_plan(mesh, least_dihedral, plan);
+  return plan.verdict = judge_plan(mesh, rules, plan);
 }
 
 // (p, x, y, z) becomes (p, x, y, q), and (q, z, y, x) becomes (q, z, y, p).

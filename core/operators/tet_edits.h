@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/tet_geometry.h"
 
 namespace aomd {
 
@@ -15,6 +16,34 @@ namespace aomd {
   constexpr double smallest_gain = 1e-6;
   return after > std::max(before, 0.0) + smallest_gain;
 }
+
+/// What an operator that replaces tetrahedra is after.
+enum class RemovalGoal : std::uint8_t {
+  Worst,  ///< the worst tet_shape is to become better
+  Sum     ///< the sum of tet_energy is to become less
+};
+
+/// How good some tetrahedra are together, by a goal: more is better.
+class RemovalValue {
+ public:
+  explicit RemovalValue(RemovalGoal goal) : sums_(goal == RemovalGoal::Sum) {}
+
+  /// Of no tetrahedra.
+  [[nodiscard]] double none() const { return sums_ ? 0 : 2; }
+  [[nodiscard]] double of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                          const glm::dvec3& d) const {
+    return sums_ ? -tet_energy(a, b, c, d) : tet_shape(a, b, c, d);
+  }
+  [[nodiscard]] double both(double x, double y) const { return sums_ ? x + y : std::min(x, y); }
+  /// By more than what could swap back and forth; with all upright that come to be.
+  [[nodiscard]] bool is_better(double before, double after) const {
+    constexpr double smallest_part = 1e-6;
+    return sums_ ? after > (1 - smallest_part) * before : is_better_shape(before, after);
+  }
+
+ private:
+  bool sums_;
+};
 
 /// Where a vertex stands among others that have it.
 template <std::size_t N>

@@ -100,27 +100,32 @@ TEST(EdgeRemovalTest, FourBecomeFourOverTheBetterDiagonal) {
     }
 }
 
-double best_by_trying_all(const MeshData& data, std::uint32_t n) {
+double best_by_trying_all(const MeshData& data, std::uint32_t n, RemovalGoal goal) {
+  const bool sums = goal == RemovalGoal::Sum;
   const auto at = [&](std::uint32_t i) { return data.positions[2 + i]; };
   const auto both = [&](std::uint32_t i, std::uint32_t k, std::uint32_t j) {
-    return std::min(tet_shape(at(i), at(k), at(j), data.positions[1]),
-                    tet_shape(at(j), at(k), at(i), data.positions[0]));
+    const double up = tet_shape(at(i), at(k), at(j), data.positions[1]),
+                 down = tet_shape(at(j), at(k), at(i), data.positions[0]);
+    if (!sums) return std::min(up, down);
+    return up > 0 && down > 0 ? -std::pow(up, -2) - std::pow(down, -2) : -HUGE_VAL;
   };
-  // All lists of the worst values of the triangulations of the polygon i..j.
+  // All values of the triangulations of the polygon i..j.
   const std::function<std::vector<double>(std::uint32_t, std::uint32_t)> all =
       [&](std::uint32_t i, std::uint32_t j) {
-        if (j == i + 1) return std::vector<double>{1};
-        std::vector<double> worst;
+        if (j == i + 1) return std::vector<double>{sums ? 0.0 : 1.0};
+        std::vector<double> values;
         for (std::uint32_t k = i + 1; k < j; ++k)
           for (const double left : all(i, k))
-            for (const double right : all(k, j))
-              worst.push_back(std::min({left, right, both(i, k, j)}));
-        return worst;
+            for (const double right : all(k, j)) {
+              const double middle = both(i, k, j);
+              values.push_back(sums ? left + right + middle : std::min({left, right, middle}));
+            }
+        return values;
       };
-  const auto worst = all(0, n - 1);
+  const auto values = all(0, n - 1);
   const std::size_t catalan[] = {1, 1, 2, 5, 14, 42, 132, 429};
-  EXPECT_EQ(worst.size(), catalan[n - 2]);
-  return *std::max_element(worst.begin(), worst.end());
+  EXPECT_EQ(values.size(), catalan[n - 2]);
+  return *std::max_element(values.begin(), values.end());
 }
 
 TEST(EdgeRemovalTest, TheTableFindsTheBestOfAllTriangulations) {
@@ -132,7 +137,7 @@ TEST(EdgeRemovalTest, TheTableFindsTheBestOfAllTriangulations) {
           complete(data, Levels::Complete, smooth_skin);
       const EdgeRemoval plan = judged(listed.mesh, 0, 1), same = judged(complete.mesh, 1, 0);
       ASSERT_EQ(plan.verdict.reason, same.verdict.reason);
-      const double best = best_by_trying_all(data, n);
+      const double best = best_by_trying_all(data, n, RemovalGoal::Worst);
       ASSERT_EQ(plan.before, worst_shape(listed.mesh));
       ASSERT_DOUBLE_EQ(plan.after, best) << n << ' ' << seed;
       ASSERT_EQ(plan.verdict.accepted(), best > std::max(plan.before, 0.0) + 1e-6);
@@ -147,6 +152,41 @@ TEST(EdgeRemovalTest, TheTableFindsTheBestOfAllTriangulations) {
         EXPECT_TRUE(listed.mesh.alive(Region(r)));
     }
   EXPECT_GT(accepted, 60);
+}
+
+double energy_of(const Mesh& mesh) {
+  double sum = 0;
+  for (const Region r : mesh.regions()) {
+    const double shape = tet_shape(mesh, r);
+    sum += shape > 0 ? std::pow(shape, -2) : HUGE_VAL;
+  }
+  return sum;
+}
+
+// The worst tetrahedron may become worse for it.
+TEST(EdgeRemovalTest, TheSumOfEnergiesIsLeastOfAllTriangulationsAndFalls) {
+  int accepted = 0, poorer = 0;
+  for (std::uint32_t n = 3; n <= 9; ++n)
+    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+      const MeshData data = random_ring(n, 100 * n + seed);
+      VolumeBench b(data, Levels::Listed, smooth_skin);
+      const double before = energy_of(b.mesh), worst = worst_shape(b.mesh);
+      const double least = -best_by_trying_all(data, n, RemovalGoal::Sum);
+      const EdgeRemoval plan = judged(b.mesh, 0, 1, {.goal = RemovalGoal::Sum});
+      if (worst > 0)
+        ASSERT_NEAR(-plan.before / before, 1, 1e-12);
+      else
+        ASSERT_EQ(-plan.before, HUGE_VAL);
+      ASSERT_EQ(plan.verdict.accepted(), least < (1 - 1e-6) * before) << n << ' ' << seed;
+      if (!plan.verdict.accepted()) continue;
+      ++accepted;
+      ASSERT_NEAR(-plan.after / least, 1, 1e-12) << n << ' ' << seed;
+      make(b, plan);
+      EXPECT_NEAR(energy_of(b.mesh) / least, 1, 1e-12);
+      poorer += worst_shape(b.mesh) < worst;
+    }
+  EXPECT_GT(accepted, 40);
+  EXPECT_GT(poorer, 0);
 }
 
 // Better shapes may have smaller dihedral angles: where they do, the limit lies at the smallest.

@@ -31,7 +31,7 @@ MeshData two_flat(double height = 0.3) {
 FaceRemoval judged(const Mesh& mesh, std::uint32_t region, std::uint32_t slot,
                    double least_dihedral_deg = 0) {
   FaceRemoval plan;
-  (void)judge(mesh, Region(region), slot, LeastAngle(least_dihedral_deg), plan);
+  (void)judge(mesh, Region(region), slot, {.least_dihedral = LeastAngle(least_dihedral_deg)}, plan);
   return plan;
 }
 
@@ -99,6 +99,34 @@ TEST(FaceRemovalTest, NoDihedralAngleBelowTheLeastUnlessOneOfTheTwoWasAsBad) {
   }
   EXPECT_GT(worse, 20);
   EXPECT_GT(better, 100);
+}
+
+// By the sum three tetrahedra cost more than two of the same shape.
+TEST(FaceRemovalTest, TheSumOfEnergiesFallsWhereItIsTheGoal) {
+  int falls = 0, rises = 0;
+  for (double height = 0.05; height < 1.2; height += 0.01) {
+    VolumeBench b(two_flat(height), Levels::Listed), made(two_flat(height), Levels::Listed);
+    const auto energy = [](const Mesh& mesh) {
+      double sum = 0;
+      for (const Region r : mesh.regions()) sum += std::pow(tet_shape(mesh, r), -2);
+      return sum;
+    };
+    FaceRemoval plan;
+    (void)judge(b.mesh, Region(0), 3, {.goal = RemovalGoal::Sum}, plan);
+    const double before = energy(b.mesh);
+    EXPECT_NEAR(-plan.before / before, 1, 1e-12);
+    if (const FaceRemoval free = judged(made.mesh, 0, 3); free.verdict.accepted()) {
+      apply(made.mesh, free);
+      EXPECT_EQ(plan.verdict.accepted(), energy(made.mesh) < before) << height;
+    }
+    (plan.verdict.accepted() ? falls : rises) += 1;
+    if (!plan.verdict.accepted()) continue;
+    apply(b.mesh, plan);
+    EXPECT_NEAR(-plan.after / energy(b.mesh), 1, 1e-12);
+    EXPECT_LT(energy(b.mesh), before);
+  }
+  EXPECT_GT(falls, 10);
+  EXPECT_GT(rises, 10);
 }
 
 TEST(FaceRemovalTest, WhatIsRefused) {

@@ -61,7 +61,7 @@ class Program {
   Reason remove_a_face(Region r) {
     FaceRemoval plan;
     for (std::uint32_t slot = 0; slot < 4; ++slot)
-      if (judge(mesh_, r, slot, LeastAngle(0), plan).accepted()) {
+      if (judge(mesh_, r, slot, {}, plan).accepted()) {
         apply(mesh_, plan);
         return Reason::None;
       }
@@ -100,7 +100,7 @@ class Program {
   }
   Reason worsen(Region r, std::uint32_t slot) {
     FaceRemoval plan;
-    if (judge(mesh_, r, slot, LeastAngle(0), plan).reason != Reason::Quality || plan.after < 0.01)
+    if (judge(mesh_, r, slot, {}, plan).reason != Reason::Quality || plan.after < 0.01)
       return Reason::Quality;
     plan.verdict = {};
     apply(mesh_, plan);

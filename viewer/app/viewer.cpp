@@ -253,12 +253,17 @@ void Viewer::execute(const std::string& line) {
   if (const auto next = std::exchange(session_.next_line, {})) execute(*next);
 }
 
+/// The dialog that asks for a picture is not to be in it, nor where the lines are played again.
+void Viewer::clear_for_picture(std::string_view line) {
+  const bool asks = scene::command_text(line).rfind("screenshot", 0) == 0;
+  if (asks && session_.view.dialog != scene::Dialog::None) execute("dialog none");
+}
+
 void Viewer::execute_or_tell(const std::string& line) {
   in_script_ = false;  // what goes wrong from here on is to be said, not the end
   try {
+    clear_for_picture(line);
     if (headless_ || !scene::asks_first(session_, line)) execute(line);
-    // What asked for a picture is not to be in it.
-    if (!session_.screenshots.empty()) session_.view.dialog = scene::Dialog::None;
   } catch (const std::exception& error) {
     session_.error = error.what();
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/app/options.h"
@@ -56,6 +57,7 @@ class Viewer {
   void connect_clipboard();
   void ask_to_close();
   void execute(const std::string& line);
+  void clear_for_picture(std::string_view line);
   void execute_or_tell(const std::string& line);
   void tick(double frame_s);
   void take_model(const std::string& line);

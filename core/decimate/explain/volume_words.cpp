@@ -126,7 +126,8 @@ std::string removal_words(const Mesh& mesh, Edge edge, const SwapOutlook& o) {
     case Reason::Topology:
       return removal_topology_words(mesh, edge, who);
     case Reason::Quality:
-      return "It would not pay: the worst tetrahedron would have no better shape than now, with a "
+      return "It would not pay: the tetrahedra would have no better shapes than now, the worst one "
+             "a "
              "smallest dihedral angle of " +
              degrees(o.verdict.number()) + " degrees.";
     case Reason::Distance:

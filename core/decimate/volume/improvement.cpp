@@ -21,7 +21,7 @@ bool VolumeImprovement::beats(Vertex a, Vertex b, double& gain) {
 }
 
 bool VolumeImprovement::beats(Region r, std::uint32_t slot, double& gain) {
-  if (!judge(mesh_, r, slot, rules_.removal.least_dihedral, face_).accepted()) return false;
+  if (!judge(mesh_, r, slot, rules_.removal, face_).accepted()) return false;
   if (face_.after - face_.before <= gain || !watch_.allows(face_)) return false;
   gain = face_.after - face_.before;
   std::swap(face_, best_face_);

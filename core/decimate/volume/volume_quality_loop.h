@@ -125,6 +125,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void start(const DecimationOptions& options);
   [[nodiscard]] double stretch() const;
   void set_rules();
+  void limit_dihedrals(double deg);
   void find_unit();
   void measure_vertices();
   void measure(Vertex v, Scratch& scratch);

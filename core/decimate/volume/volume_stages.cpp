@@ -77,14 +77,18 @@ void VolumeQualityLoop::set_rules() {
   rules_.faces.max_turn = TurnLimit(options_.angle_deg);
   rules_.faces.topology = TopologyRule::Safe;
   rules_.faces.least_angle = LeastAngle(options_.min_angle_deg);
-  rules_.least_dihedral = LeastAngle(options_.min_dihedral_deg);
   rules_.least_shape = floor_;
   rules_.overshoot = 2 * stretch();
   rules_.size = &size_;
   improving_.removal.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   improving_.removal.least_angle = rules_.faces.least_angle;
-  improving_.removal.least_dihedral = rules_.least_dihedral;
+  improving_.removal.goal = RemovalGoal::Sum;
   improving_.poor = 0.65;
+  limit_dihedrals(options_.min_dihedral_deg);
+}
+
+void VolumeQualityLoop::limit_dihedrals(double deg) {
+  rules_.least_dihedral = improving_.removal.least_dihedral = LeastAngle(deg);
   improvement_.set_rules(improving_);
   relaxation_.limit_dihedrals(rules_.least_dihedral);
 }
@@ -240,12 +244,14 @@ int VolumeQualityLoop::rounds() const {
   return last_descent() || descents_ > 2 ? 3 : 1;
 }
 
-// A target that shape and length keep out of reach is worth poorer tetrahedra, to a point.
+// A target that shape and length keep out of reach is worth poorer tetrahedra, to a point: shapes
+// that low may hide angles that solvers do not bear.
 bool VolumeQualityLoop::relax() {
-  constexpr double poorest = 0.2;
+  constexpr double poorest = 0.2, smallest_deg = 10;
   if (target_ == 0 || reached() || rules_.least_shape <= poorest) return false;
   rules_.least_shape = std::max(poorest, 0.7 * rules_.least_shape);
   rules_.overshoot *= 1.25;
+  limit_dihedrals(std::max(options_.min_dihedral_deg, smallest_deg));
   return true;
 }
 

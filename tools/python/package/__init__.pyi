@@ -94,12 +94,16 @@ class Mesh:
         """
 
     def attributes(self, kind: str='vertices') -> dict[str, np.ndarray]:
-        """Attached numbers by name: float64 or int64, shape (m,) or (m, components)."""
+        """Attached numbers by name: float64 or int64, shape (m,) or (m, components).
+
+        kind "corners": one row for each corner of each face, in the order of the faces.
+        """
 
     def with_attribute(self, name: str, values, kind: str='vertices') -> Mesh:
         """A copy with these numbers attached, in the place of any of that name.
 
-        values: shape (m,) or (m, components), one row for each entity of `kind`. Raises ValueError
+        values: shape (m,) or (m, components), one row for each entity of `kind`, or
+        for each corner of each face ("corners"). Raises ValueError
         where that is not so.
         """
 
@@ -151,7 +155,7 @@ def write(file: str | os.PathLike, mesh: Mesh, *, binary: bool | None=None, msh2
     WriteError for what the format cannot hold and for a place that cannot be written.
     """
 
-def decimate(mesh: Mesh, *, progress: Progress | None=None, target_faces: int | str | None=None, target_tets: int | str | None=None, factor: float | None=None, coarsest: bool | None=None, spacing: str | os.PathLike | np.ndarray | None=None, gradation: float | None=None, strategy: Literal['paper', 'quality'] | None=None, regularity: float | None=None, feature_angle: float | str | None=None, improve: int | None=None, exchange: bool | None=None, no_swap: bool | None=None, no_smooth: bool | None=None, snap: Literal['none', 'model'] | None=None, model: str | os.PathLike | None=None, repair: bool | None=None, triangulate: bool | None=None, weld: bool | float | str | None=None, without: str | Sequence[str] | None=None, threads: int | None=None, angle: float | None=None, min_angle: float | None=None, min_dihedral: float | None=None, max_distance: float | None=None, no_intersections: bool | None=None, volume: Literal['keep', 'free'] | None=None, topology: Literal['safe', 'paper'] | None=None, keep: str | os.PathLike | np.ndarray | Sequence[int] | None=None, only: str | os.PathLike | None=None, report: str | os.PathLike | None=None, journal: str | os.PathLike | None=None, strict: bool | None=None) -> Decimated:
+def decimate(mesh: Mesh, *, progress: Progress | None=None, target_faces: int | str | None=None, target_tets: int | str | None=None, target_error: float | None=None, reach: bool | None=None, factor: float | None=None, coarsest: bool | None=None, spacing: str | os.PathLike | np.ndarray | None=None, gradation: float | None=None, strategy: Literal['paper', 'quality'] | None=None, regularity: float | None=None, feature_angle: float | str | None=None, seams: Literal['keep', 'ignore'] | None=None, improve: int | None=None, exchange: bool | None=None, no_swap: bool | None=None, no_smooth: bool | None=None, snap: Literal['none', 'model'] | None=None, model: str | os.PathLike | None=None, repair: bool | None=None, triangulate: bool | None=None, weld: bool | float | str | None=None, without: str | Sequence[str] | None=None, threads: int | None=None, angle: float | None=None, min_angle: float | None=None, min_dihedral: float | None=None, max_distance: float | None=None, no_intersections: bool | None=None, volume: Literal['keep', 'free'] | None=None, topology: Literal['safe', 'paper'] | None=None, keep: str | os.PathLike | np.ndarray | Sequence[int] | None=None, only: str | os.PathLike | None=None, report: str | os.PathLike | None=None, journal: str | os.PathLike | None=None, strict: bool | None=None) -> Decimated:
     """Makes a mesh coarser as `aomd decimate` does, with the same options by name.
 
     target_faces="10%" is --target-faces 10%, no_swap=True is --no-swap; `decimate_options()` lists
@@ -349,7 +353,7 @@ class Database:
 class Decimation:
     """Decimates a Database step by step, and says why an edge stays."""
 
-    def __init__(self, database: Database, *, target_faces: int | str | None=None, target_tets: int | str | None=None, factor: float | None=None, coarsest: bool | None=None, spacing: str | os.PathLike | np.ndarray | None=None, gradation: float | None=None, strategy: Literal['paper', 'quality'] | None=None, regularity: float | None=None, feature_angle: float | str | None=None, improve: int | None=None, exchange: bool | None=None, no_swap: bool | None=None, no_smooth: bool | None=None, snap: Literal['none', 'model'] | None=None, model: str | os.PathLike | None=None, repair: bool | None=None, triangulate: bool | None=None, weld: bool | float | str | None=None, without: str | Sequence[str] | None=None, threads: int | None=None, angle: float | None=None, min_angle: float | None=None, min_dihedral: float | None=None, max_distance: float | None=None, no_intersections: bool | None=None, volume: Literal['keep', 'free'] | None=None, topology: Literal['safe', 'paper'] | None=None, keep: str | os.PathLike | np.ndarray | Sequence[int] | None=None, only: str | os.PathLike | None=None, report: str | os.PathLike | None=None, journal: str | os.PathLike | None=None, strict: bool | None=None):
+    def __init__(self, database: Database, *, target_faces: int | str | None=None, target_tets: int | str | None=None, target_error: float | None=None, reach: bool | None=None, factor: float | None=None, coarsest: bool | None=None, spacing: str | os.PathLike | np.ndarray | None=None, gradation: float | None=None, strategy: Literal['paper', 'quality'] | None=None, regularity: float | None=None, feature_angle: float | str | None=None, seams: Literal['keep', 'ignore'] | None=None, improve: int | None=None, exchange: bool | None=None, no_swap: bool | None=None, no_smooth: bool | None=None, snap: Literal['none', 'model'] | None=None, model: str | os.PathLike | None=None, repair: bool | None=None, triangulate: bool | None=None, weld: bool | float | str | None=None, without: str | Sequence[str] | None=None, threads: int | None=None, angle: float | None=None, min_angle: float | None=None, min_dihedral: float | None=None, max_distance: float | None=None, no_intersections: bool | None=None, volume: Literal['keep', 'free'] | None=None, topology: Literal['safe', 'paper'] | None=None, keep: str | os.PathLike | np.ndarray | Sequence[int] | None=None, only: str | os.PathLike | None=None, report: str | os.PathLike | None=None, journal: str | os.PathLike | None=None, strict: bool | None=None):
         """With the options of `decimate` that say how (see `decimate_options`).
 
         The database must be classified. Raises ValueError where it cannot be decimated, and as
