@@ -17,13 +17,13 @@ template <typename Number>
 struct LaneTypes;
 template <>
 struct LaneTypes<float> {
-  typedef float Values __attribute__((vector_size(16)));
-  typedef int Mask __attribute__((vector_size(16)));
+  using Values = float __attribute__((vector_size(16)));
+  using Mask = int __attribute__((vector_size(16)));
 };
 template <>
 struct LaneTypes<double> {
-  typedef double Values __attribute__((vector_size(16)));
-  typedef long long Mask __attribute__((vector_size(16)));
+  using Values = double __attribute__((vector_size(16)));
+  using Mask = long long __attribute__((vector_size(16)));
 };
 
 /// As many numbers as fill 16 bytes. Each lane gets what one number would get, bit by bit.

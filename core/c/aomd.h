@@ -8,6 +8,7 @@
 // units of the mesh. Dimensions: 0 vertices, 1 edges, 2 faces, 3 regions. A handle is for one
 // thread at a time. Null is no handle: it may only be freed.
 
+// NOLINTBEGIN(modernize-deprecated-headers,modernize-use-using,readability-identifier-naming)
 #include <stddef.h>
 #include <stdint.h>
 
@@ -142,3 +143,4 @@ aomd_status aomd_database_to_mesh(const aomd_database* database, aomd_mesh** mes
 #ifdef __cplusplus
 }
 #endif
+// NOLINTEND(modernize-deprecated-headers,modernize-use-using,readability-identifier-naming)

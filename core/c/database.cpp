@@ -7,8 +7,10 @@
 #include "core/mesh/derive.h"
 #include "core/mesh/names.h"
 
+// NOLINTBEGIN(google-global-names-in-headers): functions of C stand in no namespace.
 using aomd::c::BadArgument;
 using aomd::c::guarded;
+// NOLINTEND(google-global-names-in-headers)
 
 namespace {
 

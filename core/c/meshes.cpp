@@ -8,10 +8,12 @@
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 
+// NOLINTBEGIN(google-global-names-in-headers): functions of C stand in no namespace.
 using aomd::MeshData;
 using aomd::Shape;
 using aomd::c::BadArgument;
 using aomd::c::guarded;
+// NOLINTEND(google-global-names-in-headers)
 
 namespace {
 

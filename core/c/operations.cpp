@@ -15,9 +15,11 @@
 #include "core/model/classify.h"
 #include "core/repair/repair.h"
 
+// NOLINTBEGIN(google-global-names-in-headers): functions of C stand in no namespace.
 using aomd::Mesh;
 using aomd::c::BadArgument;
 using aomd::c::guarded;
+// NOLINTEND(google-global-names-in-headers)
 
 namespace {
 

@@ -57,7 +57,7 @@ std::vector<Charts::Side> Charts::sorted_sides(const Cells& faces) const {
   return sides;
 }
 
-bool Charts::jumps(const Attribute& corners, const Side& a, const Side& b) const {
+bool Charts::jumps(const Attribute& corners, const Side& a, const Side& b) {
   const auto n = static_cast<std::size_t>(corners.components);
   const auto differ = [&](std::size_t c, std::size_t d) {
     for (std::size_t k = 0; k < n; ++k)

@@ -20,7 +20,7 @@ bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> keyword_meanings{
     {{"p", "points"}, {"vp", "free-form geometry"}, {"cstype", "free-form geometry"}}};
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// Appends a value of `given` numbers; earlier ones of fewer get more.
 void append(ObjText::Values& values, std::span<const double> given, double absent) {
@@ -152,18 +152,18 @@ class ObjScanner {
   /// Of the present vertex.
   void colour() {
     if (text_.colours.components == 0) text_.colours.components = static_cast<int>(more_.size());
-    while (text_.colours.size() + 1 < text_.positions.size()) append(text_.colours, {}, no_number);
-    append(text_.colours, more_, no_number);
+    while (text_.colours.size() + 1 < text_.positions.size()) append(text_.colours, {}, not_given);
+    append(text_.colours, more_, not_given);
   }
   void pad_colours() {
-    while (text_.colours.size() < text_.positions.size()) append(text_.colours, {}, no_number);
+    while (text_.colours.size() < text_.positions.size()) append(text_.colours, {}, not_given);
   }
 
   /// Of `vt` (one number or more, of which three count) or `vn`. What is no number is NaN.
   void value(TextCursor& cursor, ObjText::Values& values, std::size_t least) {
     more_.clear();
     while (!cursor.line_done()) {
-      const double x = number_of(cursor.word()).value_or(no_number);
+      const double x = number_of(cursor.word()).value_or(not_given);
       if (more_.size() < 3) more_.push_back(x);
     }
     more_.resize(std::max(more_.size(), least));

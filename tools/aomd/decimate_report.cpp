@@ -82,6 +82,7 @@ Json report_json(const DecimateOptions& options, const DecimationOptions& steps,
 
 std::string words_of_let_go(const std::vector<Guard>& guards) {
   std::vector<std::string> names;
+  names.reserve(guards.size());
   for (const Guard guard : guards) names.emplace_back(guard_name(guard));
   return "let go of " + joined(names, " and ") + " to come that far";
 }

@@ -22,7 +22,8 @@ struct Listener {
   ProgressListener progress;
 };
 
-/// What a decimation made: the mesh that `aomd decimate` would write, and its report.
+/// What a decimation made: the mesh that `aomd decimate` would write, and its report. JSON moves
+/// without throwing. NOLINTNEXTLINE(bugprone-exception-escape)
 struct Decimated {
   MeshData mesh;
   Json report;

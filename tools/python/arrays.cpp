@@ -54,7 +54,7 @@ void append(EntityList& list, const py::array& array, int dimension, std::size_t
 bool is_list(const py::object& arrays) {
   if (!py::isinstance<py::list>(arrays) && !py::isinstance<py::tuple>(arrays)) return false;
   const auto items = py::reinterpret_borrow<py::sequence>(arrays);
-  return items.size() > 0 && py::isinstance<py::array>(items[0]);
+  return !items.empty() && py::isinstance<py::array>(items[0]);
 }
 
 ModelRef class_of(std::int64_t dimension, std::int64_t tag, std::size_t row) {

@@ -31,7 +31,7 @@ bool has_field(Coloring coloring, const Document& document) {
 
 /// Of all vertices, to colour a mesh or a kept state of it.
 Column<Vertex, double> wanted_at(const FieldSource& source) {
-  const Column<Vertex, double> wanted = source.document.wanted_lengths();
+  Column<Vertex, double> wanted = source.document.wanted_lengths();
   if (source.run == nullptr) return wanted;
   return closed_up(wanted, std::span<const Vertex>(*source.run->vertices));
 }
@@ -265,7 +265,7 @@ bool FieldKeeper::measure_distances(const FieldSource& source) {
 }
 
 /// In percent of the diagonal. Of a volume each model face is held against itself.
-float FieldKeeper::measure_distance(const FieldSource& source, Face face) const {
+float FieldKeeper::measure_distance(const FieldSource& source, Face face) {
   AsLoaded& original = source.document.copy_mesh_as_loaded();
   const Mesh& mesh = source.drawn();
   if (!source.skin && original.has(mesh, face)) return 0;

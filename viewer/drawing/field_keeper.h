@@ -60,7 +60,7 @@ class FieldKeeper {
   void distance(const FieldSource& source, SurfaceChanges& changes);
   void curvature(const FieldSource& source, const SurfaceChanges& changes);
   [[nodiscard]] bool measure_distances(const FieldSource& source);
-  [[nodiscard]] float measure_distance(const FieldSource& source, Face face) const;
+  [[nodiscard]] static float measure_distance(const FieldSource& source, Face face);
   void take_distances(const Mesh& mesh, SurfaceChanges& changes);
   void settle_scale(const FieldSource& source, ScalarField& field);
   [[nodiscard]] static std::vector<float> values_of(const FieldSource& source,
