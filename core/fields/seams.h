@@ -32,7 +32,7 @@ class Charts {
     std::size_t from = 0, to = 0;  ///< its corners, at the smaller vertex and at the other one
   };
   [[nodiscard]] std::vector<Side> sorted_sides(const Cells& faces) const;
-  [[nodiscard]] static bool jumps(const Attribute& corners, const Side& a, const Side& b) const;
+  [[nodiscard]] static bool jumps(const Attribute& corners, const Side& a, const Side& b);
 
   std::vector<std::size_t> starts_;
   std::vector<std::uint32_t> beyond_;
