@@ -1,4 +1,5 @@
-# What `cmake --install` puts where, in four components: programs, viewer, library and documents; and
+# What `cmake --install` puts where, in six components: programs, viewer, runtime (the shared library),
+# library (what programs are built with), python and documents; and
 # the Debian packages that `cpack -G DEB` makes of them (docs/INSTALL.md).
 include(CMakePackageConfigHelpers)
 
@@ -10,9 +11,18 @@ install(FILES tools/package/completions/_aomd
 install(FILES tools/package/completions/aomd.fish
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
 
-install(TARGETS aomd_core EXPORT aomd-targets COMPONENT library)
-install(EXPORT aomd-targets NAMESPACE aomd:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aomd
-  COMPONENT library)
+# Each in a file of its own: who links the shared library needs nothing that it is linked with.
+install(TARGETS aomd_core EXPORT aomd-core-targets COMPONENT library)
+set(exported core)
+if(TARGET aomd_shared)
+  install(TARGETS aomd_shared EXPORT aomd-shared-targets
+    LIBRARY COMPONENT runtime NAMELINK_COMPONENT library)
+  list(APPEND exported shared)
+endif()
+foreach(component IN LISTS exported)
+  install(EXPORT aomd-${component}-targets NAMESPACE aomd::
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aomd COMPONENT library)
+endforeach()
 write_basic_package_version_file(aomd-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES cmake/aomd-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/aomd-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aomd COMPONENT library)
@@ -20,6 +30,14 @@ file(RELATIVE_PATH AOMD_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/aomd.pc.in aomd.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/aomd.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+
+if(TARGET aomd_python)
+  set(AOMD_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python packages go, below the prefix")
+  install(TARGETS aomd_python LIBRARY DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
+  foreach(file __init__.py __init__.pyi options.py py.typed)
+    install(FILES tools/python/package/${file} DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
+  endforeach()
+endif()
 
 if(AOMD_BUILD_VIEWER)
   install(TARGETS aomd-view COMPONENT viewer)
@@ -32,6 +50,14 @@ if(AOMD_BUILD_VIEWER)
   install(FILES assets/desktop/aomd-view.mime.xml RENAME aomd-view.xml
     DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT viewer)
 endif()
+
+# All that is installed, and no tests.
+add_custom_target(aomd_installed)
+foreach(target aomd aomd_core aomd_shared aomd_python aomd-view)
+  if(TARGET ${target})
+    add_dependencies(aomd_installed ${target})
+  endif()
+endforeach()
 
 # The manual pages are made on installing, from what the programs say of themselves.
 find_program(HELP2MAN help2man)
@@ -108,9 +134,33 @@ if(AOMD_BUILD_VIEWER)
     "every refusal is explained. Lessons tell what a mesh database stores."
     "The same program draws without a display.")
 endif()
+if(TARGET aomd_shared)
+  set(runtime_package libaomd${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  aomd_package(runtime ${runtime_package} libs ""
+    "mesh database and decimation, shared library"
+    "What programs need that are linked with the library under aomd and"
+    "aomd-view, in C++ or in C.")
+  # What dpkg-shlibdeps and ldconfig want to know of it.
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/package/shlibs
+    "libaomd ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${runtime_package} (>= ${PROJECT_VERSION})\n")
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/package/triggers "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
+    "${CMAKE_CURRENT_BINARY_DIR}/package/shlibs;${CMAKE_CURRENT_BINARY_DIR}/package/triggers")
+  set(runtime_needed "${runtime_package} (= ${PROJECT_VERSION}), ")
+endif()
+if(TARGET aomd_python)
+  get_target_property(minor aomd_python AOMD_PYTHON_MINOR)
+  math(EXPR next_minor "${minor} + 1")
+  aomd_package(python python3-aomd python
+    "python3 (>= 3.${minor}~), python3 (<< 3.${next_minor}), python3-numpy"
+    "makes meshes coarser, from Python"
+    "The module aomd: meshes from and to NumPy, decimation with all options"
+    "of the program aomd, checks, repair, comparison, step by step with undo,"
+    "and pictures without a display.")
+endif()
 aomd_package(library libaomd-dev libdevel
-  "libglm-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
-  "mesh database and decimation for programs in C++"
+  "${runtime_needed}libglm-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
+  "mesh database and decimation for programs in C++ and C"
   "The library under aomd and aomd-view: an algorithm-oriented mesh"
   "database, classification on a geometric model, decimation, and what"
   "measures its results.")

@@ -25,6 +25,15 @@ function(aomd_target name)
   endif()
 endfunction()
 
+# aomd_library(NAME): the same for a library that may become part of a shared one. Nothing of it can
+# be replaced from outside: calls inside of it are bound, and inlined, when it is compiled.
+function(aomd_library name)
+  aomd_target(${name})
+  set_target_properties(${name} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # aomd_unity(TARGET [EXCEPT LAYER...]): with CMAKE_UNITY_BUILD (the release preset), up to eight
 # files of one folder are compiled as one, so that headers are read and their templates compiled
 # once for all of them. What two files of a folder each keep in an unnamed namespace must therefore

@@ -6,6 +6,7 @@ flat in uint face_flags;
 
 uniform vec4 edge_color;
 uniform float edge_width;
+uniform int wires;  // the edges alone
 uniform float pixel_scale;
 uniform vec4 back_color;
 uniform vec4 highlight_color;
@@ -59,6 +60,12 @@ vec3 code_color() {
 }
 
 void main() {
+  if (wires != 0) {
+    float cover = edge_color.a * edge_cover();
+    if (cover <= 0.0) discard;
+    color = vec4(edge_color.rgb, cover);
+    return;
+  }
   vec3 n = normalize(eye_normal);
   vec3 base = show_edge_codes != 0 ? code_color() : face_color;
   if (!gl_FrontFacing) {

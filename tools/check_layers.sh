@@ -26,6 +26,7 @@ declare -A may_include=(
   [core/repair]="core/base core/mesh core/model core/fields core/io core/repair"
   [core/samples]="core/base core/mesh core/samples"
   [core/paper]="core/base core/mesh core/model core/operators core/decimate core/paper"
+  [core/c]="core/base core/mesh core/model core/io core/decimate core/measure core/repair core/samples core/c"
   [viewer/base]="core viewer/base"
   [viewer/document]="core viewer/base viewer/document"
   [viewer/drawing]="core viewer/base viewer/document viewer/drawing"
@@ -37,6 +38,7 @@ declare -A may_include=(
   [viewer/ui]="core $scene viewer/render viewer/ui"
   [viewer/app]="core $scene viewer/render viewer/ui viewer/app"
   [tools/aomd]="core tools/aomd"
+  [tools/python]="core viewer tools/aomd tools/python"
   [tools/bench]="core viewer tools/bench"
 )
 

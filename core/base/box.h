@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// An axis-parallel box; an empty one holds nothing.
@@ -41,3 +43,5 @@ struct Box {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

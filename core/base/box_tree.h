@@ -10,6 +10,8 @@
 
 #include "core/base/box.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A binary tree over items that are numbered in its order, at most 4 a leaf, split in the middle
@@ -177,3 +179,5 @@ void BoxTree::touching_pairs(std::size_t begin, std::size_t end, Visit&& visit) 
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Leaves trivial elements uninitialised where std::allocator would write zeros.
@@ -28,3 +30,5 @@ template <typename T>
 using RawVector = std::vector<T, RawAllocator<T>>;
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The word for any number of things but one: "faces", "vertices", "patches", "hexahedra".
@@ -50,3 +52,5 @@ template <typename Words>
 [[nodiscard]] std::vector<std::string> limited_lines(std::vector<std::string> lines);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

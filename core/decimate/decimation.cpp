@@ -5,7 +5,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/base/box.h"
 #include "core/decimate/hanging.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/paper/surface_paper_loop.h"
@@ -13,35 +12,10 @@
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/vertex_neighbours.h"
 #include "core/decimate/volume/volume_quality_loop.h"
+#include "core/mesh/extent.h"
 #include "core/mesh/verify.h"
 
 namespace aomd {
-namespace {
-
-// Costs are sums of squared distances times areas, many of them stored in single precision.
-constexpr double smallest_extent = 1e-20, largest_extent = 1e18;
-
-bool usual(const Box& box) {
-  const glm::dvec3 sides = box.high - box.low;
-  const double size = box.empty() ? 0 : std::max({sides.x, sides.y, sides.z});
-  return size == 0 || (size >= smallest_extent && size <= largest_extent);
-}
-
-// Vertices that nothing uses have no say; only where all together are unusual does that matter.
-bool has_usual_size(const Mesh& mesh) {
-  Box all, used;
-  for (const Vertex v : mesh.vertices()) all.add(mesh.position(v));
-  if (usual(all)) return true;
-  VertexBuffer buffer;
-  const auto add = [&](EntityRef e) {
-    for (const std::uint32_t v : mesh.vertices_of(e, buffer)) used.add(mesh.position(Vertex(v)));
-  };
-  for (const Face f : mesh.faces()) add(f);
-  for (const Region r : mesh.regions()) add(r);
-  return usual(used);
-}
-
-}  // namespace
 
 const char* phase_name(Phase phase) {
   constexpr const char* names[] = {"collapse", "swap", "smooth", "done"};
@@ -72,7 +46,7 @@ const char* decimation_obstacle(const Mesh& mesh) {
   for (const Face f : mesh.faces())
     if (mesh.count(3) == 0 && mesh.shape(f) != Shape::Triangle)
       return "Only triangles can be decimated, and there are quads: --triangulate cuts them.";
-  if (!has_usual_size(mesh))
+  if (!has_usual_extent(mesh))
     return "Only meshes from 1e-20 to 1e+18 across can be decimated: write it in another unit.";
   return nullptr;
 }

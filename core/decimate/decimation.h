@@ -14,6 +14,8 @@
 #include "core/decimate/options.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 class Loop;
@@ -106,3 +108,5 @@ class Decimation {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

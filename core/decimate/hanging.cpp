@@ -1,23 +1,9 @@
 #include "core/decimate/hanging.h"
 
-#include <algorithm>
+#include "core/mesh/regions_with.h"
 
 namespace aomd {
 namespace {
-
-bool is_side(const Mesh& mesh, std::span<const std::uint32_t> vertices) {
-  Row<3> regions = mesh.row<3>(Vertex(vertices[0]));
-  for (const std::uint32_t v : vertices)
-    if (const Row<3> row = mesh.row<3>(Vertex(v)); row.size() < regions.size()) regions = row;
-  const auto has_all = [&](Region r) {
-    VertexBuffer buffer;
-    const auto own = mesh.vertices_of(r, buffer);
-    return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-      return std::find(own.begin(), own.end(), v) != own.end();
-    });
-  };
-  return std::any_of(regions.begin(), regions.end(), has_all);
-}
 
 // What lies inside a region is a side of what fills it.
 bool may_hang(const Mesh& mesh, EntityRef e) { return mesh.classification(e).dimension() != 3; }
@@ -37,7 +23,7 @@ KeptVertices keep_hanging(const Mesh& mesh, const KeptVertices& kept) {
   };
   const auto look = [&](EntityRef e) {
     const auto vertices = mesh.vertices_of(e, buffer);
-    if (may_hang(mesh, e) && !is_side(mesh, vertices)) keep(vertices);
+    if (may_hang(mesh, e) && count_regions_with(mesh, vertices, 1) == 0) keep(vertices);
   };
   for (const Face f : mesh.faces()) look(f);
   for (const Edge e : mesh.edges()) look(e);

@@ -13,6 +13,8 @@
 #include "core/operators/collapse.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Paper: the printed loop. Quality: collapses in the order of the error they make, the kept vertex
@@ -27,8 +29,8 @@ enum class Idea : std::uint8_t {
   Facing,       ///< no face looks away from the original around its corners
   SecondStage,  ///< the last collapses follow errors that were measured anew
   FarPoints,    ///< the fit cares more for points that are far off
-  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices come to each face of the
-                ///< result: the original has a point in each face too
+  DensePoints,  ///< below regularity 0.5, where fewer than 8 vertices, those in flat places left
+                ///< out, come to each face of the result: the original has a point in each face too
 };
 inline constexpr int idea_count = 6;
 /// "placement", "third-powers", "facing", "second-stage", "far-points", "dense-points".
@@ -113,3 +115,5 @@ struct Operation {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

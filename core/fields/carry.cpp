@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/fields/cell_values.h"
+#include "core/fields/surface_pairing.h"
 #include "core/fields/vertex_values.h"
 
 namespace aomd::fields {
@@ -13,37 +14,63 @@ namespace {
 
 using Arrays = std::vector<const Attribute*>;
 
+/// The arrays of one dimension of an original at the entities of its result.
 class Carrier {
  public:
-  Carrier(const MeshData& original, const MeshData& result, int threads)
+  Carrier(const MeshData& original, const MeshData& result, int dimension, int threads)
       : threads_(threads),
-        original_(original, 3),
-        result_(result, 3),
-        vertices_(original, result),
-        same_(same_cells(original_, result_, vertices_)),
-        tree_(original_, changed(), threads) {}
+        original_(original, dimension),
+        result_(result, dimension),
+        vertices_(original, result) {}
+  virtual ~Carrier() = default;
 
+  [[nodiscard]] std::vector<Attribute> on(int dimension, const Arrays& arrays) const {
+    if (arrays.empty()) return {};
+    if (dimension == result_.dimension()) return on_cells(arrays);
+    return dimension == 0 ? on_vertices(arrays) : on_sides(arrays, dimension);
+  }
+
+ protected:
+  [[nodiscard]] virtual std::vector<Attribute> on_cells(const Arrays& arrays) const = 0;
+  [[nodiscard]] virtual std::vector<VertexSource> vertex_sources() const = 0;
+
+  int threads_;
+  Cells original_, result_;
+  SameVertices vertices_;
+
+ private:
   [[nodiscard]] std::vector<Attribute> on_vertices(const Arrays& arrays) const {
-    const auto sources = vertex_sources(original_, tree_, result_, vertices_, threads_);
+    const std::vector<VertexSource> sources = vertex_sources();
     std::vector<Attribute> results;
     for (const Attribute* array : arrays) results.push_back(at_vertices(*array, sources));
     return results;
   }
 
-  [[nodiscard]] std::vector<Attribute> on_regions(const Arrays& arrays) const {
-    const TetParts parts(original_, tree_, result_);
-    return at_cells(arrays, {original_, result_, same_, parts}, threads_);
-  }
-
-  /// On edges or faces.
+  /// On edges, or on faces of volumes.
   [[nodiscard]] std::vector<Attribute> on_sides(const Arrays& arrays, int dimension) const {
     const Cells original(original_.mesh(), dimension), result(result_.mesh(), dimension);
     const SideParts parts(original, result, threads_);
     const auto same = same_cells(original, result, vertices_);
     return at_cells(arrays, {original, result, same, parts}, threads_);
   }
+};
+
+class VolumeCarrier final : public Carrier {
+ public:
+  VolumeCarrier(const MeshData& original, const MeshData& result, int threads)
+      : Carrier(original, result, 3, threads),
+        same_(same_cells(original_, result_, vertices_)),
+        tree_(original_, changed(), threads) {}
 
  private:
+  [[nodiscard]] std::vector<VertexSource> vertex_sources() const override {
+    return fields::vertex_sources(original_, tree_, result_, vertices_, threads_);
+  }
+  [[nodiscard]] std::vector<Attribute> on_cells(const Arrays& arrays) const override {
+    const TetParts parts(original_, tree_, result_);
+    return at_cells(arrays, {original_, result_, same_, parts}, threads_);
+  }
+
   /// The tetrahedra of the original that the result does not have.
   [[nodiscard]] std::vector<std::uint32_t> changed() const {
     std::vector<bool> kept(original_.size(), false);
@@ -55,17 +82,32 @@ class Carrier {
     return others;
   }
 
-  int threads_;
-  Cells original_, result_;
-  SameVertices vertices_;
   std::vector<std::uint32_t> same_;
   TetTree tree_;
 };
 
-std::vector<Attribute> carried(const Carrier& carrier, const Arrays& arrays, int dimension) {
-  if (arrays.empty()) return {};
-  if (dimension == 0) return carrier.on_vertices(arrays);
-  return dimension == 3 ? carrier.on_regions(arrays) : carrier.on_sides(arrays, dimension);
+class SurfaceCarrier final : public Carrier {
+ public:
+  SurfaceCarrier(const MeshData& original, const MeshData& result, int threads)
+      : Carrier(original, result, 2, threads), pairing_(original_, result_, vertices_, threads) {}
+
+ private:
+  [[nodiscard]] std::vector<VertexSource> vertex_sources() const override {
+    return pairing_.vertex_sources();
+  }
+  [[nodiscard]] std::vector<Attribute> on_cells(const Arrays& arrays) const override {
+    const FaceParts parts(pairing_, result_);
+    const auto same = same_cells(original_, result_, vertices_);
+    return at_cells(arrays, {original_, result_, same, parts}, threads_);
+  }
+
+  SurfacePairing pairing_;
+};
+
+std::unique_ptr<Carrier> carrier_for(const MeshData& original, const MeshData& result,
+                                     int threads) {
+  if (!original.regions.empty()) return std::make_unique<VolumeCarrier>(original, result, threads);
+  return std::make_unique<SurfaceCarrier>(original, result, threads);
 }
 
 /// Measures of both meshes by dimension, for those that have arrays.
@@ -101,6 +143,8 @@ bool has_some(const MeshData& mesh, int dimension) {
 }  // namespace
 
 bool can_carry(const MeshData& original, const MeshData& result) {
+  if (original.regions.empty() && result.regions.empty())
+    return !original.faces.empty() && !result.faces.empty();
   return !original.regions.empty() && !result.regions.empty();
 }
 
@@ -109,14 +153,14 @@ std::vector<CarriedField> carry(std::span<const Attribute* const> arrays, const 
   std::vector<CarriedField> list;
   std::vector<Attribute> all;
   if (arrays.empty() || !can_carry(original, result)) return list;
-  const Carrier carrier(original, result, threads);
+  const std::unique_ptr<Carrier> carrier = carrier_for(original, result, threads);
   Facts facts(original, result);
   for (int dimension = 0; dimension <= 3; ++dimension) {
     if (!has_some(original, dimension) || !has_some(result, dimension)) continue;
     Arrays here;
     for (const Attribute* array : arrays)
       if (array->dimension == dimension) here.push_back(array);
-    std::vector<Attribute> results = carried(carrier, here, dimension);
+    std::vector<Attribute> results = carrier->on(dimension, here);
     for (std::size_t i = 0; i < here.size(); ++i)
       list.push_back(facts.of(*here[i], results[i], dimension));
     std::move(results.begin(), results.end(), std::back_inserter(all));
@@ -127,7 +171,6 @@ std::vector<CarriedField> carry(std::span<const Attribute* const> arrays, const 
 
 std::vector<CarriedField> unmoved(std::span<const Attribute* const> arrays, const MeshData& mesh) {
   std::vector<CarriedField> list;
-  if (mesh.regions.empty()) return list;
   Facts facts(mesh, mesh);
   for (const Attribute* array : arrays) list.push_back(facts.of(*array, *array, array->dimension));
   return list;

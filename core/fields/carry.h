@@ -1,6 +1,6 @@
 #pragma once
-// The arrays of a volume go along with operations on it: what they come to is a function of the
-// mesh before and the mesh after, whatever led from one to the other (docs/ATTRIBUTES.md).
+// The arrays of a mesh go along with operations on it: what they come to is a function of the mesh
+// before and the mesh after, whatever led from one to the other (docs/ATTRIBUTES.md).
 
 #include <span>
 #include <string>
@@ -18,7 +18,7 @@ struct CarriedField {
   FieldFacts before, after;
 };
 
-/// True where values can be carried along: both meshes are volumes.
+/// True where values can be carried along: both meshes are volumes, or both are surfaces.
 [[nodiscard]] bool can_carry(const MeshData& original, const MeshData& result);
 
 /// Appends to the attributes of `result`, made from `original` by operations, these arrays of the

@@ -67,6 +67,14 @@ void TetParts::of(std::uint32_t i, std::vector<CellPart>& parts) const {
   if (nearest != no_index) parts.push_back({nearest, 1});
 }
 
+void FaceParts::of(std::uint32_t i, std::vector<CellPart>& parts) const {
+  each_point(result_, i, [&](const glm::dvec3& p) {
+    if (const std::uint32_t face = pairing_.face_at(p, i); face != no_index)
+      parts.push_back({face, 1});
+  });
+  join(parts);
+}
+
 SideParts::SideParts(const Cells& original, const Cells& result, int threads)
     : original_(original), result_(result) {
   std::map<ModelRef, std::vector<std::uint32_t>> by_class;

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "core/fields/surface_pairing.h"
 #include "core/fields/tet_tree.h"
 #include "core/model/triangle_tree.h"
 
@@ -37,7 +38,19 @@ class TetParts final : public CellParts {
   const Cells& result_;
 };
 
-/// Faces and edges: 16 points of each and what they are nearest to.
+/// The faces of a surface: the original's at 16 points of each, on its own side.
+class FaceParts final : public CellParts {
+ public:
+  FaceParts(const SurfacePairing& pairing, const Cells& result)
+      : pairing_(pairing), result_(result) {}
+  void of(std::uint32_t i, std::vector<CellPart>& parts) const override;
+
+ private:
+  const SurfacePairing& pairing_;
+  const Cells& result_;
+};
+
+/// Edges, and faces of volumes: 16 points of each and what they are nearest to.
 class SideParts final : public CellParts {
  public:
   SideParts(const Cells& original, const Cells& result, int threads);

@@ -138,8 +138,8 @@ class Balance {
 /// The array on the cells of the result, filled in where these are the same.
 Attribute of_same(const Attribute& array, const CellPairing& cells) {
   const auto stride = static_cast<std::size_t>(array.components);
-  Attribute result{array.name, array.dimension, array.components, array.integer,
-                   std::vector<double>(stride * cells.result.size())};
+  Attribute result = like(array);
+  result.values.resize(stride * cells.result.size());
   for (std::size_t i = 0; i < cells.same.size(); ++i)
     for (std::size_t k = 0; cells.same[i] != no_index && k < stride; ++k)
       result.values[stride * i + k] = array.values[stride * cells.same[i] + k];
@@ -151,13 +151,14 @@ void fill(std::span<const Attribute* const> arrays, std::uint32_t i,
           std::span<const CellPart> parts, std::vector<Attribute>& results) {
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     const Attribute& array = *arrays[a];
-    const bool mixes = kind_of(array) == FieldKind::Conserved;
+    const bool mixes = kind_of(array) != FieldKind::Label;
     const auto stride = static_cast<std::size_t>(array.components);
     for (std::size_t k = 0; k < stride; ++k) {
       const auto value_of = [&](std::uint32_t cell) { return array.values[stride * cell + k]; };
       results[a].values[stride * i + k] =
           mixes ? mean(parts, value_of) : prevailing(parts, value_of);
     }
+    if (mixes) settle(array, std::span(results[a].values).subspan(stride * i, stride));
   }
 }
 

@@ -22,13 +22,17 @@ glm::dvec3 Cells::centre(std::uint32_t i) const {
   return sum / static_cast<double>(vertices(i).size());
 }
 
-double Cells::measure(std::uint32_t i) const {
-  if (dimension_ == 1) return glm::distance(corner(i, 0), corner(i, 1));
-  if (dimension_ == 3) return volume(i);
+glm::dvec3 Cells::area_normal(std::uint32_t i) const {
   glm::dvec3 normal(0);
   for (std::size_t k = 2; k < vertices(i).size(); ++k)
     normal += glm::cross(corner(i, k - 1) - corner(i, 0), corner(i, k) - corner(i, 0));
-  return glm::length(normal) / 2;
+  return normal;
+}
+
+double Cells::measure(std::uint32_t i) const {
+  if (dimension_ == 1) return glm::distance(corner(i, 0), corner(i, 1));
+  if (dimension_ == 3) return volume(i);
+  return glm::length(area_normal(i)) / 2;
 }
 
 double Cells::volume(std::uint32_t i) const {

@@ -34,6 +34,8 @@ class Cells {
     return {corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3)};
   }
   [[nodiscard]] glm::dvec3 centre(std::uint32_t i) const;
+  /// Of a face, as a fan around its first vertex: its length is twice the area.
+  [[nodiscard]] glm::dvec3 area_normal(std::uint32_t i) const;
   /// Length, area or volume, whichever way it stands; faces as fans around their first vertex.
   [[nodiscard]] double measure(std::uint32_t i) const;
 

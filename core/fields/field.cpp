@@ -30,13 +30,31 @@ ComponentFacts facts_of(const Attribute& array, std::size_t component,
 }  // namespace
 
 FieldKind kind_of(const Attribute& array) {
+  if (array.meaning == Meaning::Normal && !array.integer) return FieldKind::Unit;
+  if (array.meaning == Meaning::Colour) return FieldKind::Colour;
   if (array.integer) return FieldKind::Label;
   return array.dimension == 0 ? FieldKind::Interpolated : FieldKind::Conserved;
 }
 
 std::string_view kind_name(FieldKind kind) {
-  constexpr std::string_view names[] = {"interpolated", "conserved", "label"};
+  constexpr std::string_view names[] = {"interpolated", "conserved", "label", "unit vector",
+                                        "colour"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+Attribute like(const Attribute& array) {
+  return {array.name, array.dimension, array.components, array.integer,
+          {},         array.type,      array.meaning,    array.names};
+}
+
+void settle(const Attribute& array, std::span<double> values) {
+  if (array.integer)
+    for (double& x : values) x = std::isfinite(x) ? std::round(x) : 0;
+  if (kind_of(array) != FieldKind::Unit) return;
+  double squares = 0;
+  for (const double x : values) squares += x * x;
+  if (squares > 0 && std::isfinite(squares))
+    for (double& x : values) x /= std::sqrt(squares);
 }
 
 FieldFacts facts_of(const Attribute& array, std::span<const double> measures) {

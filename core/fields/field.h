@@ -12,14 +12,21 @@ namespace aomd::fields {
 
 /// How the values of an array move when the geometry does.
 enum class FieldKind {
-  Interpolated,  ///< real numbers on vertices: linear inside tetrahedra
+  Interpolated,  ///< real numbers on vertices: linear inside tetrahedra and triangles
   Conserved,     ///< real numbers on edges, faces and regions: densities, whose integrals stay
-  Label          ///< whole numbers: never mixed
+  Label,         ///< whole numbers: never mixed
+  Unit,          ///< normals: interpolated, and made unit vectors again
+  Colour         ///< interpolated, and rounded where the file has whole numbers
 };
 
 [[nodiscard]] FieldKind kind_of(const Attribute& array);
-/// "interpolated", "conserved" or "label".
+/// "interpolated", "conserved", "label", "unit vector" or "colour".
 [[nodiscard]] std::string_view kind_name(FieldKind kind);
+
+/// The array without its values.
+[[nodiscard]] Attribute like(const Attribute& array);
+/// Makes the mixed values of one entity what the array's kind says: of length 1, or whole.
+void settle(const Attribute& array, std::span<double> values);
 
 /// A sum with what rounding takes from it kept beside it (Neumaier 1974).
 class Sum {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/buckets.h"
+
 namespace aomd::fields {
 namespace {
 
@@ -13,31 +15,12 @@ bool before(const glm::dvec3& a, const glm::dvec3& b) {
 using Row = std::vector<std::uint32_t>;
 
 /// Cells by their smallest vertex.
-class BySmallest {
- public:
-  explicit BySmallest(const Cells& cells) : starts_(cells.mesh().positions.size() + 1, 0) {
-    each(cells, [&](std::uint32_t, std::uint32_t low) { ++starts_[low + 1]; });
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    cells_.resize(cells.size());
-    Row next(starts_.begin(), starts_.end() - 1);
-    each(cells, [&](std::uint32_t i, std::uint32_t low) { cells_[next[low]++] = i; });
-  }
-
-  [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t vertex) const {
-    return std::span(cells_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
-  }
-
- private:
-  template <typename Visit>
-  static void each(const Cells& cells, Visit&& visit) {
-    for (std::uint32_t i = 0; i < cells.size(); ++i) {
-      const auto v = cells.vertices(i);
-      visit(i, *std::min_element(v.begin(), v.end()));
-    }
-  }
-
-  Row starts_, cells_;
-};
+Buckets<std::uint32_t> by_smallest(const Cells& cells) {
+  return {cells.mesh().positions.size(), [&](auto&& file) {
+            for (std::uint32_t i = 0; i < cells.size(); ++i)
+              file(std::ranges::min(cells.vertices(i)), i);
+          }};
+}
 
 }  // namespace
 
@@ -63,7 +46,7 @@ SameVertices::SameVertices(const MeshData& original, const MeshData& result)
 
 std::vector<std::uint32_t> same_cells(const Cells& original, const Cells& result,
                                       const SameVertices& vertices) {
-  const BySmallest known(original);
+  const Buckets<std::uint32_t> known = by_smallest(original);
   std::vector<std::uint32_t> same(result.size(), no_index);
   Row wanted, found;
   for (std::uint32_t i = 0; i < result.size(); ++i) {
@@ -71,7 +54,7 @@ std::vector<std::uint32_t> same_cells(const Cells& original, const Cells& result
     for (const std::uint32_t v : result.vertices(i)) wanted.push_back(vertices.only(v));
     std::sort(wanted.begin(), wanted.end());
     if (wanted.back() == no_index) continue;
-    for (const std::uint32_t k : known.at(wanted.front())) {
+    for (const std::uint32_t k : known[wanted.front()]) {
       const auto corners = original.vertices(k);
       found.assign(corners.begin(), corners.end());
       std::sort(found.begin(), found.end());

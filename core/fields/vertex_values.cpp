@@ -86,17 +86,22 @@ std::vector<VertexSource> vertex_sources(const Cells& original, const TetTree& t
   return sources;
 }
 
+double value_at(const Attribute& array, const VertexSource& source, std::size_t component) {
+  const bool mixes = kind_of(array) != FieldKind::Label;
+  if (source.corners[0] == no_index) return mixes ? std::numeric_limits<double>::quiet_NaN() : 0;
+  return mixes ? interpolated(array, source, component) : label(array, source, component);
+}
+
 Attribute at_vertices(const Attribute& array, const std::vector<VertexSource>& sources) {
-  Attribute result{array.name, 0, array.components, array.integer, {}};
-  result.values.reserve(sources.size() * static_cast<std::size_t>(array.components));
-  const bool mixes = kind_of(array) == FieldKind::Interpolated;
-  for (const VertexSource& source : sources)
-    for (std::size_t k = 0; k < static_cast<std::size_t>(array.components); ++k) {
-      const bool nothing = source.corners[0] == no_index;
-      result.values.push_back(nothing ? (mixes ? std::numeric_limits<double>::quiet_NaN() : 0)
-                              : mixes ? interpolated(array, source, k)
-                                      : label(array, source, k));
-    }
+  Attribute result = like(array);
+  const auto stride = static_cast<std::size_t>(array.components);
+  result.values.reserve(sources.size() * stride);
+  const bool mixes = kind_of(array) != FieldKind::Label;
+  for (const VertexSource& source : sources) {
+    for (std::size_t k = 0; k < stride; ++k) result.values.push_back(value_at(array, source, k));
+    if (mixes && (source.corners[0] == no_index || source.weights[0] != 1))
+      settle(array, std::span(result.values).last(stride));
+  }
   return result;
 }
 

@@ -9,8 +9,9 @@
 
 namespace aomd::fields {
 
-/// What the value at a vertex is made of: corners of a tetrahedron of the original, by weight, or
-/// one vertex alone. corners[0] is no_index where nothing is known.
+/// What the value at a vertex is made of: corners of a tetrahedron of the original, or of a
+/// triangle (the last of the four weighs nothing), by weight, or one vertex alone. corners[0] is
+/// no_index where nothing is known.
 struct VertexSource {
   std::array<std::uint32_t, 4> corners{no_index, no_index, no_index, no_index};
   Weights weights{1, 0, 0, 0};
@@ -22,6 +23,11 @@ struct VertexSource {
 [[nodiscard]] std::vector<VertexSource> vertex_sources(const Cells& original, const TetTree& tree,
                                                        const Cells& result,
                                                        const SameVertices& same, int threads);
+
+/// A component of an array on vertices at such a place; NaN, or the label 0, where nothing is
+/// known.
+[[nodiscard]] double value_at(const Attribute& array, const VertexSource& source,
+                              std::size_t component);
 
 /// An array of the original's vertices at those of the result. Labels come from the corner of the
 /// largest weight. What is no finite number has no say where the weights of the others add up to

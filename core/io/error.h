@@ -9,6 +9,8 @@
 
 #include "core/base/text.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::io {
 
 /// Where in a file something is wrong.
@@ -50,3 +52,5 @@ class LimitError : public FileError {
 };
 
 }  // namespace aomd::io
+
+#pragma GCC visibility pop

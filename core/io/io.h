@@ -10,6 +10,8 @@
 #include "core/io/error.h"
 #include "core/mesh/mesh_data.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::io {
 
 enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
@@ -41,9 +43,9 @@ struct EncodedMesh {
 
 /// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
 /// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
-/// nothing uses are kept, nodes that only higher-order elements use are not. Attributes that we do
-/// not know are passed over in OBJ, PLY, OFF and STL, and so is what follows the last face that is
-/// promised; a note names it. Of several arrays of one name and dimension the later ones are
+/// nothing uses are kept, nodes that only higher-order elements use are not. What follows the last
+/// face that is promised is passed over, and so are elements of PLY and lines of OBJ that we do not
+/// know; a note names them. Of several arrays of one name and dimension the later ones are
 /// renamed ("u (2)"). Faces lose repeated corners, and are dropped, as edges are, where
 /// fewer than 3 different ones (2 for edges) are left: a note counts them. A byte order mark means
 /// nothing. Cost: linear in the file; memory bounded by the file's size, whatever its header
@@ -62,10 +64,10 @@ struct EncodedMesh {
 /// What reads back equal ("-": left out):
 ///
 ///          shapes           classes                          attributes           model table
-///   OBJ    edges, faces     of faces (groups)                -                    -
-///   PLY    edges, faces     all                              -                    -
-///   OFF    faces            -                                -                    -
-///   STL    triangles        of faces (solids, in text)       -                    -
+///   OBJ    edges, faces     of faces (groups)                some (7)             -
+///   PLY    edges, faces     all                              all (4, 7)           -
+///   OFF    faces            -                                some (7)             -
+///   STL    triangles        of faces (solids, in text)       some (7)             -
 ///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
@@ -82,6 +84,8 @@ struct EncodedMesh {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 /// 6. Periodic links. No other format has them.
+/// 7. docs/ATTRIBUTES.md. PLY and OBJ hold values on corners too. Types come back as well, but from
+///    MSH and from text OBJ and OFF, which are doubles.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that
@@ -107,3 +111,5 @@ std::vector<std::string> write(const std::filesystem::path& path, const MeshData
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace aomd::io
+
+#pragma GCC visibility pop

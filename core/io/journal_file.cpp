@@ -22,7 +22,8 @@ enum JournalFlag : std::uint32_t {
   has_feature_angle = 1,
   nonmanifold_edges = 2,
   keep_present = 4,
-  all_flags = 7
+  seams_kept = 8,
+  all_flags = 15
 };
 
 /// FNV-1a over 64-bit values, with a last mix so that every bit counts.
@@ -54,8 +55,9 @@ std::uint64_t checksum(std::string_view bytes) {
   return hash.value();
 }
 
-std::uint32_t flags_of(const ClassifyOptions& options) {
-  return (options.feature_angle_deg ? has_feature_angle : 0u) |
+std::uint32_t flags_of(const JournalFile& file) {
+  const ClassifyOptions& options = file.classify;
+  return (file.seams ? seams_kept : 0u) | (options.feature_angle_deg ? has_feature_angle : 0u) |
          (options.nonmanifold_edges ? nonmanifold_edges : 0u) |
          (options.keep_present ? keep_present : 0u);
 }
@@ -65,7 +67,7 @@ void put_header(detail::ByteWriter& out, const JournalFile& file) {
   const auto put = [&](auto value) { out.raw<std::endian::little>(value); };
   out << magic;
   put(version);
-  put(flags_of(file.classify));
+  put(flags_of(file));
   for (const std::uint32_t n : file.start.counts) put(n);
   put(std::uint64_t{0});
   put(file.start.hash);
@@ -97,6 +99,7 @@ JournalFile parse_header(const detail::Source& source) {
   file.classify.corner_angle_deg = corner;
   file.classify.nonmanifold_edges = (flags & nonmanifold_edges) != 0;
   file.classify.keep_present = (flags & keep_present) != 0;
+  file.seams = (flags & seams_kept) != 0;
   return file;
 }
 

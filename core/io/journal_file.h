@@ -38,6 +38,7 @@ struct JournalFile {
   ClassifyOptions classify;
   MeshFingerprint start;
   Journal journal;
+  bool seams = false;  ///< the seams of the mesh were model edges; which these are is not stored
 };
 
 /// The bytes of a journal file.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/fields/carry_corners.h"
 #include "core/io/formats.h"
 #include "core/io/medit.h"
 #include "core/io/notes.h"
@@ -113,7 +114,7 @@ void follow_classes(const MeshData& original, const Attribute& labels, MeshData&
   const auto label = label_of_class(original.list(labels.dimension), labels);
   const EntityList& list = result.list(labels.dimension);
   if (!label || list.classes.empty()) return;
-  Attribute followed{labels.name, labels.dimension, 1, true, {}};
+  Attribute followed = fields::like(labels);
   for (const ModelRef m : list.classes) {
     const auto found = label->find(m);
     if (found == label->end()) return;
@@ -129,12 +130,13 @@ void restore(const MeshData& original, MeshData& result) {
     if (same_entities(original, result, a.dimension) && !held.has(a))
       result.attributes.push_back(a);
   result.periodic = original.periodic;
+  result.corners = original.corners;
 }
 
 /// What Medit says of entities is no field, and is followed by its own rules or not at all.
 bool is_of_medit(const Attribute& a) { return a.name.starts_with("medit:"); }
 
-/// The arrays of a volume that are still to be followed.
+/// The arrays that are still to be followed.
 std::vector<const Attribute*> open_arrays(const MeshData& original, const MeshData& result) {
   const Held held(result);
   std::vector<const Attribute*> arrays;
@@ -171,17 +173,21 @@ std::vector<fields::CarriedField> follow(const MeshData& original, MeshData& res
 CarriedAlong carry_along(const MeshData& original, MeshData& result, int threads) {
   detail::ItemList gone;
   CarriedAlong done;
+  result.remarks = original.remarks;
   if (unchanged(original, result)) {
     done.fields = fields::unmoved(open_arrays(original, MeshData()), original);
     restore(original, result);
   } else {
     done.fields = follow(original, result, threads, gone);
+    if (result.regions.empty()) result.corners = fields::carried_corners(original, result, threads);
     if (!original.periodic.empty()) gone.add("periodic links");
   }
   done.notes = missing_notes(done.fields);
   const Held held(result);
   for (const Attribute& a : original.attributes)
     if (!held.has(a)) gone.add(shown(a.name));
+  for (const Attribute& a : original.corners)
+    if (result.corners.empty()) gone.add(shown(a.name));
   if (!gone.empty())
     done.notes.push_back("left out, as it does not follow the operations: " + gone.text());
   return done;

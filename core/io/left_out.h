@@ -13,15 +13,15 @@ namespace aomd::io {
 struct CarriedAlong {
   /// What is to be said about it, a line each: how many values are no numbers, what is left out.
   std::vector<std::string> notes;
-  std::vector<fields::CarriedField> fields;  ///< the arrays of a volume that went along
+  std::vector<fields::CarriedField> fields;  ///< the arrays that went along
 };
 
 /// Makes `result`, to_data() of a Mesh that was built from `original`, true in all that operations
 /// do not see. Where nothing changed, that is all of the original: arrays too that a Mesh does not
-/// hold. Where something did, the arrays of a volume go along (fields::carry); those of a surface
-/// go, but for the marks and references of Medit (a mark of what is required stays on what is where
-/// it was) and labels that name the class of their entities (the materials of VTK), and so do
-/// periodic links. The same for any number of threads. O(size log size).
+/// hold. Where something did, the arrays go along (fields::carry), but for what Medit says: its
+/// marks and references stay (a mark of what is required on what is where it was), its normals go,
+/// and so do periodic links. Labels that name the class of their entities (the materials of VTK)
+/// follow that. The same for any number of threads. O(size log size).
 [[nodiscard]] CarriedAlong carry_along(const MeshData& original, MeshData& result, int threads = 1);
 
 }  // namespace aomd::io

@@ -8,34 +8,22 @@
 #include "core/base/box.h"
 #include "core/base/text.h"
 #include "core/io/formats.h"
+#include "core/io/held_arrays.h"
 #include "core/io/notes.h"
 #include "core/mesh/names.h"
 
 namespace aomd::io::detail {
 namespace {
 
-/// Whether each format holds edges, the classes of edges and vertices, and attributes of any name.
+/// Whether each format holds edges, and the classes of edges and vertices.
 struct Holds {
-  bool edges, classes, attributes;
+  bool edges, classes;
 };
 
 Holds what_holds(Format format) {
-  switch (format) {
-    case Format::Obj:
-      return {true, false, false};
-    case Format::Off:
-    case Format::Stl:
-      return {false, false, false};
-    case Format::Ply:
-    case Format::Medit:
-    case Format::Su2:  // its own losses are add_what_markers_lack()
-      return {true, true, false};
-    case Format::Msh:
-    case Format::Vtk:
-    case Format::Vtu:
-      break;
-  }
-  return {true, true, true};
+  if (format == Format::Obj) return {true, false};
+  const bool neither = format == Format::Off || format == Format::Stl;
+  return {!neither, !neither};  // what SU2 loses is add_what_markers_lack()
 }
 
 bool classified(const std::vector<ModelRef>& classes) {
@@ -101,6 +89,33 @@ double largest_move(const MeshData& mesh) {
   return largest;
 }
 
+/// What a line about the whole is called where the format has no place for it, else an empty
+/// string.
+std::string lost_remark(Format format, bool binary, const Remark& remark) {
+  if (remark.keyword == "mtllib")
+    return format == Format::Obj ? std::string() : "material library " + shown(remark.text);
+  if (remark.keyword == stl_solid)
+    return format == Format::Stl && !binary ? std::string() : "solid name " + shown(remark.text);
+  return format == Format::Ply ? std::string() : "comments";
+}
+
+/// Arrays that the format has no place for, and names of labels. OBJ and STL write names for
+/// labels.
+void add_arrays(Format format, bool binary, const MeshData& mesh, ItemList& left_out) {
+  const std::vector<const Attribute*> held = held_arrays(format, binary, mesh);
+  const auto look = [&](const Attribute& a) {
+    if (std::find(held.begin(), held.end(), &a) == held.end())
+      left_out.add("attribute " + shown(a.name));
+    else if (!a.names.empty() && format != Format::Obj && format != Format::Stl)
+      left_out.add("names of " + shown(a.name));
+  };
+  for (const Attribute& a : mesh.attributes) look(a);
+  for (const Attribute& a : mesh.corners) look(a);
+  for (const Remark& remark : mesh.remarks)
+    if (const std::string lost = lost_remark(format, binary, remark); !lost.empty())
+      left_out.add(lost);
+}
+
 }  // namespace
 
 void note_losses(Format format, bool binary, const MeshData& mesh,
@@ -117,10 +132,7 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
   if (!holds.classes && classified(mesh.vertex_classes)) left_out.add("classification of vertices");
   if (!holds.classes && classified(mesh.edges.classes)) left_out.add("classification of edges");
   if (faces_lose && classified(mesh.faces.classes)) left_out.add("classification of faces");
-  for (const Attribute& a : mesh.attributes) {
-    if (!holds.attributes && !(format == Format::Medit && a.name.starts_with("medit:")))
-      left_out.add("attribute " + shown(a.name));
-  }
+  add_arrays(format, binary, mesh, left_out);
   if (!mesh.periodic.empty() && format != Format::Msh) left_out.add("periodic links");
   if (!mesh.model.groups.empty() && format != Format::Msh && format != Format::Su2)
     left_out.add("names of physical groups");

@@ -6,16 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <istream>
+#include <limits>
 #include <map>
 #include <streambuf>
 
 #include "core/base/text.h"
-#include "core/io/byte_writer.h"
 #include "core/io/class_names.h"
+#include "core/io/corner_values.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
+#include "core/io/named_faces.h"
 #include "core/io/obj_text.h"
+#include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -44,6 +48,8 @@ class Names {
   std::uint32_t current_ = 0;
 };
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 /// Receives tinyobjloader's elements. Faces are first classified by their part, a combination of
 /// group, object and material; finish() then decides which of the three counts.
 class ObjReader {
@@ -52,6 +58,7 @@ class ObjReader {
       : source_(source), text_(scan_obj(source)), faces_(text_.positions.size(), 1) {}
 
   ReadResult read() {
+    if (!text_.texture.corners.empty() || !text_.normals.corners.empty()) faces_.keep_origins();
     faces_.reserve(text_.face_offsets.size());
     load();
     if (vertices_ != text_.positions.size() || face_ != text_.face_offsets.size()) {
@@ -66,15 +73,21 @@ class ObjReader {
     }
     faces_.drop(text_.short_faces, text_.short_lines);
     faces_.finish(result.mesh, result.notes);
+    add_labels(result.mesh);
     classify(result);
+    add_colours(result.mesh);
+    add_values(text_.texture, {"uv", 0, 0, false, {}, {}, Meaning::Texture}, result.mesh);
+    add_values(text_.normals, {"normal", 0, 0, false, {}, {}, Meaning::Normal}, result.mesh);
+    for (std::string& library : text_.libraries)
+      result.mesh.remarks.push_back({"mtllib", std::move(library)});
     note_left_out(result.notes, text_.left_out);
     drop_empty_classes(result.mesh);
     return result;
   }
 
  private:
-  using Part = std::array<std::uint32_t, 3>;
-  enum Level { Groups, Objects, Materials };
+  using Part = std::array<std::uint32_t, 4>;
+  enum Level { Groups, Objects, Materials, Smoothing };
 
   void load() {
     tinyobj::callback_t callback;
@@ -117,6 +130,9 @@ class ObjReader {
       const std::int64_t index = corners[i].vertex_index;
       polygon_.push_back(index > 0 ? index - 1 : static_cast<std::int64_t>(vertices_) + index);
     }
+    for (; smoothing_ < text_.smoothing.size() && text_.smoothing[smoothing_].face == face_;
+         ++smoothing_)
+      enter(Smoothing, std::to_string(text_.smoothing[smoothing_].group));
     if (!part_known_) find_part();
     const std::string wrong = faces_.add(polygon_, ModelRef(2, part_));
     if (!wrong.empty()) source_.fail_at_line(text_.face_offsets[face_], wrong);
@@ -125,10 +141,69 @@ class ObjReader {
 
   void find_part() {
     const Part part{names_[Groups].current(), names_[Objects].current(),
-                    names_[Materials].current()};
+                    names_[Materials].current(), names_[Smoothing].current()};
     part_ = part_numbers_.try_emplace(part, static_cast<std::int32_t>(parts_.size())).first->second;
     if (static_cast<std::size_t>(part_) == parts_.size()) parts_.push_back(part);
     part_known_ = true;
+  }
+
+  /// What faces are called, as arrays; groups that say no more than our classes are none.
+  void add_labels(MeshData& mesh) const {
+    constexpr const char* words[] = {obj_group, obj_object, obj_material, obj_smoothing};
+    for (const Level level : {Groups, Objects, Materials, Smoothing}) {
+      std::vector<std::string> names;
+      const std::vector<std::size_t> name_of_part = names_in_use(level, names);
+      const bool says_nothing = std::all_of(names.begin(), names.end(), [&](const std::string& n) {
+        return n.empty() || (level == Groups && class_of_name(n));
+      });
+      if (says_nothing) continue;
+      Attribute label{words[level], 2, 1, true, {}};
+      for (const ModelRef m : mesh.faces.classes)
+        label.values.push_back(
+            static_cast<double>(name_of_part[static_cast<std::size_t>(m.tag())]));
+      label.names = std::move(names);
+      if (level == Smoothing) use_numbers(label);
+      mesh.attributes.push_back(std::move(label));
+    }
+  }
+
+  /// Smoothing groups have no names but numbers.
+  static void use_numbers(Attribute& label) {
+    for (double& x : label.values)
+      x = std::strtod(label.names[static_cast<std::size_t>(x)].c_str(), nullptr);
+    label.names.clear();
+  }
+
+  void add_colours(MeshData& mesh) {
+    if (text_.colours.numbers.empty()) return;
+    mesh.attributes.push_back({"color",
+                               0,
+                               text_.colours.components,
+                               false,
+                               std::move(text_.colours.numbers),
+                               {},
+                               Meaning::Colour});
+  }
+
+  /// What the corners name; on vertices where all corners of each agree.
+  void add_values(const ObjText::Values& values, Attribute a, MeshData& mesh) {
+    if (values.corners.empty()) {
+      if (values.size() > 0) text_.left_out.add(a.name + " values that no face names");
+      return;
+    }
+    const auto n = static_cast<std::size_t>(values.components);
+    a.components = values.components;
+    a.dimension = 2;
+    a.values.reserve(n * values.corners.size());
+    std::size_t wrong = 0;
+    for (const std::uint32_t i : values.corners) {
+      wrong += i != no_index && i >= values.size();
+      for (std::size_t k = 0; k < n; ++k)
+        a.values.push_back(i < values.size() ? values.numbers[n * i + k] : no_number);
+    }
+    if (wrong > 0) text_.left_out.add(a.name + " indices out of range");
+    spread_to_corners(a, faces_.origins());
+    if (!move_to_vertices(a, mesh)) mesh.corners.push_back(std::move(a));
   }
 
   void classify(ReadResult& result) const {
@@ -164,8 +239,8 @@ class ObjReader {
   const Source& source_;
   ObjText text_;
   FaceSink faces_;
-  std::size_t vertices_ = 0, face_ = 0;
-  std::array<Names, 3> names_;
+  std::size_t vertices_ = 0, face_ = 0, smoothing_ = 0;
+  std::array<Names, 4> names_;
   std::vector<Part> parts_;
   std::map<Part, std::int32_t> part_numbers_;
   std::int32_t part_ = 0;
@@ -176,28 +251,5 @@ class ObjReader {
 }  // namespace
 
 ReadResult read_obj(const Source& source) { return ObjReader(source).read(); }
-
-std::string write_obj(const MeshData& mesh) {
-  ByteWriter out;
-  out.reserve(48 * mesh.positions.size() + 24 * mesh.faces.size());
-  out << "# AOMD Studio\n";
-  for (const glm::dvec3& p : mesh.positions) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  const auto element = [&](std::string_view keyword, std::span<const std::uint32_t> vertices) {
-    out << keyword;
-    for (const std::uint32_t v : vertices) out << ' ' << std::uint64_t{v} + 1;
-    out << '\n';
-  };
-  for_each_entity(mesh.edges, [&](auto vertices, ModelRef) { element("l", vertices); });
-  const bool classified = !mesh.faces.classes.empty();
-  ModelRef group;
-  bool first = true;
-  for_each_entity(mesh.faces, [&](auto vertices, ModelRef model) {
-    if (classified && (first || model != group)) out << "g " << class_name(model) << '\n';
-    group = model;
-    first = false;
-    element("f", vertices);
-  });
-  return out.take();
-}
 
 }  // namespace aomd::io::detail

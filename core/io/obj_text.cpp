@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/io/text_cursor.h"
+#include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -14,15 +17,28 @@ namespace {
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// What the lines of a keyword hold that we pass over.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> keyword_meanings{
-    {{"vt", "texture coordinates"},
-     {"vn", "normals"},
-     {"mtllib", "materials"},
-     {"usemtl", "materials"},
-     {"s", "smoothing groups"},
-     {"p", "points"},
-     {"vp", "free-form geometry"},
-     {"cstype", "free-form geometry"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> keyword_meanings{
+    {{"p", "points"}, {"vp", "free-form geometry"}, {"cstype", "free-form geometry"}}};
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+/// Appends a value of `given` numbers; earlier ones of fewer get more.
+void append(ObjText::Values& values, std::span<const double> given, double absent) {
+  const auto n = static_cast<std::size_t>(values.components);
+  if (given.size() > n) {
+    std::vector<double> wider;
+    for (std::size_t i = 0; n > 0 && i < values.numbers.size(); i += n) {
+      wider.insert(wider.end(), values.numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                   values.numbers.begin() + static_cast<std::ptrdiff_t>(i + n));
+      wider.resize(wider.size() + given.size() - n, absent);
+    }
+    values.numbers = std::move(wider);
+    values.components = static_cast<int>(given.size());
+  }
+  values.numbers.insert(values.numbers.end(), given.begin(), given.end());
+  values.numbers.resize(
+      values.numbers.size() + static_cast<std::size_t>(values.components) - given.size(), absent);
+}
 
 class ObjScanner {
  public:
@@ -37,6 +53,9 @@ class ObjScanner {
     TextCursor cursor(source_, text_.cleaned);
     while (!cursor.skip_to_content()) element(cursor);
     if (text_.positions.empty()) source_.fail("no vertices: this is not an OBJ file");
+    if (!text_.colours.numbers.empty()) pad_colours();
+    for (ObjText::Values* values : {&text_.texture, &text_.normals})
+      if (!values->corners.empty()) values->corners.resize(corners_, no_index);
     return std::move(text_);
   }
 
@@ -44,9 +63,13 @@ class ObjScanner {
   void element(TextCursor& cursor) {
     const std::size_t start = cursor.offset();
     const std::string_view keyword = small(start, cursor.word());
-    if (keyword == "v" || keyword == "f" || keyword == "l") tidy(cursor.offset());
+    if (keyword == "v" || keyword == "f" || keyword == "l" || keyword == "vt" || keyword == "vn")
+      tidy(cursor.offset());
     if (keyword == "v") {
       vertex(cursor);
+    } else if (keyword == "vt" || keyword == "vn") {
+      keyword == "vt" ? value(cursor, text_.texture, 2) : value(cursor, text_.normals, 3);
+      blank(start, cursor.offset());
     } else if (keyword == "f") {
       face(cursor, start);
     } else if (keyword == "l") {
@@ -70,9 +93,14 @@ class ObjScanner {
     if (!name && !keyword.starts_with('#')) tidy(cursor.offset());
     TextCursor ahead = cursor;
     const std::string_view value = ahead.word();
-    const bool nothing = keyword.starts_with('#') || keyword == "g" || keyword == "o" ||
-                         (keyword == "s" && (value == "off" || value == "0"));
-    if (!nothing) leave_out(keyword);
+    if (keyword == "mtllib") {
+      TextCursor names = cursor;
+      text_.libraries.emplace_back(names.rest_of_line());
+    } else if (keyword == "s") {
+      smoothing(value);
+    } else if (!name && !keyword.starts_with('#')) {
+      leave_out(keyword);
+    }
     cursor.skip_line();
     if (!name) blank(start, cursor.offset());
   }
@@ -112,20 +140,68 @@ class ObjScanner {
   void vertex(TextCursor& cursor) {
     const double x = cursor.real("x"), y = cursor.real("y"), z = cursor.real("z");
     text_.positions.emplace_back(x, y, z);
-    std::size_t more = 0;
-    for (; !cursor.line_done(); ++more) cursor.real("a weight or colour");
-    if (more > 1) text_.left_out.add("vertex colours");
+    more_.clear();
+    while (!cursor.line_done()) more_.push_back(cursor.real("a weight or colour"));
+    if (more_.size() == 3 || more_.size() == 4)
+      colour();
+    else if (more_.size() > 1)
+      text_.left_out.add("vertex colours");
     cursor.end_line();
+  }
+
+  /// Of the present vertex.
+  void colour() {
+    if (text_.colours.components == 0) text_.colours.components = static_cast<int>(more_.size());
+    while (text_.colours.size() + 1 < text_.positions.size()) append(text_.colours, {}, not_given);
+    append(text_.colours, more_, not_given);
+  }
+  void pad_colours() {
+    while (text_.colours.size() < text_.positions.size()) append(text_.colours, {}, not_given);
+  }
+
+  /// Of `vt` (one number or more, of which three count) or `vn`. What is no number is NaN.
+  void value(TextCursor& cursor, ObjText::Values& values, std::size_t least) {
+    more_.clear();
+    while (!cursor.line_done()) {
+      const double x = number_of(cursor.word()).value_or(not_given);
+      if (more_.size() < 3) more_.push_back(x);
+    }
+    more_.resize(std::max(more_.size(), least));
+    append(values, more_, 0);
+    cursor.end_line();
+  }
+
+  void smoothing(std::string_view value) {
+    std::int64_t group = 0;
+    std::from_chars(value.data(), value.data() + value.size(), group);
+    text_.smoothing.push_back({text_.face_offsets.size(), group});
   }
 
   /// Checks the corners; tinyobjloader reads their vertices again.
   void face(TextCursor& cursor, std::size_t start) {
-    std::size_t corners = 0;
-    for (; !cursor.line_done(); ++corners) vertex_of(cursor);
+    const std::size_t first = corners_;
+    for (; !cursor.line_done(); ++corners_) {
+      vertex_of(cursor);
+      name_value(text_.texture, others_[0]);
+      name_value(text_.normals, others_[1]);
+    }
     cursor.end_line();
-    if (corners > 2) return text_.face_offsets.push_back(start);
+    if (corners_ - first > 2) return text_.face_offsets.push_back(start);
     ++text_.short_faces;
     blank(start, cursor.offset());
+    corners_ = first;
+    for (ObjText::Values* values : {&text_.texture, &text_.normals})
+      values->corners.resize(std::min(values->corners.size(), first));
+  }
+
+  /// The present corner has this value, as the file counts: from 1, or back from the last so far.
+  void name_value(ObjText::Values& values, std::int64_t index) const {
+    if (index == 0) return;
+    const std::int64_t place =
+        index > 0 ? index - 1 : static_cast<std::int64_t>(values.size()) + index;
+    values.corners.resize(corners_, no_index);
+    values.corners.push_back(place < 0 || place >= no_index ? no_index - 1
+                                                            : static_cast<std::uint32_t>(place));
   }
 
   void line(TextCursor& cursor) {
@@ -151,18 +227,18 @@ class ObjScanner {
     int vertex = 0;
     const auto [stop, error] = std::from_chars(word.data(), end, vertex);
     if (vertex == 0 && error == std::errc{}) cursor.fail("vertex index 0: OBJ counts from 1");
-    if (error != std::errc{} || !other_indices(stop, end))
+    if (error != std::errc{} || !other_indices(stop, end, others_))
       cursor.fail("expected a vertex index, found " + shown(word));
     if (stop != end) blank(cursor.offset() - static_cast<std::size_t>(end - stop), cursor.offset());
     return vertex;
   }
 
   /// True where up to two indices follow, each after a slash and each of them perhaps left out.
-  static bool other_indices(const char* p, const char* end) {
-    for (int part = 0; part < 2 && p != end; ++part) {
+  static bool other_indices(const char* p, const char* end, std::array<std::int64_t, 2>& indices) {
+    indices = {};
+    for (std::size_t part = 0; part < 2 && p != end; ++part) {
       if (*p++ != '/') return false;
-      std::int64_t index = 0;
-      const auto [stop, error] = std::from_chars(p, end, index);
+      const auto [stop, error] = std::from_chars(p, end, indices[part]);
       if (error == std::errc::result_out_of_range) return false;
       p = stop;
     }
@@ -171,6 +247,9 @@ class ObjScanner {
 
   const Source& source_;
   ObjText text_;
+  std::size_t corners_ = 0;               ///< of the faces so far
+  std::array<std::int64_t, 2> others_{};  ///< what the present corner names besides its vertex
+  std::vector<double> more_;
   std::array<bool, keyword_meanings.size()> said_{};
 };
 

@@ -1,57 +1,19 @@
-// OFF: [ST][C][N][4]OFF, with the prefixes in any order, in text and binary. Colours, normals and
-// texture coordinates are passed over.
+// OFF: [ST][C][N][4]OFF, with the prefixes in any order, in text and binary.
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
-#include <optional>
 
 #include "core/base/text.h"
-#include "core/io/byte_writer.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
 #include "core/io/notes.h"
+#include "core/io/off_arrays.h"
 #include "core/io/text_cursor.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
-
-/// What the header word says of a vertex.
-struct OffHeader {
-  bool texture = false, colour = false, normal = false;
-  bool weight = false;  ///< a fourth coordinate, which divides the other three
-
-  /// How many values may follow the coordinates.
-  [[nodiscard]] std::size_t extra() const {
-    return (texture ? 2u : 0u) + (colour ? 4u : 0u) + (normal ? 3u : 0u);
-  }
-  void name_in(ItemList& left_out) const {
-    if (texture) left_out.add("texture coordinates");
-    if (colour) left_out.add("vertex colours");
-    if (normal) left_out.add("normals");
-  }
-};
-
-/// Nothing where the word is none of ours. Not all programs keep to one order of the prefixes, and
-/// some write small letters; "nOFF" among capitals is of another dimension.
-std::optional<OffHeader> header_of(std::string_view word) {
-  if (word.starts_with('n') && word.ends_with("OFF")) return {};
-  const std::string small = lower(word);
-  word = small;
-  OffHeader header;
-  const auto take = [&](std::string_view prefix, bool& there) {
-    if (there || !word.starts_with(prefix)) return false;
-    word.remove_prefix(prefix.size());
-    return there = true;
-  };
-  while (take("st", header.texture) || take("c", header.colour) || take("n", header.normal) ||
-         take("4", header.weight)) {
-  }
-  if (word != "off") return {};
-  return header;
-}
 
 /// From four coordinates to three; false where the quotients are not finite.
 bool divide(glm::dvec3& p, double weight) {
@@ -68,8 +30,7 @@ struct Counts {
 class OffText {
  public:
   OffText(const Source& source, const TextCursor& cursor, const OffHeader& header)
-      : source_(source), cursor_(cursor), header_(header), extra_(header.extra()) {
-    header_.name_in(left_out_);
+      : source_(source), cursor_(cursor), header_(header), arrays_(header) {
     cursor_.join_lines();
   }
 
@@ -89,8 +50,9 @@ class OffText {
       face(faces);
     }
     faces.finish(result.mesh, result.notes);
-    if (coloured_) left_out_.add("face colours");
-    note_left_out(result.notes, left_out_);
+    ItemList left_out;
+    arrays_.finish(result.mesh, faces, NumberType::Float64, left_out);
+    note_left_out(result.notes, left_out);
     cursor_.skip_to_content();
     note_rest(result.notes, cursor_.rest(), "face");
     return result;
@@ -130,8 +92,10 @@ class OffText {
     glm::dvec3 p(x, y, z);
     if (header_.weight && !divide(p, cursor_.real("the fourth coordinate")))
       cursor_.fail("a vertex at infinity");
-    for (std::size_t i = 0; i < extra_ && !cursor_.line_done(); ++i) pass_over_number();
+    more_.clear();
+    while (more_.size() < header_.extra() && !cursor_.line_done()) take_number();
     cursor_.end_line();
+    if (header_.extra() > 0) arrays_.add_vertex(more_);
     return p;
   }
 
@@ -142,24 +106,27 @@ class OffText {
     }
     polygon_.resize(static_cast<std::size_t>(n));
     for (std::int64_t& index : polygon_) index = cursor_.integer("a vertex index");
+    more_.clear();
+    while (!cursor_.line_done()) take_number();
+    if (arrays_.begins_face_colours(more_)) faces.keep_origins();
     const std::string wrong = faces.add(polygon_);
     if (!wrong.empty()) cursor_.fail(wrong);
-    coloured_ = coloured_ || !cursor_.line_done();
-    while (!cursor_.line_done()) pass_over_number();
     cursor_.end_line();
+    arrays_.add_face(more_);
   }
 
-  void pass_over_number() {
+  void take_number() {
     const std::string_view word = cursor_.word();
-    if (!is_number(word)) cursor_.fail("expected a number, found " + shown_no_number(word));
+    const auto number = number_of(word);
+    if (!number) cursor_.fail("expected a number, found " + shown_no_number(word));
+    more_.push_back({*number, word.find_first_not_of("+0123456789") == std::string_view::npos});
   }
 
   const Source& source_;
   TextCursor cursor_;
   OffHeader header_;
-  std::size_t extra_;
-  ItemList left_out_;
-  bool coloured_ = false;
+  OffArrays arrays_;
+  std::vector<OffArrays::Number> more_;  ///< what stands behind the present vertex or face
   std::vector<std::int64_t> polygon_;
 };
 
@@ -168,8 +135,7 @@ class OffText {
 class OffBinary {
  public:
   OffBinary(const Source& source, std::size_t start, const OffHeader& header)
-      : source_(source), at_(start), header_(header) {
-    header_.name_in(left_out_);
+      : source_(source), at_(start), header_(header), arrays_(header) {
     if (fits()) return;
     little_ = true;
     little_ = fits();
@@ -187,8 +153,9 @@ class OffBinary {
     sink.reserve(faces);
     for (std::uint32_t i = 0; i < faces; ++i) face(sink);
     sink.finish(result.mesh, result.notes);
-    if (coloured_) left_out_.add("face colours");
-    note_left_out(result.notes, left_out_);
+    ItemList left_out;
+    arrays_.finish(result.mesh, sink, NumberType::Float32, left_out);
+    note_left_out(result.notes, left_out);
     note_rest(result.notes, source_.bytes.substr(at_), "face");
     if (little_) result.notes.emplace_back("read as little-endian");
     return result;
@@ -250,8 +217,8 @@ class OffBinary {
     const double x = real(), y = real(), z = real();
     glm::dvec3 p(x, y, z);
     if (header_.weight && !divide(p, real())) source_.fail_at_byte(at_ - 4, "a vertex at infinity");
-    require(4 * header_.extra());
-    at_ += 4 * header_.extra();
+    take_numbers(header_.extra());
+    if (header_.extra() > 0) arrays_.add_vertex(more_);
     return p;
   }
 
@@ -261,43 +228,31 @@ class OffBinary {
     require(4 * n);
     polygon_.resize(n);
     for (std::int64_t& index : polygon_) index = static_cast<std::int32_t>(take());
+    take_numbers(take());
+    if (arrays_.begins_face_colours(more_)) sink.keep_origins();
     const std::string wrong = sink.add(polygon_);
     if (!wrong.empty()) source_.fail_at_byte(start, wrong);
-    const std::uint64_t colours = take();
-    require(4 * colours);
-    at_ += 4 * colours;
-    coloured_ = coloured_ || colours > 0;
+    arrays_.add_face(more_);
+  }
+
+  void take_numbers(std::uint64_t n) {
+    require(4 * n);
+    more_.resize(n);
+    for (OffArrays::Number& x : more_) x = {std::bit_cast<float>(take()), false};
   }
 
   const Source& source_;
   std::size_t at_;
   OffHeader header_;
-  bool little_ = false, coloured_ = false;
-  ItemList left_out_;
+  OffArrays arrays_;
+  std::vector<OffArrays::Number> more_;
+  bool little_ = false;
   std::vector<std::int64_t> polygon_;
 };
 
-std::string write_off_binary(const MeshData& mesh) {
-  ByteWriter out;
-  const auto integer = [&](std::size_t n) {
-    out.raw<std::endian::big>(static_cast<std::uint32_t>(n));
-  };
-  out << "OFF BINARY\n";
-  for (const std::size_t n : {mesh.positions.size(), mesh.faces.size(), std::size_t{0}}) integer(n);
-  for (const glm::dvec3& p : mesh.positions) {
-    for (int axis = 0; axis < 3; ++axis) out.raw<std::endian::big>(static_cast<float>(p[axis]));
-  }
-  for_each_entity(mesh.faces, [&](auto corners, ModelRef) {
-    integer(corners.size());
-    for (const std::uint32_t v : corners) integer(v);
-    integer(0);  // no colours
-  });
-  return out.take();
-}
-
 }  // namespace
 
-bool is_off(std::string_view first_word) { return header_of(first_word).has_value(); }
+bool is_off(std::string_view first_word) { return off_header(first_word).has_value(); }
 
 ReadResult read_off(const Source& source) {
   const Source text = without_padding(source);
@@ -305,7 +260,7 @@ ReadResult read_off(const Source& source) {
   cursor.skip_to_content();
   TextCursor ahead = cursor;
   const std::string_view word = ahead.word();
-  const auto header = header_of(word);
+  const auto header = off_header(word);
   if (!header && lower(word).ends_with("off"))
     cursor.fail("only three-dimensional OFF is read, not " + shown(word) + ": export OFF or PLY");
   // Some programs leave the word out.
@@ -317,20 +272,6 @@ ReadResult read_off(const Source& source) {
     return OffBinary(source, after.offset(), *header).read();
   }
   return OffText(text, ahead, *header).read();
-}
-
-std::string write_off(const MeshData& mesh, bool binary) {
-  if (binary) return write_off_binary(mesh);
-  ByteWriter out;
-  out.reserve(48 * mesh.positions.size() + 24 * mesh.faces.size());
-  out << "OFF\n" << mesh.positions.size() << ' ' << mesh.faces.size() << " 0\n";
-  for (const glm::dvec3& p : mesh.positions) out << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  for_each_entity(mesh.faces, [&](auto corners, ModelRef) {
-    out << corners.size();
-    for (const std::uint32_t v : corners) out << ' ' << v;
-    out << '\n';
-  });
-  return out.take();
 }
 
 }  // namespace aomd::io::detail

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 #include "core/io/ply_header.h"
@@ -29,10 +30,14 @@ class PlyText {
   }
   void end_element() { cursor_.end_line(); }
 
-  double real(PlyType, const char* what) { return cursor_.real(what); }
-  std::int64_t integer(PlyType, const char* what) { return cursor_.integer(what); }
-  void skip(PlyType) {
-    if (cursor_.word().empty()) cursor_.fail("the line ends before all properties are there");
+  double real(NumberType, const char* what) { return cursor_.real(what); }
+  std::int64_t integer(NumberType, const char* what) { return cursor_.integer(what); }
+  void skip(NumberType type) { (void)any(type); }
+  /// Whatever stands there: NaN for what is no number.
+  double any(NumberType) {
+    const std::string_view word = cursor_.word();
+    if (word.empty()) cursor_.fail("the line ends before all properties are there");
+    return number_of(word).value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
  private:
@@ -52,18 +57,18 @@ class PlyBinary {
   [[nodiscard]] std::string_view rest() const { return source_.bytes.substr(at_); }
   void end_element() {}
 
-  double real(PlyType type, const char* what) {
+  double real(NumberType type, const char* what) {
     const double value = number(type);
     if (!std::isfinite(value)) fail(std::string(what) + " is not a finite number");
     return value;
   }
-  std::int64_t integer(PlyType type, const char* what) {
+  std::int64_t integer(NumberType type, const char* what) {
     switch (type) {
-      case PlyType::Int32:
+      case NumberType::Int32:
         return take<std::int32_t>();
-      case PlyType::UInt32:
+      case NumberType::UInt32:
         return take<std::uint32_t>();
-      case PlyType::UInt8:
+      case NumberType::UInt8:
         return take<std::uint8_t>();
       default:
         break;
@@ -73,27 +78,31 @@ class PlyBinary {
       fail(std::string(what) + " is not a whole number");
     return static_cast<std::int64_t>(value);
   }
-  void skip(PlyType type) { take_bytes(size_of(type)); }
+  void skip(NumberType type) { take_bytes(size_of(type)); }
+  double any(NumberType type) { return number(type); }
 
  private:
-  double number(PlyType type) {
+  double number(NumberType type) {
     switch (type) {
-      case PlyType::Int8:
+      case NumberType::Int8:
         return take<std::int8_t>();
-      case PlyType::UInt8:
+      case NumberType::UInt8:
         return take<std::uint8_t>();
-      case PlyType::Int16:
+      case NumberType::Int16:
         return take<std::int16_t>();
-      case PlyType::UInt16:
+      case NumberType::UInt16:
         return take<std::uint16_t>();
-      case PlyType::Int32:
+      case NumberType::Int32:
         return take<std::int32_t>();
-      case PlyType::UInt32:
+      case NumberType::UInt32:
         return take<std::uint32_t>();
-      case PlyType::Float32:
+      case NumberType::Float32:
         return take<float>();
-      case PlyType::Float64:
+      case NumberType::Float64:
         return take<double>();
+      case NumberType::Int64:
+      case NumberType::UInt64:
+        break;  // PLY has none
     }
     return 0;
   }

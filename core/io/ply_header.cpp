@@ -10,24 +10,24 @@
 namespace aomd::io::detail {
 namespace {
 
-PlyType type_named(TextCursor& cursor) {
-  constexpr std::array<std::pair<std::string_view, PlyType>, 16> types{{
-      {"char", PlyType::Int8},
-      {"int8", PlyType::Int8},
-      {"uchar", PlyType::UInt8},
-      {"uint8", PlyType::UInt8},
-      {"short", PlyType::Int16},
-      {"int16", PlyType::Int16},
-      {"ushort", PlyType::UInt16},
-      {"uint16", PlyType::UInt16},
-      {"int", PlyType::Int32},
-      {"int32", PlyType::Int32},
-      {"uint", PlyType::UInt32},
-      {"uint32", PlyType::UInt32},
-      {"float", PlyType::Float32},
-      {"float32", PlyType::Float32},
-      {"double", PlyType::Float64},
-      {"float64", PlyType::Float64},
+NumberType type_named(TextCursor& cursor) {
+  constexpr std::array<std::pair<std::string_view, NumberType>, 16> types{{
+      {"char", NumberType::Int8},
+      {"int8", NumberType::Int8},
+      {"uchar", NumberType::UInt8},
+      {"uint8", NumberType::UInt8},
+      {"short", NumberType::Int16},
+      {"int16", NumberType::Int16},
+      {"ushort", NumberType::UInt16},
+      {"uint16", NumberType::UInt16},
+      {"int", NumberType::Int32},
+      {"int32", NumberType::Int32},
+      {"uint", NumberType::UInt32},
+      {"uint32", NumberType::UInt32},
+      {"float", NumberType::Float32},
+      {"float32", NumberType::Float32},
+      {"double", NumberType::Float64},
+      {"float64", NumberType::Float64},
   }};
   const std::string_view word = cursor.word();
   for (const auto& [name, type] : types) {
@@ -109,7 +109,8 @@ PlyHeader read_ply_header(const Source& source) {
     if (cursor.skip_to_content()) cursor.fail("the file ends within the PLY header");
     const std::string keyword = lower(cursor.word());
     if (keyword == "comment" || keyword == "obj_info") {
-      cursor.skip_line();
+      const std::string_view text = cursor.rest_of_line();
+      if (text != own_comment) header.remarks.push_back({keyword, std::string(text)});
       continue;
     }
     if (keyword == "end_header") {

@@ -3,26 +3,24 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/io/source.h"
+#include "core/mesh/mesh_data.h"
 
 namespace aomd::io::detail {
 
-enum class PlyType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
-enum class PlyEncoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
+/// What our writer puts into the header.
+inline constexpr std::string_view own_comment = "AOMD Studio";
 
-/// Bytes that one value takes in binary files.
-[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
+enum class PlyEncoding : std::uint8_t { Ascii, LittleEndian, BigEndian };
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Float32;
+  NumberType type = NumberType::Float32;
   bool list = false;
-  PlyType count_type = PlyType::UInt8;  ///< of a list
+  NumberType count_type = NumberType::UInt8;  ///< of a list
 };
 
 struct PlyElement {
@@ -39,7 +37,8 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
-  std::size_t body = 0;  ///< offset of the first byte after the header
+  std::vector<Remark> remarks;  ///< "comment" and "obj_info" lines, but for our own
+  std::size_t body = 0;         ///< offset of the first byte after the header
 
   [[nodiscard]] const PlyElement* find(std::string_view name) const;
 };

@@ -1,15 +1,18 @@
-// PLY: vertex, face, edge and tristrips elements; everything else is passed over.
+// PLY: vertex, face, edge and tristrips elements, with their scalar properties as arrays;
+// everything else is passed over.
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
 #include "core/io/notes.h"
+#include "core/io/ply_arrays.h"
 #include "core/io/ply_body.h"
 #include "core/io/ply_header.h"
+#include "core/io/stored_numbers.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
@@ -18,10 +21,12 @@ namespace {
 /// What a property means to us.
 enum class Role : std::uint8_t {
   Skip,
+  Value,
   X,
   Y,
   Z,
   Indices,
+  Texcoord,
   Vertex1,
   Vertex2,
   ModelDimension,
@@ -30,6 +35,7 @@ enum class Role : std::uint8_t {
 
 Role role_of(const PlyElement& element, const PlyProperty& p) {
   const std::string &e = element.name, n = lower(p.name);
+  if (p.list && e == "face" && n == "texcoord") return Role::Texcoord;
   if (p.list) return n == "vertex_indices" || n == "vertex_index" ? Role::Indices : Role::Skip;
   if (n == "model_dimension") return Role::ModelDimension;
   if (n == "model_tag") return Role::ModelTag;
@@ -40,32 +46,9 @@ Role role_of(const PlyElement& element, const PlyProperty& p) {
   return Role::Skip;
 }
 
-/// What people call a property that we pass over.
-std::string meaning(const PlyElement& element, const PlyProperty& property) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 20> meanings{
-      {{"nx", "normals"},
-       {"ny", "normals"},
-       {"nz", "normals"},
-       {"red", "colours"},
-       {"green", "colours"},
-       {"blue", "colours"},
-       {"alpha", "colours"},
-       {"diffuse_red", "colours"},
-       {"diffuse_green", "colours"},
-       {"diffuse_blue", "colours"},
-       {"diffuse_alpha", "colours"},
-       {"s", "texture coordinates"},
-       {"t", "texture coordinates"},
-       {"u", "texture coordinates"},
-       {"v", "texture coordinates"},
-       {"texture_u", "texture coordinates"},
-       {"texture_v", "texture coordinates"},
-       {"texcoord", "texture coordinates"},
-       {"texnumber", "texture numbers"},
-       {"material_index", "materials"}}};
-  const auto at = std::find_if(meanings.begin(), meanings.end(),
-                               [&](const auto& m) { return m.first == property.name; });
-  return element.name + ' ' + (at == meanings.end() ? property.name : std::string(at->second));
+/// A property that we pass over.
+std::string words_for(const PlyElement& element, const PlyProperty& property) {
+  return element.name + ' ' + property.name;
 }
 
 /// One element's values that we use.
@@ -74,6 +57,7 @@ struct Record {
   std::int64_t ends[2] = {};
   std::int64_t model_dimension = 7, model_tag = 0;
   std::vector<std::int64_t> indices;
+  std::vector<double> texcoord;
 };
 
 template <class Body>
@@ -91,6 +75,12 @@ class PlyReader {
     ReadResult result;
     result.format = Format::Ply;
     faces_.finish(mesh_, result.notes);
+    for (Attribute& a : arrays_) add_array(std::move(a));
+    if (!texture_.values.empty()) add_texture();
+    mesh_.remarks = header_.remarks;
+    if (!misfits_.empty())
+      result.notes.push_back("numbers that their type does not hold, kept as doubles: " +
+                             misfits_.text());
     note_left_out(result.notes, left_out_);
     note_rest(result.notes, body_.rest(), "element");
     drop_empty_classes(mesh_);
@@ -114,14 +104,20 @@ class PlyReader {
     if (element.name == "vertex") {
       need(element, {Role::X, Role::Y, Role::Z}, "x, y and z");
       mesh_.positions.reserve(expected);
+      find_arrays(element, 0, expected);
       each(element, [&] { add_vertex(); });
     } else if (element.name == "face") {
       need(element, {Role::Indices}, "a list vertex_indices");
       faces_.reserve(expected);
+      find_arrays(element, 2, expected);
+      has_texture_ = has(Role::Texcoord);
+      if (has_texture_) faces_.keep_origins();
       each(element, [&] { add_face(); });
     } else if (element.name == "edge" && has(Role::Vertex1) && has(Role::Vertex2)) {
+      find_arrays(element, 1, expected);
       each(element, [&] { add_edge(); });
     } else if (element.name == "tristrips" && has(Role::Indices)) {
+      strips_ = true;
       each(element, [&] { add_strip(); });
     } else {
       std::fill(roles_.begin(), roles_.end(), Role::Skip);
@@ -130,11 +126,59 @@ class PlyReader {
       return;
     }
     if (element.count > 0) name_unread(element);
+    for (PlyGroup& group : groups_) arrays_.push_back(std::move(group.array));
+    groups_.clear();
+  }
+
+  /// What of the element is neither a place nor a class is an array.
+  void find_arrays(const PlyElement& element, int dimension, std::size_t expected) {
+    std::vector<bool> free;
+    for (std::size_t p = 0; p < roles_.size(); ++p)
+      free.push_back(roles_[p] == Role::Skip && !element.properties[p].list);
+    groups_ = arrays_of(element, dimension, free);
+    if (groups_.empty()) return;
+    if (dimension == 1) faces_.keep_edge_origins();
+    if (dimension == 2) faces_.keep_origins();
+    sinks_.assign(roles_.size(), nullptr);
+    for (PlyGroup& group : groups_) {
+      const auto n = static_cast<std::size_t>(group.array.components);
+      group.array.values.reserve(n * expected);
+      for (std::size_t p = group.first; p < group.first + n; ++p) {
+        roles_[p] = Role::Value;
+        sinks_[p] = &group.array.values;
+      }
+    }
+  }
+
+  void add_texture() {
+    if (torn_) left_out_.add("face texture coordinates that do not fit the corners");
+    if (header_.encoding == PlyEncoding::Ascii && !fit_values(texture_))
+      misfits_.add(shown(texture_.name));
+    spread_to_corners(texture_, faces_.origins());
+    if (texture_.values.size() == 2 * mesh_.faces.vertices.size())
+      mesh_.corners.push_back(std::move(texture_));
+    else
+      left_out_.add("face texture coordinates");
+  }
+
+  /// Once all faces are there. What goes with strips, or with a second element of one name, has no
+  /// place.
+  void add_array(Attribute&& a) {
+    if (header_.encoding == PlyEncoding::Ascii && !fit_values(a)) misfits_.add(shown(a.name));
+    const auto n = static_cast<std::size_t>(a.components);
+    if (a.dimension == 2 && !strips_) spread_to_faces(a, faces_.origins());
+    if (a.dimension == 1) take_values(a, faces_.edge_origins());
+    const std::size_t entities =
+        a.dimension == 0 ? mesh_.positions.size() : mesh_.list(a.dimension).size();
+    if (a.values.size() == n * entities)
+      mesh_.attributes.push_back(std::move(a));
+    else
+      left_out_.add(std::string(entity_name(a.dimension)) + ' ' + a.name);
   }
 
   void name_unread(const PlyElement& element) {
     for (std::size_t p = 0; p < roles_.size(); ++p) {
-      if (roles_[p] == Role::Skip) left_out_.add(meaning(element, element.properties[p]));
+      if (roles_[p] == Role::Skip) left_out_.add(words_for(element, element.properties[p]));
     }
   }
 
@@ -176,20 +220,21 @@ class PlyReader {
         body_.fail("the file ends after " + std::to_string(i) + " of " +
                    std::to_string(element.count) + " of " + shown(element.name));
       }
-      for (std::size_t p = 0; p < roles_.size(); ++p) take(element.properties[p], roles_[p]);
+      for (std::size_t p = 0; p < roles_.size(); ++p) take(element.properties[p], p);
       use();
       body_.end_element();
     }
   }
 
-  void take(const PlyProperty& p, Role role) {
-    constexpr const char* names[] = {"", "x", "y", "z"};
+  void take(const PlyProperty& p, std::size_t number) {
+    const Role role = roles_[number];
     switch (role) {
       case Role::X:
       case Role::Y:
       case Role::Z: {
-        const auto axis = static_cast<std::size_t>(role);
-        record_.position[axis - 1] = body_.real(p.type, names[axis]);
+        constexpr const char* names[] = {"x", "y", "z"};
+        const auto axis = static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X);
+        record_.position[axis] = body_.real(p.type, names[axis]);
         break;
       }
       case Role::Vertex1:
@@ -206,6 +251,12 @@ class PlyReader {
         break;
       case Role::Indices:
         take_indices(p);
+        break;
+      case Role::Texcoord:
+        take_texcoord(p);
+        break;
+      case Role::Value:
+        sinks_[number]->push_back(body_.any(p.type));
         break;
       case Role::Skip:
         pass_over(p);
@@ -225,6 +276,21 @@ class PlyReader {
     const std::size_t n = list_size(p);
     record_.indices.resize(n);
     for (std::int64_t& index : record_.indices) index = body_.integer(p.type, "a vertex index");
+  }
+
+  void take_texcoord(const PlyProperty& p) {
+    record_.texcoord.resize(list_size(p));
+    for (double& x : record_.texcoord) x = body_.any(p.type);
+    store_as(texture_, p.type);
+  }
+
+  /// Two numbers for each corner of the present face; none where the file has another number.
+  void add_texcoord() {
+    const std::size_t n = 2 * record_.indices.size();
+    const bool fits = record_.texcoord.size() == n;
+    torn_ = torn_ || (!fits && !record_.texcoord.empty());
+    if (!fits) record_.texcoord.assign(n, std::numeric_limits<double>::quiet_NaN());
+    texture_.values.insert(texture_.values.end(), record_.texcoord.begin(), record_.texcoord.end());
   }
 
   void pass_over(const PlyProperty& p) {
@@ -253,6 +319,7 @@ class PlyReader {
   void add_face() {
     const std::string wrong = faces_.add(record_.indices, model(2));
     if (!wrong.empty()) body_.fail(wrong);
+    if (has_texture_) add_texcoord();
   }
 
   void add_edge() {
@@ -286,7 +353,12 @@ class PlyReader {
   std::vector<Role> roles_;
   bool classified_ = false;
   Record record_;
-  ItemList left_out_;
+  std::vector<PlyGroup> groups_;             ///< the arrays of the present element
+  std::vector<std::vector<double>*> sinks_;  ///< where its properties go
+  std::vector<Attribute> arrays_;            ///< all, as the file lists them
+  Attribute texture_{"texcoord", 2, 2, false, {}, {}, Meaning::Texture};  ///< of corners
+  bool has_texture_ = false, torn_ = false, strips_ = false;
+  ItemList left_out_, misfits_;
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ std::string read_bytes(const std::filesystem::path& path) {
 }
 
 std::string encode(const std::filesystem::path& path, const Image& picture) {
+  if (picture.empty()) throw WriteError(path.string(), {}, "the picture is empty");
   PngControl png;
   png.image.width = static_cast<png_uint_32>(picture.width);
   png.image.height = static_cast<png_uint_32>(picture.height);
@@ -65,8 +66,9 @@ Image read_png(const std::filesystem::path& path) {
   return picture;
 }
 
+std::string to_png(const Image& image) { return encode("picture", image); }
+
 void write_png(const std::filesystem::path& path, const Image& image) {
-  if (image.empty()) throw WriteError(path.string(), {}, "the picture is empty");
   write_file(path, encode(path, image));
 }
 

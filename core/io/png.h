@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/io/error.h"
@@ -44,8 +45,11 @@ inline constexpr std::uint64_t max_image_pixels = std::uint64_t{1} << 26;
 /// LimitError.
 [[nodiscard]] Image read_png(const std::filesystem::path& path);
 
-/// Writes a PNG with the guarantees of write_file(). The same picture gives the same bytes: no
-/// time, no name. Throws WriteError, also for an empty picture.
+/// The bytes of a PNG. The same picture gives the same ones: no time, no name. Throws WriteError
+/// for an empty picture.
+[[nodiscard]] std::string to_png(const Image& image);
+
+/// Writes a PNG with the guarantees of write_file(). Throws WriteError, also for an empty picture.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace aomd::io

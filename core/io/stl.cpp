@@ -5,25 +5,19 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
-#include <cstring>
-#include <map>
-
-#include <glm/geometric.hpp>
 
 #include "core/base/text.h"
-#include "core/io/byte_writer.h"
 #include "core/io/class_names.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
+#include "core/io/named_faces.h"
 #include "core/io/notes.h"
-#include "core/io/polygon.h"
+#include "core/io/stl_marks.h"
 #include "core/io/text_cursor.h"
 #include "core/io/weld.h"
 
 namespace aomd::io::detail {
 namespace {
-
-constexpr std::size_t header_size = 80, data_start = 84, facet_size = 50;
 
 using Facet = std::array<glm::dvec3, 3>;
 
@@ -36,7 +30,8 @@ std::uint32_t little_u32(const char* p) {
 /// Welds facets into a mesh.
 class FacetSink {
  public:
-  void add(const Facet& facet, std::int32_t solid) {
+  /// `mark` is the attribute of binary facets, by which programs say colours.
+  void add(const Facet& facet, std::int32_t solid, std::uint16_t mark = 0) {
     const std::array<std::uint32_t, 3> v{points_.add(facet[0]), points_.add(facet[1]),
                                          points_.add(facet[2])};
     corners_ += 3;
@@ -44,10 +39,15 @@ class FacetSink {
       ++dropped_;
       return;
     }
+    if (mark != 0) marks_.resize(faces_.size());
     faces_.add(Shape::Triangle, {v[0], v[1], v[2]}, ModelRef(2, solid));
+    if (mark != 0) marks_.push_back(mark);
   }
 
   [[nodiscard]] bool empty() const { return corners_ == 0; }
+
+  /// Where colours of facets have the order of Magics.
+  void use_magics() { magics_ = true; }
 
   /// `rest` is what the file holds after the last facet or solid.
   ReadResult finish(const std::vector<std::string>& solids, std::string_view rest,
@@ -58,6 +58,8 @@ class FacetSink {
                            counted(points_.size(), "vertex"));
     if (dropped_ > 0) result.notes.push_back(counted(dropped_, "facet") + " without area dropped");
     const std::vector<ModelRef> classes = classes_of_parts(solids);
+    add_names(solids, result.mesh);
+    add_marks(result.mesh);
     for (ModelRef& m : faces_.classes) m = classes[static_cast<std::size_t>(m.tag())];
     result.mesh.positions = points_.take();
     result.mesh.faces = std::move(faces_);
@@ -69,8 +71,43 @@ class FacetSink {
   }
 
  private:
+  /// The names of solids: of one alone a remark, but for those that our writer gives.
+  void add_names(const std::vector<std::string>& solids, MeshData& mesh) const {
+    const bool ours = std::all_of(solids.begin(), solids.end(), [](const std::string& name) {
+      return name.empty() || class_of_name(name);
+    });
+    if (ours) return;
+    if (solids.size() == 1) {
+      if (solids[0] != stl_usual_name) mesh.remarks.push_back({stl_solid, solids[0]});
+      return;
+    }
+    Attribute label{stl_solid, 2, 1, true, {}};
+    for (const ModelRef m : faces_.classes) label.values.push_back(m.tag());
+    label.names = solids;
+    mesh.attributes.push_back(std::move(label));
+  }
+
+  /// Colours where every facet has one, else the marks as they are.
+  void add_marks(MeshData& mesh) {
+    if (marks_.empty()) return;
+    marks_.resize(faces_.size());
+    const bool coloured = std::all_of(marks_.begin(), marks_.end(), [this](std::uint16_t mark) {
+      return stl_colour_is_valid(mark, magics_);
+    });
+    Attribute a{coloured ? "color" : stl_mark, 2, coloured ? 3 : 1, true, {}};
+    for (const std::uint16_t mark : marks_) {
+      if (!coloured) a.values.push_back(mark);
+      for (int k = 0; coloured && k < 3; ++k) a.values.push_back(stl_shade(mark, k, magics_));
+    }
+    a.type = coloured ? NumberType::UInt8 : NumberType::UInt16;
+    if (coloured) a.meaning = Meaning::Colour;
+    mesh.attributes.push_back(std::move(a));
+  }
+
   Welder points_;
   EntityList faces_;
+  std::vector<std::uint16_t> marks_;  ///< up to the last facet that has one
+  bool magics_ = false;
   std::size_t corners_ = 0, dropped_ = 0;
 };
 
@@ -176,6 +213,7 @@ ReadResult read_binary(const Source& source) {
   if (n == 0 && !is_blank(bytes.substr(data_start)))
     source.fail_at_byte(data_start, "data after a header that promises no facets");
   FacetSink sink;
+  if (bytes.substr(0, header_size).find("COLOR=") != std::string_view::npos) sink.use_magics();
   for (std::size_t at = data_start; at < expected; at += facet_size) {
     Facet facet;
     for (std::size_t i = 0; i < 9; ++i) {
@@ -184,65 +222,10 @@ ReadResult read_binary(const Source& source) {
       if (!std::isfinite(value)) source.fail_at_byte(place, "a coordinate is not a finite number");
       facet[i / 3][static_cast<int>(i % 3)] = value;
     }
-    sink.add(facet, 0);
+    const std::uint32_t mark = little_u32(bytes.data() + at + facet_size - 4) >> 16;
+    sink.add(facet, 0, static_cast<std::uint16_t>(mark));
   }
-  return sink.finish({"binary"}, bytes.substr(expected), "facet");
-}
-
-/// The faces as triangles; quads and the like are split.
-template <class Use>
-void for_each_facet(const MeshData& mesh, Use&& use) {
-  std::vector<std::uint32_t> t;
-  for_each_entity(mesh.faces, [&](auto corners, ModelRef model) {
-    t.clear();
-    triangulate(mesh.positions, corners, t);
-    for (std::size_t i = 0; i < t.size(); i += 3) {
-      use(Facet{mesh.positions[t[i]], mesh.positions[t[i + 1]], mesh.positions[t[i + 2]]}, model);
-    }
-  });
-}
-
-glm::dvec3 normal_of(const Facet& f) {
-  const glm::dvec3 n = glm::cross(f[1] - f[0], f[2] - f[0]);
-  const double length = glm::length(n);
-  return length > 0 ? n / length : glm::dvec3(0);
-}
-
-std::string write_binary(const MeshData& mesh) {
-  ByteWriter out;
-  std::uint32_t n = 0;
-  for_each_facet(mesh, [&](const Facet&, ModelRef) { ++n; });
-  out.reserve(data_start + facet_size * n);
-  // Not "solid": some readers take that for text.
-  std::string header = "AOMD Studio binary STL";
-  header.resize(header_size, ' ');
-  out << header;
-  const auto point = [&](const glm::dvec3& p) {
-    for (int axis = 0; axis < 3; ++axis) out.raw<std::endian::little>(static_cast<float>(p[axis]));
-  };
-  out.raw<std::endian::little>(n);
-  for_each_facet(mesh, [&](const Facet& f, ModelRef) {
-    point(normal_of(f));
-    for (const glm::dvec3& p : f) point(p);
-    out.raw<std::endian::little>(std::uint16_t{0});
-  });
-  return out.take();
-}
-
-void write_facet(ByteWriter& out, const Facet& f) {
-  const auto point = [&](const glm::dvec3& p) {
-    out << ' ' << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  };
-  out << "facet normal";
-  const glm::dvec3 n = normal_of(f);
-  out << ' ' << static_cast<float>(n.x) << ' ' << static_cast<float>(n.y) << ' '
-      << static_cast<float>(n.z) << '\n';
-  out << "outer loop\n";
-  for (const glm::dvec3& p : f) {
-    out << "vertex";
-    point(p);
-  }
-  out << "endloop\nendfacet\n";
+  return sink.finish({""}, bytes.substr(expected), "facet");
 }
 
 }  // namespace
@@ -255,19 +238,6 @@ bool is_binary_stl(std::string_view bytes) {
 
 ReadResult read_stl(const Source& source, bool binary) {
   return binary ? read_binary(source) : StlText(without_padding(source)).read();
-}
-
-std::string write_stl(const MeshData& mesh, bool binary) {
-  if (binary) return write_binary(mesh);
-  std::map<ModelRef, ByteWriter> solids;
-  for_each_facet(mesh, [&](const Facet& f, ModelRef model) { write_facet(solids[model], f); });
-  if (solids.empty()) solids[ModelRef()];
-  ByteWriter out;
-  for (auto& [model, facets] : solids) {
-    const std::string name = mesh.faces.classes.empty() ? "mesh" : class_name(model);
-    out << "solid " << name << '\n' << facets.take() << "endsolid " << name << '\n';
-  }
-  return out.take();
 }
 
 }  // namespace aomd::io::detail

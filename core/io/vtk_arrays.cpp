@@ -1,20 +1,30 @@
 #include "core/io/vtk_arrays.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/io/stored_numbers.h"
 
 namespace aomd::io::detail {
 namespace {
 
-std::size_t components_of(const std::string& keyword) {
-  constexpr std::pair<std::string_view, std::size_t> known[] = {
-      {"vectors", 3},    {"normals", 3},      {"tensors", 9},   {"tensors6", 6},
-      {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
-  for (const auto& [name, n] : known) {
-    if (name == keyword) return n;
-  }
-  return 0;
+/// What a keyword says of the array that follows.
+struct KnownKeyword {
+  std::string_view name;
+  std::size_t components;
+  Meaning meaning;
+};
+
+const KnownKeyword* keyword_named(const std::string& keyword) {
+  static constexpr KnownKeyword known[] = {
+      {"vectors", 3, Meaning::Vectors}, {"normals", 3, Meaning::Normal},
+      {"tensors", 9, Meaning::Tensors}, {"tensors6", 6, Meaning::Tensors},
+      {"global_ids", 1, Meaning::Any},  {"pedigree_ids", 1, Meaning::Any},
+      {"edge_flags", 1, Meaning::Any}};
+  const auto found = std::find_if(std::begin(known), std::end(known),
+                                  [&](const KnownKeyword& k) { return k.name == keyword; });
+  return found == std::end(known) ? nullptr : &*found;
 }
 
 }  // namespace
@@ -38,13 +48,20 @@ bool LegacyArrays::attribute(const std::string& keyword) {
     const std::string name = decoded(word("a name"));
     const std::uint64_t n = count("the number of components");
     array(*target_, name, n, tuples_);
+    mean(Meaning::Texture);
   } else {
-    const std::size_t n = components_of(keyword);
-    if (n == 0) return false;
+    const KnownKeyword* const known = keyword_named(keyword);
+    if (!known) return false;
     const std::string name = decoded(word("a name"));
-    array(*target_, name, n, tuples_);
+    array(*target_, name, known->components, tuples_);
+    mean(known->meaning);
   }
   return true;
+}
+
+/// Of the array that was read last.
+void LegacyArrays::mean(Meaning meaning) {
+  if (!target_->empty()) target_->back().meaning = meaning;
 }
 
 void LegacyArrays::scalars() {
@@ -57,6 +74,7 @@ void LegacyArrays::scalars() {
     cursor_ = ahead;
   }
   array(*target_, name, n, tuples_, type);
+  mean(Meaning::Scalars);
 }
 
 /// 0 to 1 in text, 0 to 255 in binary.
@@ -64,9 +82,7 @@ void LegacyArrays::color_scalars() {
   const std::string name = decoded(word("a name"));
   const std::uint64_t n = count("the number of components");
   array(*target_, name, n, tuples_, binary_ ? "unsigned_char" : "float");
-  if (!binary_ || target_->empty()) return;
-  target_->back().integer = false;
-  for (double& x : target_->back().values) x /= 255;
+  mean(Meaning::Colour);
 }
 
 void LegacyArrays::lookup_table() {
@@ -119,14 +135,15 @@ void LegacyArrays::array(std::vector<VtkArray>& into, const std::string& name,
   check_room(tuples);
   const std::uint64_t n = components * tuples;
   const std::string type = lower(type_name);
-  VtkArray result{name, static_cast<int>(components), true, {}};
+  VtkArray result{name, static_cast<int>(components), true, {}, {}, Meaning::Any};
   if (type == "bit") {
     bits(n, result.values);
   } else if (type == "string" || type == "utf8_string") {
     return skip_strings(name, n);
   } else if (const auto number = number_type_of_legacy(type)) {
-    result.integer = is_integer(*number);
+    store_as(result, *number);
     values(*number, n, result.values);
+    round_as(*number, result.values);
   } else {
     fail("unknown type " + shown(type_name) + " of array " + shown(name));
   }

@@ -31,6 +31,7 @@ class LegacyArrays : protected LegacyInput {
   [[nodiscard]] const ItemList& passed_over() const { return passed_over_; }
 
  private:
+  void mean(Meaning meaning);
   void scalars();
   void color_scalars();
   void lookup_table();

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/io/io.h"
@@ -18,7 +20,9 @@ struct VtkArray {
   std::string name;
   int components = 1;
   bool integer = false;
-  std::vector<double> values;  ///< `components` for each point or cell
+  std::vector<double> values;        ///< `components` for each point or cell
+  std::optional<NumberType> type{};  ///< as Attribute has it
+  Meaning meaning = Meaning::Any;
 };
 
 /// An unstructured grid. The arrays have as many tuples as there are points or cells; indices are
@@ -52,26 +56,24 @@ using FailAtCell = std::function<void(std::size_t cell, const std::string& what)
 [[nodiscard]] const VtkArray* find_array(const std::vector<VtkArray>& arrays,
                                          std::string_view name);
 
-/// True where a 32-bit integer holds every value.
-[[nodiscard]] bool fits_int32(const VtkArray& array);
-
-/// Calls visit(number of the type that the file gets, whether it ends its tuple) for every value:
-/// 32-bit integers where `narrow`, 64-bit ones where the array holds whole numbers, else doubles.
+/// Calls visit(number as the file stores it, whether it ends its tuple) for every value.
 template <class Visit>
-void for_each_value(const VtkArray& array, bool narrow, Visit&& visit) {
+void for_each_value(const VtkArray& array, NumberType type, Visit&& visit) {
   const auto n = static_cast<std::size_t>(array.components);
-  for (std::size_t i = 0; i < array.values.size(); ++i) {
-    const double x = array.values[i];
-    const bool last = i % n == n - 1;
-    if (narrow) {
-      visit(static_cast<std::int32_t>(x), last);
-    } else if (array.integer) {
-      visit(static_cast<std::int64_t>(x), last);
-    } else {
-      visit(x, last);
-    }
-  }
+  for (std::size_t i = 0; i < array.values.size(); ++i)
+    use_as(type, array.values[i], [&](auto x) { visit(x, i % n == n - 1); });
 }
+
+/// What an array stands for as far as its name and numbers tell: colours are bytes, 3 or 4 a tuple.
+[[nodiscard]] Meaning usual_meaning(const VtkArray& array);
+
+/// How VTU files name the arrays that are shown first.
+inline constexpr std::array<std::pair<std::string_view, Meaning>, 5> vtu_actives{
+    {{"Scalars", Meaning::Scalars},
+     {"Vectors", Meaning::Vectors},
+     {"Normals", Meaning::Normal},
+     {"Tensors", Meaning::Tensors},
+     {"TCoords", Meaning::Texture}}};
 
 /// Names of our own arrays.
 inline constexpr std::string_view dimension_name = "model_dimension", tag_name = "model_tag",

@@ -1,9 +1,9 @@
 // A mesh as a VTK grid, for both writers.
 
 #include <algorithm>
-#include <limits>
 #include <unordered_map>
 
+#include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/vtk_cells.h"
 #include "core/io/vtk_dataset.h"
@@ -21,7 +21,7 @@ class MeshToGrid {
     add_classes();
     for (const Attribute& a : mesh_.attributes) {
       if (a.dimension == 0) {
-        grid_.point_data.push_back({a.name, a.components, a.integer, a.values});
+        grid_.point_data.push_back({a.name, a.components, a.integer, a.values, a.type, a.meaning});
       } else {
         add_cell_values(a);
       }
@@ -82,6 +82,7 @@ class MeshToGrid {
   void add_cell_values(const Attribute& a) {
     const std::size_t k = array_for(a);
     VtkArray& array = grid_.cell_data[own_arrays_ + k];
+    if (a.type) array.type = a.type;
     const auto n = static_cast<std::size_t>(a.components);
     std::copy(a.values.begin(), a.values.end(),
               array.values.begin() + static_cast<std::ptrdiff_t>(n * first_cell_[a.dimension]));
@@ -91,12 +92,14 @@ class MeshToGrid {
   /// The array that takes these values: one of the same kind that has none of this dimension, or a
   /// new one.
   std::size_t array_for(const Attribute& a) {
-    std::vector<std::size_t>& same =
-        arrays_[(a.integer ? 'i' : 'r') + std::to_string(a.components) + ' ' + a.name];
+    const bool usual = !a.type || *a.type == NumberType::Int64;
+    const int type = usual ? -1 : static_cast<int>(*a.type);
+    std::vector<std::size_t>& same = arrays_[(a.integer ? 'i' : 'r') + std::to_string(type) + ' ' +
+                                             std::to_string(a.components) + ' ' + a.name];
     for (const std::size_t k : same) {
       if ((static_cast<int>(coverage_[k]) >> a.dimension & 1) == 0) return k;
     }
-    grid_.cell_data.push_back({a.name, a.components, a.integer, {}});
+    grid_.cell_data.push_back({a.name, a.components, a.integer, {}, a.type, a.meaning});
     grid_.cell_data.back().values.resize(grid_.types.size() *
                                          static_cast<std::size_t>(a.components));
     same.push_back(coverage_.size());
@@ -129,10 +132,17 @@ const VtkArray* find_array(const std::vector<VtkArray>& arrays, std::string_view
   return found == arrays.end() ? nullptr : &*found;
 }
 
-bool fits_int32(const VtkArray& array) {
-  using Limits = std::numeric_limits<std::int32_t>;
-  return std::all_of(array.values.begin(), array.values.end(),
-                     [](double x) { return x >= Limits::min() && x <= Limits::max(); });
+Meaning usual_meaning(const VtkArray& array) {
+  const bool of_colour = array.components == 3 || array.components == 4;
+  if (of_colour && array.type == NumberType::UInt8) return Meaning::Colour;
+  const std::string name = lower(array.name);
+  constexpr std::string_view colours[] = {"color", "colors", "rgb", "rgba"};
+  if (of_colour && !array.integer &&
+      std::find(std::begin(colours), std::end(colours), name) != std::end(colours))
+    return Meaning::Colour;
+  const bool normal = array.components == 3 && !array.integer;
+  if (normal && (name == "normal" || name == "normals")) return Meaning::Normal;
+  return Meaning::Any;
 }
 
 }  // namespace aomd::io::detail

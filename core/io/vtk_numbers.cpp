@@ -119,6 +119,16 @@ std::optional<NumberType> number_type_of_legacy(std::string_view name) {
   return find(legacy_names, name);
 }
 
+std::string_view xml_name(NumberType type) {
+  return xml_names[static_cast<std::size_t>(type)].first;
+}
+std::string_view legacy_name(NumberType type) {
+  constexpr std::string_view names[] = {"char",  "unsigned_char", "short",        "unsigned_short",
+                                        "int",   "unsigned_int",  "vtktypeint64", "vtktypeuint64",
+                                        "float", "double"};
+  return names[static_cast<std::size_t>(type)];
+}
+
 void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<double>& out) {
   decode_any(bytes, type, order, out);
 }

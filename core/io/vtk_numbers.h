@@ -9,33 +9,18 @@
 #include <vector>
 
 #include "core/io/text_cursor.h"
+#include "core/mesh/number_type.h"
 
 namespace aomd::io::detail {
-
-enum class NumberType : std::uint8_t {
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Int32,
-  UInt32,
-  Int64,
-  UInt64,
-  Float32,
-  Float64
-};
-
-/// Bytes that one number takes in binary files.
-[[nodiscard]] constexpr std::size_t size_of(NumberType type) {
-  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return sizes[static_cast<std::size_t>(type)];
-}
-[[nodiscard]] constexpr bool is_integer(NumberType type) { return type < NumberType::Float32; }
 
 /// "Int32" and so on, as XML files name types.
 [[nodiscard]] std::optional<NumberType> number_type_of_xml(std::string_view name);
 /// "int", "vtktypeint64" and so on, in small letters, as legacy files name types.
 [[nodiscard]] std::optional<NumberType> number_type_of_legacy(std::string_view name);
+
+/// How our writers name types: "Int32", and "int" in legacy files.
+[[nodiscard]] std::string_view xml_name(NumberType type);
+[[nodiscard]] std::string_view legacy_name(NumberType type);
 
 /// Appends the numbers that `bytes` hold one after the other; an incomplete last one is left out.
 void decode(std::string_view bytes, NumberType type, std::endian order, std::vector<double>& out);

@@ -13,6 +13,7 @@
 #include "core/io/face_sink.h"
 #include "core/io/notes.h"
 #include "core/io/polygon.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_cells.h"
 #include "core/io/vtk_dataset.h"
 #include "core/mesh/handle.h"
@@ -323,8 +324,14 @@ class GridToMesh {
     const bool exact = std::all_of(values.begin(), values.end(),
                                    [](double x) { return std::abs(x) < largest_whole; });
     if (array.integer && !exact) rounded_.add(shown(array.name));
-    mesh_.attributes.push_back(
-        {array.name, d, array.components, array.integer && exact, std::move(values)});
+    const Meaning meaning = array.meaning == Meaning::Any || array.meaning == Meaning::Scalars
+                                ? usual_meaning(array)
+                                : array.meaning;
+    Attribute a{array.name, d, array.components, array.integer && exact, std::move(values)};
+    const bool usual = array.type == NumberType::Int64 && !fit_int32(a.values);
+    if (!usual && (exact || !array.integer)) a.type = array.type;
+    a.meaning = meaning == Meaning::Any ? array.meaning : meaning;
+    mesh_.attributes.push_back(std::move(a));
   }
 
   /// Nodes that only higher-order cells use, other than as a corner.

@@ -1,8 +1,13 @@
 // Legacy VTK, version 3.0: what every reader of the format takes.
 
+#include <algorithm>
+#include <span>
+
 #include "core/io/byte_writer.h"
 #include "core/io/formats.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_dataset.h"
+#include "core/io/vtk_numbers.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -32,6 +37,8 @@ class LegacyWriter {
   void value(Value v, bool last) {
     if (binary_) {
       out_.raw<std::endian::big>(v);
+    } else if constexpr (sizeof(Value) == 1) {
+      out_ << int{v} << (last ? '\n' : ' ');
     } else {
       out_ << v << (last ? '\n' : ' ');
     }
@@ -56,24 +63,53 @@ class LegacyWriter {
     end_block();
   }
 
+  /// What VTK shows first, and what it knows by its meaning, by its keyword; runs of others as
+  /// fields.
   void data(std::string_view keyword, std::size_t n, const std::vector<VtkArray>& arrays) {
     if (arrays.empty()) return;
     out_ << keyword << ' ' << n << '\n';
-    fields(arrays);
+    for (auto from = arrays.begin(); from != arrays.end();) {
+      const auto to = std::find_if(from, arrays.end(),
+                                   [](const VtkArray& a) { return !keyword_of(a).empty(); });
+      if (from != to) fields({from, to});
+      if (to != arrays.end()) known(*to);
+      from = to == arrays.end() ? to : to + 1;
+    }
   }
 
-  void fields(const std::vector<VtkArray>& arrays) {
+  /// Empty where the array goes with the fields.
+  static std::string_view keyword_of(const VtkArray& a) {
+    if (a.meaning == Meaning::Scalars && a.components <= 4) return "SCALARS";
+    if (a.meaning == Meaning::Vectors && a.components == 3) return "VECTORS";
+    if (a.meaning == Meaning::Normal && a.components == 3) return "NORMALS";
+    if (a.meaning == Meaning::Texture && a.components <= 3) return "TEXTURE_COORDINATES";
+    if (a.meaning != Meaning::Tensors) return {};
+    return a.components == 9 ? "TENSORS" : a.components == 6 ? "TENSORS6" : "";
+  }
+
+  void known(const VtkArray& array) {
+    const std::string_view keyword = keyword_of(array);
+    const NumberType type = stored_type(array);
+    out_ << keyword << ' ';
+    name(array.name);
+    if (array.meaning == Meaning::Texture) out_ << ' ' << array.components;
+    out_ << ' ' << legacy_name(type);
+    if (array.meaning == Meaning::Scalars) out_ << ' ' << array.components;
+    out_ << '\n';
+    if (array.meaning == Meaning::Scalars) out_ << "LOOKUP_TABLE default\n";
+    for_each_value(array, type, [&](auto x, bool last) { value(x, last); });
+    end_block();
+  }
+
+  void fields(std::span<const VtkArray> arrays) {
     out_ << "FIELD FieldData " << arrays.size() << '\n';
     for (const VtkArray& array : arrays) {
-      const bool narrow = array.integer && fits_int32(array);
+      const NumberType type = stored_type(array);
       const auto n = static_cast<std::size_t>(array.components);
       name(array.name);
-      out_ << ' ' << array.components << ' ' << array.values.size() / n << ' '
-           << (!array.integer ? "double"
-               : narrow       ? "int"
-                              : "vtktypeint64")
+      out_ << ' ' << array.components << ' ' << array.values.size() / n << ' ' << legacy_name(type)
            << '\n';
-      for_each_value(array, narrow, [&](auto x, bool last) { value(x, last); });
+      for_each_value(array, type, [&](auto x, bool last) { value(x, last); });
       end_block();
     }
   }

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/notes.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
 #include "core/io/vtu_data.h"
@@ -189,8 +190,10 @@ class VtuReader {
     const std::uint64_t components =
         std::max<std::uint64_t>(count(node, "NumberOfComponents", 1), 1);
     if (components > (1u << 20)) fail(node, "an array of " + counted(components, "component"));
-    VtkArray array{name, static_cast<int>(components), is_integer(number_type(node)), {}};
+    VtkArray array{name, static_cast<int>(components), false, {}, {}, Meaning::Any};
+    store_as(array, number_type(node));
     array.values = numbers<double>(node, components * std::min(tuples, room_));
+    round_as(number_type(node), array.values);
     if (array.values.size() % components != 0)
       fail(node, counted(array.values.size(), "value") + " are not tuples of " +
                      std::to_string(components));
@@ -271,6 +274,13 @@ class VtuReader {
   /// Where arrays of one name and kind are: the first of them in a piece continues the first.
   using Places = std::unordered_map<std::string, std::vector<std::size_t>>;
 
+  /// What the element of all arrays says of one: that it is the active one of a kind.
+  static Meaning meaning_of(const pugi::xml_node& data, const std::string& name) {
+    for (const auto& [word, meaning] : vtu_actives)
+      if (data.attribute(std::string(word).c_str()).value() == name) return meaning;
+    return Meaning::Any;
+  }
+
   static std::string kind_of(const VtkArray& array) {
     return (array.integer ? 'i' : 'r') + std::to_string(array.components) + ' ' + array.name;
   }
@@ -286,6 +296,7 @@ class VtuReader {
       if (array->values.size() / static_cast<std::size_t>(array->components) != n)
         fail(node, "array " + shown(array->name) + " has " +
                        counted(array->values.size(), "value") + " for " + std::to_string(n));
+      array->meaning = meaning_of(data, array->name);
       const std::string kind = kind_of(*array);
       std::vector<std::size_t>& same = places[kind];
       const std::size_t use = seen[kind]++;

@@ -1,8 +1,12 @@
 // VTU: text, or appended raw bytes, which every reader of the format takes.
 
+#include <algorithm>
+
 #include "core/io/byte_writer.h"
 #include "core/io/formats.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_dataset.h"
+#include "core/io/vtk_numbers.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -60,19 +64,30 @@ class VtuWriter {
   }
 
   void arrays(std::string_view element, const std::vector<VtkArray>& list, bool of_field) {
-    out_ << '<' << element << ">\n";
+    out_ << '<' << element;
+    if (!of_field) actives(list);
+    out_ << ">\n";
     for (const VtkArray& array : list) {
-      const bool narrow = array.integer && fits_int32(array);
+      const NumberType type = stored_type(array);
       const auto n = static_cast<std::size_t>(array.components);
-      begin(!array.integer ? "Float64"
-            : narrow       ? "Int32"
-                           : "Int64",
-            array.name, n, of_field ? array.values.size() / n : 0);
-      size((narrow ? 4 : 8) * array.values.size());
-      for_each_value(array, narrow, [&](auto x, bool last) { value(x, last); });
+      begin(xml_name(type), array.name, n, of_field ? array.values.size() / n : 0);
+      size(size_of(type) * array.values.size());
+      for_each_value(array, type, [&](auto x, bool last) { value(x, last); });
       end();
     }
     out_ << "</" << element << ">\n";
+  }
+
+  /// The first array of each meaning that VTK knows is the active one.
+  void actives(const std::vector<VtkArray>& list) {
+    for (const auto& [word, meaning] : vtu_actives) {
+      const auto found = std::find_if(list.begin(), list.end(),
+                                      [m = meaning](const VtkArray& a) { return a.meaning == m; });
+      if (found == list.end()) continue;
+      out_ << ' ' << word << "=\"";
+      escaped(found->name);
+      out_ << '"';
+    }
   }
 
   /// `components` and `tuples` are left out where they are 0.

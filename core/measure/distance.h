@@ -10,6 +10,8 @@
 
 #include "core/model/triangle_tree.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::measure {
 
 /// A surface with what measuring at it needs, built once: the faces of a mesh, which must outlive
@@ -67,3 +69,5 @@ struct MutualDistance {
                                              std::size_t samples, int threads = 1);
 
 }  // namespace aomd::measure
+
+#pragma GCC visibility pop

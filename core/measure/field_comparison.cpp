@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fields/tet_tree.h"
+#include "core/measure/surface_places.h"
 #include "core/mesh/split_tets.h"
 
 namespace aomd::measure {
@@ -37,7 +38,7 @@ class Side {
     if (a.dimension == 3) return a.values[stride * region + component];
     const auto corners = cells_.vertices(region);
     const auto at = [&](std::size_t k) { return a.values[stride * corners[k] + component]; };
-    if (a.integer)
+    if (fields::kind_of(a) == fields::FieldKind::Label)
       return at(static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) -
                                          weights.begin()));
     double change = 0;
@@ -122,53 +123,27 @@ class Places {
   std::vector<Place> middles_, vertices_;
 };
 
-class Difference {
- public:
-  Difference(const Side& original, const Side& result, const Attribute& before,
-             const Attribute& after)
-      : original_(original), result_(result), before_(before), after_(after) {}
-
-  void add(const Place& place) {
-    if (place.before == no_index || place.after == no_index) return;
+/// Adds up an array's differences at places of volumes.
+void add_differences(const Side& original, const Side& result, const Attribute& before,
+                     const Attribute& after, const std::vector<Place>& places,
+                     DifferenceSums& sums) {
+  for (const Place& place : places) {
+    if (place.before == no_index || place.after == no_index) continue;
     double squares = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(before_.components); ++k) {
-      const double d = result_.value(after_, place.after, place.in_after, k) -
-                       original_.value(before_, place.before, place.in_before, k);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(before.components); ++k) {
+      const double d = result.value(after, place.after, place.in_after, k) -
+                       original.value(before, place.before, place.in_before, k);
       squares += d * d;
     }
-    if (!std::isfinite(squares)) {
-      ++missing_;
-      return;
-    }
-    largest_ = std::max(largest_, std::sqrt(squares));
-    squares_.add(place.volume * squares);
-    if (squares > 0) differing_.add(place.volume);
-    volume_.add(place.volume);
+    sums.add(squares, place.volume);
   }
-
-  void write(FieldDifference& d) const {
-    const double volume = volume_.value();
-    d.missing = missing_;
-    if (d.label) {
-      d.differing = volume > 0 ? differing_.value() / volume : 0;
-      return;
-    }
-    d.rms = volume > 0 ? std::sqrt(squares_.value() / volume) : 0;
-    d.largest = largest_;
-  }
-
- private:
-  const Side &original_, &result_;
-  const Attribute &before_, &after_;
-  fields::Sum squares_, differing_, volume_;
-  double largest_ = 0;
-  std::size_t missing_ = 0;
-};
+}
 
 /// An array of both meshes, by its place in each.
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-Pairs arrays_of_both(const MeshData& original, const MeshData& result) {
+/// Those on vertices, and on cells of a dimension.
+Pairs arrays_of_both(const MeshData& original, const MeshData& result, int cells) {
   Pairs pairs;
   for (std::size_t i = 0; i < original.attributes.size(); ++i) {
     const Attribute& a = original.attributes[i];
@@ -176,7 +151,7 @@ Pairs arrays_of_both(const MeshData& original, const MeshData& result) {
         std::find_if(result.attributes.begin(), result.attributes.end(), [&](const Attribute& b) {
           return a.name == b.name && a.dimension == b.dimension && a.components == b.components;
         });
-    if (found != result.attributes.end() && (a.dimension == 0 || a.dimension == 3))
+    if (found != result.attributes.end() && (a.dimension == 0 || a.dimension == cells))
       pairs.emplace_back(i, static_cast<std::size_t>(found - result.attributes.begin()));
   }
   return pairs;
@@ -188,7 +163,8 @@ FieldDifference described(const MeshData& original, const MeshData& result, cons
   d.name = before.name;
   d.dimension = before.dimension;
   d.components = before.components;
-  d.label = before.integer && after.integer;
+  d.label = fields::kind_of(before) == fields::FieldKind::Label &&
+            fields::kind_of(after) == fields::FieldKind::Label;
   d.before = fields::facts_of(before, fields::measures(original, d.dimension));
   d.after = fields::facts_of(after, fields::measures(result, d.dimension));
   for (const fields::ComponentFacts& c : d.before.components)
@@ -196,25 +172,68 @@ FieldDifference described(const MeshData& original, const MeshData& result, cons
   return d;
 }
 
-}  // namespace
-
-std::vector<FieldDifference> compare_fields(const MeshData& original, const MeshData& result,
-                                            int threads) {
-  const Pairs pairs = arrays_of_both(original, result);
-  if (pairs.empty() || original.regions.empty() || result.regions.empty()) return {};
+std::vector<FieldDifference> fields_of_volumes(const MeshData& original, const MeshData& result,
+                                               const Pairs& pairs, int threads) {
   const Side before(original, threads), after(result, threads);
   const Places places(before, after, threads);
   std::vector<FieldDifference> list;
   for (const auto& [i, k] : pairs) {
     const Attribute &a = before.mesh().attributes[i], &b = after.mesh().attributes[k];
     list.push_back(described(original, result, original.attributes[i], result.attributes[k]));
-    Difference difference(before, after, a, b);
-    for (const Place& place : places.middles()) difference.add(place);
-    if (a.dimension == 0)
-      for (const Place& place : places.vertices()) difference.add(place);
-    difference.write(list.back());
+    DifferenceSums sums;
+    add_differences(before, after, a, b, places.middles(), sums);
+    if (a.dimension == 0) add_differences(before, after, a, b, places.vertices(), sums);
+    sums.write(list.back());
   }
   return list;
+}
+
+std::vector<FieldDifference> fields_of_surfaces(const MeshData& original, const MeshData& result,
+                                                const Pairs& pairs, int threads) {
+  const SurfacePlaces places(original, result, threads);
+  std::vector<FieldDifference> list;
+  for (const auto& [i, k] : pairs) {
+    const Attribute &a = original.attributes[i], &b = result.attributes[k];
+    list.push_back(described(original, result, a, b));
+    DifferenceSums sums;
+    places.add_differences(a, b, sums);
+    sums.write(list.back());
+  }
+  return list;
+}
+
+}  // namespace
+
+void DifferenceSums::add(double squares, double weight) {
+  if (!std::isfinite(squares)) {
+    ++missing_;
+    return;
+  }
+  largest_ = std::max(largest_, std::sqrt(squares));
+  squares_.add(weight * squares);
+  if (squares > 0) differing_.add(weight);
+  whole_.add(weight);
+}
+
+void DifferenceSums::write(FieldDifference& d) const {
+  const double whole = whole_.value();
+  d.missing = missing_;
+  if (d.label) {
+    d.differing = whole > 0 ? differing_.value() / whole : 0;
+    return;
+  }
+  d.rms = whole > 0 ? std::sqrt(squares_.value() / whole) : 0;
+  d.largest = largest_;
+}
+
+std::vector<FieldDifference> compare_fields(const MeshData& original, const MeshData& result,
+                                            int threads) {
+  const bool volumes = !original.regions.empty() && !result.regions.empty();
+  if (!volumes && (original.faces.empty() || result.faces.empty())) return {};
+  const Pairs pairs = arrays_of_both(original, result, volumes ? 3 : 2);
+  if (pairs.empty()) return {};
+  return volumes ? fields_of_volumes(original, result, pairs, threads)
+                 : fields_of_surfaces(original, result, pairs, threads);
 }
 
 }  // namespace aomd::measure

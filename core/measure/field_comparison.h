@@ -1,5 +1,5 @@
 #pragma once
-// What arrays of a volume differ by from those of its original, at the same places.
+// What arrays of a mesh differ by from those of its original, at the same places.
 
 #include <cstddef>
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace aomd::measure {
 
-/// An array that both meshes have: one name, on vertices or regions, as many components.
+/// An array that both meshes have: one name, on vertices or on cells (of surfaces faces,
+/// of volumes regions), as many components.
 struct FieldDifference {
   std::string name;
   int dimension = 0, components = 1;
   bool label = false;           ///< whole numbers in both
   double range = 0;             ///< of the original: the largest over its components
   double rms = 0, largest = 0;  ///< lengths of the difference; 0 for labels
-  double differing = 0;         ///< the share of the volume where they are not the same
+  double differing = 0;         ///< the share of the volume or area where they are not the same
   std::size_t missing = 0;      ///< places where one has no number
   fields::FieldFacts before, after;
 
@@ -27,9 +28,24 @@ struct FieldDifference {
   }
 };
 
-/// Arrays are compared in the middle of every tetrahedron of either mesh, weighted by its volume,
-/// and those on vertices at all vertices too, which count for the largest difference alone. Other
-/// regions are cut into tetrahedra. The same for any number of threads. O(n log n).
+/// Adds up what an array differs by over a mesh.
+class DifferenceSums {
+ public:
+  /// At a place that stands for so much volume or area; 0 counts for the largest difference alone.
+  void add(double squares, double weight);
+  void write(FieldDifference& difference) const;
+
+ private:
+  fields::Sum squares_, differing_, whole_;
+  double largest_ = 0;
+  std::size_t missing_ = 0;
+};
+
+/// Arrays of volumes are compared in the middle of every tetrahedron of either mesh, weighted by
+/// its volume, and those on vertices at all vertices too, which count for the largest difference
+/// alone. Other regions are cut into tetrahedra. Those of surfaces are compared in the middle of
+/// every face of either mesh and at the vertices, with the nearest place of the other on the same
+/// side. The same for any number of threads. O(n log n).
 [[nodiscard]] std::vector<FieldDifference> compare_fields(const MeshData& original,
                                                           const MeshData& result, int threads = 1);
 

@@ -8,6 +8,8 @@
 
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::measure {
 
 /// Two faces that meet in more than the vertex or edge they share; first < second.
@@ -37,3 +39,5 @@ struct IntersectionCount {
 [[nodiscard]] IntersectionCount count_self_intersections(const Mesh& mesh, int threads = 1);
 
 }  // namespace aomd::measure
+
+#pragma GCC visibility pop

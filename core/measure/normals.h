@@ -6,6 +6,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::measure {
 
 /// Numbers of triangles by the angle between their normal and the original's, seen from their
@@ -30,3 +32,5 @@ struct NormalDeviation {
                                               int threads = 1);
 
 }  // namespace aomd::measure
+
+#pragma GCC visibility pop

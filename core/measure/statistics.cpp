@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "core/base/buckets.h"
 #include "core/base/disjoint_sets.h"
 #include "core/measure/volume_statistics.h"
 #include "core/mesh/geometry.h"
@@ -16,60 +16,48 @@
 namespace aomd::measure {
 namespace {
 
-// Of surfaces: the sides of all faces and the listed edges, each filed under its lower vertex,
-// which takes less time there than SideGroups and memory that is no concern.
-class Sides {
- public:
-  explicit Sides(const Mesh& mesh) : begin_(mesh.capacity(0) + std::size_t{1}, 0) {
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool) { ++begin_[std::min(a, b) + 1]; });
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    ends_.resize(begin_.back());
-    std::vector<std::uint32_t> at(begin_.begin(), begin_.end() - 1);
-    each(mesh, [&](std::uint32_t a, std::uint32_t b, bool of_face) {
-      ends_[at[std::min(a, b)]++] = {std::max(a, b), of_face ? 1u : 0u};
-    });
-  }
-
-  void count(Counts& counts) {
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const auto ends = std::span(ends_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-      std::sort(ends.begin(), ends.end(),
-                [](const End& a, const End& b) { return a.vertex < b.vertex; });
-      for (std::size_t i = 0; i < ends.size();) {
-        std::uint32_t faces = 0;
-        const std::uint32_t other = ends[i].vertex;
-        for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
-        ++counts.edges;
-        counts.boundary_edges += faces == 1;
-        counts.nonmanifold_edges += faces > 2;
-      }
-    }
-  }
-
- private:
-  struct End {
-    std::uint32_t vertex, faces;
-  };
-
-  template <typename Visit>
-  static void each(const Mesh& mesh, Visit&& visit) {
-    VertexBuffer buffer;
-    for (const Face f : mesh.faces()) {
-      const auto v = mesh.vertices_of(f, buffer);
-      for (std::size_t k = 0; k < v.size(); ++k) visit(v[k], v[k + 1 < v.size() ? k + 1 : 0], true);
-    }
-    for (const Edge e : mesh.edges()) {
-      const auto [a, b] = mesh.edge_vertices(e);
-      visit(a.index, b.index, false);
-    }
-  }
-
-  std::vector<std::uint32_t> begin_;
-  std::vector<End> ends_;
+struct EdgeEnd {
+  std::uint32_t vertex, faces;
 };
 
+// Of surfaces: the sides of all faces and the listed edges, each filed under its lower vertex,
+// which takes less time there than SideGroups and memory that is no concern.
+Buckets<EdgeEnd> sides_of_surface(const Mesh& mesh) {
+  return {mesh.capacity(0), [&](auto&& file) {
+            const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t faces) {
+              file(std::min(a, b), {std::max(a, b), faces});
+            };
+            VertexBuffer buffer;
+            for (const Face f : mesh.faces()) {
+              const auto v = mesh.vertices_of(f, buffer);
+              for (std::size_t k = 0; k < v.size(); ++k)
+                add(v[k], v[k + 1 < v.size() ? k + 1 : 0], 1);
+            }
+            for (const Edge e : mesh.edges()) {
+              const auto [a, b] = mesh.edge_vertices(e);
+              add(a.index, b.index, 0);
+            }
+          }};
+}
+
+void count_surface_edges(const Mesh& mesh, Counts& counts) {
+  Buckets<EdgeEnd> sides = sides_of_surface(mesh);
+  for (std::size_t v = 0; v < sides.count(); ++v) {
+    const std::span<EdgeEnd> ends = sides[v];
+    std::ranges::sort(ends, {}, &EdgeEnd::vertex);
+    for (std::size_t i = 0; i < ends.size();) {
+      std::uint32_t faces = 0;
+      const std::uint32_t other = ends[i].vertex;
+      for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
+      ++counts.edges;
+      counts.boundary_edges += faces == 1;
+      counts.nonmanifold_edges += faces > 2;
+    }
+  }
+}
+
 void count_edges(const Mesh& mesh, Counts& counts) {
-  if (mesh.count(3) == 0) return Sides(mesh).count(counts);
+  if (mesh.count(3) == 0) return count_surface_edges(mesh, counts);
   SideGroups<1>(mesh).each([&](std::span<const SideUse> uses) {
     const auto faces = std::count_if(uses.begin(), uses.end(),
                                      [](const SideUse& use) { return use.dimension == 2; });
@@ -146,14 +134,18 @@ Counts count_entities(const Mesh& mesh) {
 
 namespace {
 
-/// Products of coordinates beyond 1e+150 are no numbers: there the triangle is measured in small.
+double largest_coordinate(const glm::dvec3& a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+
+// Fourth powers of lengths from 1e-70 to 1e+70 are numbers: other triangles are measured at size 1.
+// Differences of quarters are never infinite.
 double angle_at_any_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const double angle = smallest_angle_deg(a, b, c);
-  if (std::isfinite(angle)) return angle;
-  double most = 0;
-  for (const glm::dvec3& p : {a, b, c})
-    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return smallest_angle_deg(a / most, b / most, c / most);
+  constexpr double least = 1e-70, most = 1e70;
+  const glm::dvec3 u = b / 4.0 - a / 4.0, v = c / 4.0 - a / 4.0;
+  const double size = std::max(largest_coordinate(u), largest_coordinate(v));
+  if (size == 0 || (size >= least && size <= most)) return smallest_angle_deg(a, b, c);
+  return smallest_angle_deg(glm::dvec3(0.0), u / size, v / size);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::measure {
 
 /// How many there are of what. A face that occurs twice counts twice, also at its edges.
@@ -21,6 +23,7 @@ struct Counts {
   std::size_t nonmanifold_edges = 0;  ///< sides of three or more listed faces
   std::size_t boundary_faces = 0;     ///< sides of one region
   std::size_t nonmanifold_faces = 0;  ///< sides of three or more regions
+  std::size_t folded_faces = 0;       ///< sides of two regions that lie on one side of them
   std::size_t components = 0;  ///< sets of faces and regions connected through shared vertices
   std::int64_t euler = 0;      ///< used vertices - edges + faces - regions
   std::array<std::size_t, max_shapes> by_shape{};  ///< faces and regions, indexed by Shape
@@ -43,3 +46,5 @@ struct Quality {
 [[nodiscard]] Quality measure_quality(const Mesh& mesh);
 
 }  // namespace aomd::measure
+
+#pragma GCC visibility pop

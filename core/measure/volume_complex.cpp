@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "core/base/buckets.h"
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
 #include "core/measure/volume_statistics.h"
@@ -20,33 +20,29 @@ namespace {
 template <typename Item>
 class Filed {
  public:
-  /// `each(file)` calls file(smallest vertex, item) for every item, the same on both of its calls.
   template <typename Each>
-  Filed(std::uint32_t vertices, int threads, Each&& each) : begin_(vertices + std::size_t{1}, 0) {
-    each([this](std::uint32_t low, const Item&) { ++begin_[low + std::size_t{1}]; });
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    items_.resize(begin_.back());
-    std::vector<std::size_t> at(begin_.begin(), begin_.end() - 1);
-    each([&](std::uint32_t low, const Item& item) { items_[at[low]++] = item; });
+  Filed(std::uint32_t vertices, int threads, Each&& each) : items_(vertices, each) {
     parallel_for(vertices, threads, 1024, [this](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        std::sort(items_.data() + begin_[v], items_.data() + begin_[v + 1]);
+      for (std::size_t v = begin; v < end; ++v) sort(items_[v]);
     });
   }
 
   /// Calls visit(items) for every run of items at one vertex that same(a, b) finds equal.
   template <typename Same, typename Visit>
   void each_run(Same&& same, Visit&& visit) const {
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      for (std::size_t i = begin_[v], first = i; i < begin_[v + 1]; first = i) {
-        while (i < begin_[v + 1] && same(items_[first], items_[i])) ++i;
-        visit(std::span(items_).subspan(first, i - first));
+    for (std::size_t v = 0; v < items_.count(); ++v) {
+      const std::span<const Item> items = items_[v];
+      for (std::size_t i = 0, first = 0; i < items.size(); first = i) {
+        while (i < items.size() && same(items[first], items[i])) ++i;
+        visit(items.subspan(first, i - first));
       }
+    }
   }
 
  private:
-  std::vector<std::size_t> begin_;
-  std::vector<Item> items_;
+  static void sort(std::span<Item> items) { std::sort(items.begin(), items.end()); }
+
+  Buckets<Item> items_;
 };
 
 // A side of a region, or a listed face.

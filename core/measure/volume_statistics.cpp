@@ -81,11 +81,13 @@ void take_means(VolumeQuality& quality) {
 void count_volume_faces(const Mesh& mesh, Counts& counts) {
   counts.faces = 0;
   SideGroups<2>(mesh).each([&](std::span<const SideUse> uses) {
-    const auto used = std::count_if(uses.begin(), uses.end(),
-                                    [](const SideUse& use) { return use.dimension == 3; });
+    const auto first = std::partition_point(uses.begin(), uses.end(),
+                                            [](const SideUse& use) { return use.dimension < 3; });
+    const std::span regions(first, uses.end());
     ++counts.faces;
-    counts.boundary_faces += used == 1;
-    counts.nonmanifold_faces += used > 2;
+    counts.boundary_faces += regions.size() == 1;
+    counts.nonmanifold_faces += regions.size() > 2;
+    counts.folded_faces += regions.size() == 2 && regions[0].forward == regions[1].forward;
   });
 }
 

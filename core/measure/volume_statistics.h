@@ -10,7 +10,7 @@
 namespace aomd::measure {
 
 /// Faces between regions whether or not the mesh has them as entities: fills faces, boundary_faces,
-/// nonmanifold_faces and regions. O(sides log sides).
+/// nonmanifold_faces and folded_faces. O(sides log sides).
 void count_volume_faces(const Mesh& mesh, Counts& counts);
 
 /// Volume enclosed by a region's faces, in cubed units of length: negative where they look inward.

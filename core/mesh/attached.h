@@ -14,8 +14,20 @@
 #include <vector>
 
 #include "core/mesh/handle.h"
+#include "core/mesh/mesh_data.h"
+
+#pragma GCC visibility push(default)
 
 namespace aomd {
+
+/// What a file says of an array beside its values, of which Attribute tells: to_data() gives it
+/// back.
+struct FileNumbers {
+  bool integer = false;
+  std::optional<NumberType> type{};
+  Meaning meaning = Meaning::Any;
+  std::vector<std::string> names{};
+};
 
 /// What a mesh does to attached data of any type. Values of new entities are the column's initial
 /// value. Where the creation is recorded in a journal, the value that it covers and the value that
@@ -26,6 +38,8 @@ class AttachedBase {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::type_index type() const { return type_; }
   [[nodiscard]] virtual std::size_t bytes() const = 0;
+  [[nodiscard]] const FileNumbers& file_numbers() const { return file_numbers_; }
+  void remember(FileNumbers numbers) { file_numbers_ = std::move(numbers); }
 
  protected:
   AttachedBase(std::string name, std::type_index type) : name_(std::move(name)), type_(type) {}
@@ -47,6 +61,7 @@ class AttachedBase {
 
   std::string name_;
   std::type_index type_;
+  FileNumbers file_numbers_;
 };
 
 /// One T for every entity of a kind. References stay valid until the column is dropped.
@@ -137,3 +152,5 @@ class AttachedData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

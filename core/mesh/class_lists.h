@@ -10,6 +10,8 @@
 #include "core/mesh/id_pool.h"
 #include "core/mesh/model_ref.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// For every level and model entity, the ids of the mesh entities classified on it. Insert and
@@ -42,3 +44,5 @@ class ClassLists {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "core/mesh/handle.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// One T for every entity id of a kind. `Column<Vertex, double> spacing(mesh.capacity<0>())`.
@@ -38,3 +40,5 @@ template <typename H, typename T>
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -9,6 +9,8 @@
 
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Levels passed through, one after the other; at most five.
@@ -76,3 +78,5 @@ template <int J, int I>
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -7,6 +7,8 @@
 
 #include "core/mesh/handle.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A chained hash set of the entities of one level. The key is the sum of randomised vertex ids,
@@ -79,3 +81,5 @@ class EntityHash {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

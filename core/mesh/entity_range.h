@@ -6,6 +6,8 @@
 #include "core/mesh/handle.h"
 #include "core/mesh/id_pool.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The entities of one level that are alive, in ascending order of ids. Creating or deleting
@@ -42,3 +44,5 @@ class EntityRange {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -22,17 +22,6 @@ double cosine_between(const glm::dvec3& a, const glm::dvec3& b) {
   return squares > 0 ? glm::dot(a, b) / std::sqrt(squares) : 0;
 }
 
-// The smallest angle lies opposite the shortest side; the law of cosines gives it from the squared
-// sides alone.
-double smallest_angle_cosine(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  const glm::dvec3 u = b - a, v = c - b, w = a - c;
-  double x = glm::dot(u, u), y = glm::dot(v, v), z = glm::dot(w, w);
-  if (x > y) std::swap(x, y);
-  if (x > z) std::swap(x, z);
-  if (!(x > 0)) return 1;
-  return (y + z - x) / (2 * std::sqrt(y * z));
-}
-
 double smallest_angle_deg(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return std::acos(std::clamp(smallest_angle_cosine(a, b, c), -1.0, 1.0)) * degrees;
 }

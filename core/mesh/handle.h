@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// An index that means "no entity".
@@ -61,3 +63,5 @@ template <int Dim>
 struct std::hash<aomd::Handle<Dim>> {
   std::size_t operator()(aomd::Handle<Dim> h) const noexcept { return h.index; }
 };
+
+#pragma GCC visibility pop

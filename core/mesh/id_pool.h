@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Gives out the ids of one level and knows which are alive. Every operation O(1).
@@ -71,3 +73,5 @@ void each_alive(const IdPool& ids, std::size_t begin, std::size_t end, Visit&& v
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

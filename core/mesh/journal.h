@@ -15,6 +15,8 @@
 #include "core/mesh/journal_record.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 class JournalReplay;
@@ -148,3 +150,5 @@ void Journal::touched(std::size_t first, std::size_t last, Visit&& visit) const 
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

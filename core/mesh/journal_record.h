@@ -14,6 +14,8 @@
 
 #include "core/mesh/shape.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 enum class RecordKind : std::uint32_t { Create, Destroy, Rebind, Move, Classify };
@@ -67,3 +69,5 @@ struct RecordHead {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

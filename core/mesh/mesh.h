@@ -26,6 +26,8 @@
 #include "core/mesh/request.h"
 #include "core/mesh/shape.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 class Journal;
@@ -376,3 +378,5 @@ Attached<H, T>& Mesh::attached(std::string_view name, T initial) {
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

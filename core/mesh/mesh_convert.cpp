@@ -1,6 +1,7 @@
 // From plain arrays to the database and back.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -127,21 +128,47 @@ void drop_if_unclassified(std::vector<ModelRef>& classes) {
 
 using Ids = std::vector<std::uint32_t>;
 
+/// How many numbers a value of a column has; 0 for types that are no attribute.
+template <typename T>
+constexpr int components_of = std::is_arithmetic_v<T> ? 1 : 0;
+template <>
+constexpr int components_of<glm::dvec3> = 3;
+template <std::size_t N>
+constexpr int components_of<std::array<double, N>> = static_cast<int>(N);
+
+template <typename T>
+double component(const T& value, int k) {
+  if constexpr (std::is_arithmetic_v<T>)
+    return static_cast<double>(value);
+  else if constexpr (std::is_same_v<T, glm::dvec3>)
+    return value[k];
+  else
+    return value[static_cast<std::size_t>(k)];
+}
+
+template <typename T>
+T value_from(const double* v) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    return static_cast<T>(*v);
+  } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+    return {v[0], v[1], v[2]};
+  } else {
+    T value;
+    std::copy_n(v, value.size(), value.begin());
+    return value;
+  }
+}
+
 template <typename H, typename T>
 void add_attribute(const Mesh& mesh, const AttachedBase& column, const Ids& ids, MeshData& data) {
   const auto* values = mesh.find_attached<H, T>(column.name());
   if (!values) return;
-  Attribute a{column.name(),
-              H::dimension,
-              std::is_same_v<T, glm::dvec3> ? 3 : 1,
-              std::is_integral_v<T>,
-              {}};
-  for (const std::uint32_t id : ids) {
-    if constexpr (std::is_same_v<T, glm::dvec3>)
-      for (int k = 0; k < 3; ++k) a.values.push_back((*values)[H(id)][k]);
-    else
-      a.values.push_back(static_cast<double>((*values)[H(id)]));
-  }
+  const FileNumbers& file = column.file_numbers();
+  Attribute a{
+      column.name(), H::dimension, components_of<T>, std::is_integral_v<T> || file.integer, {},
+      file.type,     file.meaning, file.names};
+  for (const std::uint32_t id : ids)
+    for (int k = 0; k < components_of<T>; ++k) a.values.push_back(component((*values)[H(id)], k));
   data.attributes.push_back(std::move(a));
 }
 
@@ -150,28 +177,33 @@ void add_attributes(const Mesh& mesh, const Ids& ids, MeshData& data) {
   for (const auto& column : mesh.attached(H::dimension)) {
     add_attribute<H, double>(mesh, *column, ids, data);
     add_attribute<H, std::int64_t>(mesh, *column, ids, data);
+    add_attribute<H, std::array<double, 2>>(mesh, *column, ids, data);
     add_attribute<H, glm::dvec3>(mesh, *column, ids, data);
+    add_attribute<H, std::array<double, 4>>(mesh, *column, ids, data);
+    add_attribute<H, std::array<double, 6>>(mesh, *column, ids, data);
+    add_attribute<H, std::array<double, 9>>(mesh, *column, ids, data);
   }
 }
 
-template <typename H, typename T, typename ValueAt>
-void fill_column(Mesh& mesh, const std::string& name, ValueAt&& value_at) {
-  Attached<H, T>& column = mesh.attached<H, T>(name);
-  for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i) column[H(i)] = value_at(i);
+template <typename H, typename T>
+void fill_column(Mesh& mesh, const Attribute& a) {
+  Attached<H, T>& column = mesh.attached<H, T>(a.name);
+  const double* v = a.values.data();
+  for (std::uint32_t i = 0; i < mesh.capacity(H::dimension); ++i, v += a.components)
+    column[H(i)] = value_from<T>(v);
+  column.remember({a.integer, a.type, a.meaning, a.names});
 }
 
+/// Arrays of other numbers of components are none of a Mesh's.
 template <typename H>
 void take_attribute(Mesh& mesh, const Attribute& a) {
-  const double* v = a.values.data();
-  if (a.components == 3)
-    fill_column<H, glm::dvec3>(mesh, a.name, [v](std::size_t i) {
-      return glm::dvec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
-    });
-  else if (a.integer)
-    fill_column<H, std::int64_t>(mesh, a.name,
-                                 [v](std::size_t i) { return static_cast<std::int64_t>(v[i]); });
-  else
-    fill_column<H, double>(mesh, a.name, [v](std::size_t i) { return v[i]; });
+  if (a.components == 1 && a.integer) fill_column<H, std::int64_t>(mesh, a);
+  if (a.components == 1 && !a.integer) fill_column<H, double>(mesh, a);
+  if (a.components == 2) fill_column<H, std::array<double, 2>>(mesh, a);
+  if (a.components == 3) fill_column<H, glm::dvec3>(mesh, a);
+  if (a.components == 4) fill_column<H, std::array<double, 4>>(mesh, a);
+  if (a.components == 6) fill_column<H, std::array<double, 6>>(mesh, a);
+  if (a.components == 9) fill_column<H, std::array<double, 9>>(mesh, a);
 }
 
 }  // namespace
@@ -187,9 +219,7 @@ Mesh::Mesh(const MeshData& data) : positions_(data.positions), model_table_(data
   take_list(3, data.regions);
   if (dimension() > 1) representation_.demand(dimension(), 0).user = true;
   for (const Attribute& a : data.attributes) {
-    if ((a.components != 1 && a.components != 3) ||
-        (a.dimension == 1 && edges.size() != data.edges.size()))
-      continue;
+    if (a.dimension == 1 && edges.size() != data.edges.size()) continue;
     if (a.dimension == 0) take_attribute<Vertex>(*this, a);
     if (a.dimension == 1) take_attribute<Edge>(*this, a);
     if (a.dimension == 2) take_attribute<Face>(*this, a);

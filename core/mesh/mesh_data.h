@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,10 @@
 
 #include "core/mesh/model_ref.h"
 #include "core/mesh/model_table.h"
+#include "core/mesh/number_type.h"
 #include "core/mesh/shape.h"
+
+#pragma GCC visibility push(default)
 
 namespace aomd {
 
@@ -35,6 +39,18 @@ struct EntityList {
   friend bool operator==(const EntityList&, const EntityList&) = default;
 };
 
+/// What the numbers of an array stand for, where their file says so: it decides how they move when
+/// the geometry does, and what another format calls them. The last three are what VTK shows first.
+enum class Meaning : std::uint8_t {
+  Any,
+  Colour,   ///< red, green, blue and perhaps alpha: 0 to 1, or all that whole numbers can be
+  Normal,   ///< unit vectors
+  Texture,  ///< texture coordinates
+  Scalars,
+  Vectors,
+  Tensors
+};
+
 /// Numbers that a file attaches to every entity of one dimension, in the order of the lists.
 struct Attribute {
   std::string name;
@@ -42,6 +58,11 @@ struct Attribute {
   int components = 1;
   bool integer = false;        ///< whole numbers of at most 53 bits
   std::vector<double> values;  ///< `components` for each entity
+  /// How the file stores them. None: doubles, or whole numbers of 32 bits (64 where one needs
+  /// them).
+  std::optional<NumberType> type{};
+  Meaning meaning = Meaning::Any;
+  std::vector<std::string> names{};  ///< what the numbers 0, 1, ... of a label stand for, or none
   friend bool operator==(const Attribute&, const Attribute&) = default;
 };
 
@@ -51,6 +72,13 @@ struct Periodicity {
   std::vector<double> transformation;  ///< 4 by 4, row by row, from the source; or none
   std::vector<std::array<std::uint32_t, 2>> pairs;  ///< a vertex and its counterpart of the source
   friend bool operator==(const Periodicity&, const Periodicity&) = default;
+};
+
+/// A line of a file that says something of the whole: "comment" and "obj_info" of PLY, "mtllib" of
+/// OBJ.
+struct Remark {
+  std::string keyword, text;
+  friend bool operator==(const Remark&, const Remark&) = default;
 };
 
 /// Vertex positions and the entities that a file lists. Edges and faces are listed only where the
@@ -63,6 +91,10 @@ struct MeshData {
   EntityList faces;
   EntityList regions;
   std::vector<Attribute> attributes;
+  /// On the corners of faces, where values may jump from one face to the next (texture
+  /// coordinates): in the order of `faces.vertices`. A Mesh does not take them.
+  std::vector<Attribute> corners;
+  std::vector<Remark> remarks;  ///< a Mesh does not take them
   ModelTable model;
   std::vector<Periodicity> periodic;  ///< a Mesh does not take it: edits would make it wrong
 
@@ -80,3 +112,5 @@ struct MeshData {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A model entity G^J: its dimension J (0..3) and tag, packed into 4 bytes; or none (unclassified).
@@ -42,3 +44,5 @@ class ModelRef {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

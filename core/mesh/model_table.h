@@ -9,6 +9,8 @@
 
 #include "core/mesh/model_ref.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// One model entity as a file describes it.
@@ -40,3 +42,5 @@ struct ModelTable {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -10,6 +10,8 @@
 #include "core/base/raw_vector.h"
 #include "core/mesh/handle.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A stored row seen as handles. Valid until the next edit of the mesh.
@@ -124,3 +126,5 @@ class UpRows {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

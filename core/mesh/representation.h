@@ -7,6 +7,8 @@
 
 #include "core/mesh/relation.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Which relations are stored, who wants them, and their rows. Mesh owns one and keeps it true.
@@ -77,3 +79,5 @@ class Representation {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -1,6 +1,8 @@
 #pragma once
 // A scoped wish for a stored adjacency.
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 class Mesh;
@@ -25,3 +27,5 @@ class Request {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

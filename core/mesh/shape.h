@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The type of an entity. Values from `builtin_shapes` on belong to templates that a program adds.
@@ -86,3 +88,5 @@ void override_template(Shape shape, const ShapeTemplate& replacement);
 [[nodiscard]] bool told_by_sides(const ShapeTemplate& shape, int dim);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -20,6 +20,7 @@ struct SideUse {
   std::uint64_t tag = 0;  ///< of the side's key
   std::uint32_t index = no_index;
   std::uint8_t dimension = 0, side = 0;
+  bool forward = false;  ///< as its key is
 
   friend bool operator<(const SideUse& a, const SideUse& b) {
     return a.tag != b.tag
@@ -98,8 +99,8 @@ class SideGroups {
     void gather(std::uint32_t v, std::vector<SideUse>& uses) const {
       const auto add = [&](std::uint32_t id, int k, const auto& at) {
         if (at.low == v)
-          uses.push_back(
-              {at.tag, id, static_cast<std::uint8_t>(dim), static_cast<std::uint8_t>(k)});
+          uses.push_back({at.tag, id, static_cast<std::uint8_t>(dim), static_cast<std::uint8_t>(k),
+                          at.forward});
       };
       for (const std::uint32_t id : around->row(v)) {
         const ShapeTemplate& shape = rows.shape(id);

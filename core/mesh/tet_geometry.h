@@ -11,6 +11,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Six times the signed volume: positive where the tetrahedron stands upright.
@@ -73,3 +75,5 @@ namespace aomd {
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

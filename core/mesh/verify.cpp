@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
+#include "core/base/buckets.h"
 #include "core/mesh/bulk.h"
 #include "core/mesh/names.h"
 #include "core/mesh/side_index.h"
@@ -314,22 +314,22 @@ std::optional<Finding> first_misclassified(const Mesh& mesh) {
 
 std::optional<Finding> first_repeated_region(const Mesh& mesh) {
   const VertexRows rows(mesh, 3);
-  const auto lowest = [&](std::uint32_t id) { return std::ranges::min(rows.vertices(id)); };
-  std::vector<std::uint32_t> begin(mesh.capacity(0) + std::size_t{1}, 0), by_lowest(mesh.count(3));
-  for (const Region r : mesh.regions()) ++begin[lowest(r.index)];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (const Region r : mesh.regions()) by_lowest[--begin[lowest(r.index)]] = r.index;
+  const Buckets<std::uint32_t> by_lowest(mesh.capacity(0), [&](auto&& file) {
+    for (const Region r : mesh.regions()) file(std::ranges::min(rows.vertices(r.index)), r.index);
+  });
   const auto same = [&](std::uint32_t a, std::uint32_t b) {
     const auto u = rows.vertices(a), v = rows.vertices(b);
     return u.size() == v.size() && std::is_permutation(u.begin(), u.end(), v.begin());
   };
-  for (std::size_t v = 0; v + 1 < begin.size(); ++v)
-    for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i)
-      for (std::uint32_t k = i + 1; k < begin[v + 1]; ++k)
-        if (same(by_lowest[i], by_lowest[k]))  // ids descend
-          return Finding{"duplicate region", Region(by_lowest[i]),
-                         name_of(Region(by_lowest[i])) + " has the same vertices as " +
-                             name_of(Region(by_lowest[k]))};
+  for (std::size_t v = 0; v < by_lowest.count(); ++v) {
+    const auto regions = by_lowest[v];
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (same(regions[i], regions[k]))
+          return Finding{"duplicate region", Region(regions[i]),
+                         name_of(Region(regions[i])) + " has the same vertices as " +
+                             name_of(Region(regions[k]))};
+  }
   return {};
 }
 

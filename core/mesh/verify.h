@@ -7,6 +7,8 @@
 
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// One thing that is wrong: its kind, the entity concerned, and a sentence.
@@ -53,3 +55,5 @@ struct VerifyOptions {
 [[nodiscard]] std::optional<Finding> first_repeated_region(const Mesh& mesh);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -6,6 +6,8 @@
 
 #include "core/model/model.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Where an elementary curve or surface lies: an origin and three orthonormal, right-handed axes.
@@ -111,3 +113,5 @@ class AnalyticModel final : public Model {
 [[nodiscard]] AnalyticModel drilled_box_model(const glm::dvec3& size, double hole_radius);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

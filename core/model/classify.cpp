@@ -92,7 +92,8 @@ class Classifier {
   // says nothing of its edges, and faces that are left out are not said to be smooth.
   void find_features() {
     const auto angle = given() ? std::nullopt : options_.feature_angle_deg;
-    features_ = aomd::find_features(mesh_, {angle, options_.nonmanifold_edges}, feature_);
+    features_ = aomd::find_features(
+        mesh_, {angle, options_.nonmanifold_edges, false, options_.seams}, feature_);
   }
 
   void flood_faces() {

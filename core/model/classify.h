@@ -2,10 +2,15 @@
 // Classification of every mesh entity on a model that the mesh itself implies (paper, sections 2.1
 // and 3).
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/mesh/mesh.h"
 #include "core/model/features.h"
+
+#pragma GCC visibility push(default)
 
 namespace aomd {
 
@@ -21,6 +26,9 @@ struct ClassifyOptions {
   /// Keep what is classified already (it came with the file, and wins) and derive only the rest.
   /// Regions keep their model regions either way.
   bool keep_present = true;
+  /// Edges, by their vertices, that become model edges whatever the angle says: where values on the
+  /// corners of faces jump. Of surfaces only.
+  std::vector<std::array<std::uint32_t, 2>> seams{};
   /// All edges and faces of a volume become entities. Without it only those on model edges and
   /// model faces do, beside what is listed; all the same where an edge on a model edge, or one that
   /// nothing implies, bounds no model face.
@@ -51,3 +59,5 @@ struct ClassifyResult {
 ClassifyResult classify(Mesh& mesh, const ClassifyOptions& options = {});
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

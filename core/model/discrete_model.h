@@ -5,6 +5,8 @@
 #include "core/model/model.h"
 #include "core/model/triangle_tree.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A modeler over the faces, edges and vertices of a classified mesh, grouped by the model entity
@@ -29,3 +31,5 @@ class DiscreteModel final : public Model {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -36,6 +36,8 @@ class FeatureFinder {
           faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
       if (border) set_mark(e, Border);
     }
+    for (const auto& [a, b] : options.seams)
+      if (const Edge e = mesh_.find_edge(Vertex(a), Vertex(b)); e.valid()) set_mark(e, Border);
   }
 
   void mark_sharp(double angle_deg) {

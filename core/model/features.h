@@ -1,11 +1,15 @@
 #pragma once
 // Which edges of a mesh are features: curves of the model that the mesh implies.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
+
+#pragma GCC visibility push(default)
 
 namespace aomd {
 
@@ -22,6 +26,7 @@ struct FeatureOptions {
   std::optional<double> angle_deg = 20.0;  ///< none: borders only
   bool nonmanifold_edges = true;           ///< edges with more than two faces are borders
   bool ignore_classes = false;             ///< as if nothing were classified
+  std::span<const std::array<std::uint32_t, 2>> seams{};  ///< edges, by vertices, that are borders
 };
 
 /// Marks the edges that lie on model edges. Besides borders these are the edges whose faces meet at
@@ -52,3 +57,5 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

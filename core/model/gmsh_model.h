@@ -7,6 +7,8 @@
 #include "core/mesh/mesh_data.h"
 #include "core/model/model.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Whether the program was built for Gmsh and finds its library. The library is loaded at the first
@@ -44,3 +46,5 @@ struct GmshMeshOptions {
 [[nodiscard]] MeshData mesh_with_gmsh(const std::string& path, const GmshMeshOptions& options = {});
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -15,6 +15,8 @@
 #include "core/mesh/mesh.h"
 #include "core/mesh/model_ref.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A model cannot be read or evaluated, or does not fit the mesh; what() is one line.
@@ -118,3 +120,5 @@ class Model {
 double snap(const Model& model, Mesh& mesh, Vertex v);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 
 #include "core/base/box.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What is added must lie within the box of all that it is made with: coordinates are measured from
@@ -38,3 +40,5 @@ class TiltedBox {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

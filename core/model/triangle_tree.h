@@ -15,6 +15,8 @@
 #include "core/mesh/mesh.h"
 #include "core/model/tilted_box.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The corners of a triangle in its own order.
@@ -60,6 +62,10 @@ class TriangleTree {
   /// the tree's order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
   [[nodiscard]] Nearest nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
 
+  /// The same among the triangles that takes(n) accepts.
+  template <typename Takes>
+  [[nodiscard]] Nearest nearest_of(const glm::dvec3& p, const Takes& takes) const;
+
   struct RayHit {
     std::uint32_t triangle = no_index;                          ///< in the tree's order
     double distance = std::numeric_limits<double>::infinity();  ///< in lengths of the direction
@@ -102,6 +108,21 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
 /// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
 [[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);
 
+template <typename Takes>
+TriangleTree::Nearest TriangleTree::nearest_of(const glm::dvec3& p, const Takes& takes) const {
+  Nearest best;
+  boxes_.cheapest(
+      best.distance2, [&](std::uint32_t node) { return bound2(node, p); },
+      [&](std::uint32_t n) {
+        if (!takes(n)) return best.distance2;
+        const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
+        const double d2 = d.x * d.x + d.y * d.y + d.z * d.z;
+        if (d2 < best.distance2) best = {n, q, d2};
+        return best.distance2;
+      });
+  return best;
+}
+
 template <typename Visit>
 void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) const {
   boxes_.reached([&](std::uint32_t node) { return bound2(node, p) <= distance2; },
@@ -112,3 +133,5 @@ void TriangleTree::within(const glm::dvec3& p, double distance2, Visit&& visit) 
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -8,6 +8,8 @@
 #include "core/mesh/tet_geometry.h"
 #include "core/operators/star.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A tetrahedron around a vertex, seen from it: (vertex, others[0], others[1], others[2]) stands
@@ -84,3 +86,5 @@ void for_corners(const Ball& ball, Visit&& visit) {
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -23,6 +23,8 @@
 #include "core/operators/verdict.h"
 #include "core/operators/vertex_marks.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A collapse that was judged: what the verdict says, and what making it needs. Belongs to who
@@ -92,3 +94,5 @@ class Collapser {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

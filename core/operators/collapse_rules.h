@@ -7,6 +7,8 @@
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Safe: a collapse must keep the topology (link condition). Paper: as printed, without that check.
@@ -46,3 +48,5 @@ struct EndMove {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

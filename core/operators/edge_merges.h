@@ -7,6 +7,8 @@
 #include "core/operators/star.h"
 #include "core/operators/vertex_marks.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Finds which edges at a deleted vertex stretch to the kept one and which fall together with an
@@ -38,3 +40,5 @@ class EdgeMerges {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

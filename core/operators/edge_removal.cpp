@@ -152,15 +152,17 @@ double worst_new_dihedral_cosine(const Mesh& mesh, const EdgeRemoval& plan) {
   return worst;
 }
 
+double worst_dihedral_cosine(const Mesh& mesh, const EdgeRing& ring) {
+  double worst = -1;
+  for_present(mesh, ring,
+              [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
+  return worst;
+}
+
 Verdict judge_dihedrals(const Mesh& mesh, const EdgeRemoval& plan, const LeastAngle& least) {
   if (!least.binds()) return {};
   const double now = worst_new_dihedral_cosine(mesh, plan);
-  const auto before = [&] {
-    double worst = -1;
-    for_present(mesh, plan.ring,
-                [&](const Corners& c) { worst = std::max(worst, dihedral_cosine_of(c)); });
-    return worst;
-  };
+  const auto before = [&] { return worst_dihedral_cosine(mesh, plan.ring); };
   if (!least.allows(now, before)) return {Reason::Shape, plan.ring.sides[0].regions[0], now};
   return {};
 }

@@ -16,6 +16,12 @@ void mark_neighbours(const Mesh& mesh, Vertex kept, const Star& star, VertexMark
   marks.set(kept);
 }
 
+// A collapse takes faces out of the rows of the apexes, which nothing reads before: they come from
+// memory while it is judged.
+void fetch_rows(const Mesh& mesh, const std::vector<Vertex>& apexes) {
+  for (const Vertex apex : apexes) __builtin_prefetch(mesh.row<2>(apex).indices().data());
+}
+
 }  // namespace
 
 // The third vertices of the faces at the edge. False where two of them are one: those faces enclose
@@ -97,6 +103,7 @@ Verdict LinkCondition::judge(const Mesh& mesh, EntityRef edge, const EdgeEnds& e
                              const StarPair& stars, VertexMarks& marks) {
   mark_neighbours(mesh, ends[1], stars[1], marks);
   if (!gather_apexes(stars[0], ends[1])) return {Reason::Topology, edge};
+  fetch_rows(mesh, apexes_);
   if (!keeps_fans(ends, stars)) return {Reason::Topology, edge};
   std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars[0]) {

@@ -8,6 +8,8 @@
 #include "core/operators/verdict.h"
 #include "core/operators/vertex_marks.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 using StarPair = std::array<Star, 2>;
@@ -43,3 +45,5 @@ class LinkCondition {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

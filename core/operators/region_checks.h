@@ -5,6 +5,8 @@
 #include "core/operators/collapse_rules.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What limits a collapse among tetrahedra. None turns inside out and the topology is kept,
@@ -33,3 +35,5 @@ struct VolumeRules {
                                      const Ball& ball);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

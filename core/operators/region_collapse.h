@@ -20,6 +20,8 @@
 #include "core/operators/collapse.h"
 #include "core/operators/region_checks.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A collapse among tetrahedra that was judged: as on surfaces, with the tetrahedra around both
@@ -83,3 +85,5 @@ class RegionCollapser {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

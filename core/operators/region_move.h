@@ -11,6 +11,8 @@
 #include "core/operators/ball.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What a move has to respect.
@@ -101,3 +103,5 @@ class RegionMover {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -9,6 +9,8 @@
 #include "core/mesh/derive.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// A triangle around a vertex, seen from it.
@@ -158,3 +160,5 @@ void for_edges_at(const Mesh& mesh, Vertex v, const Star& star, Visit&& visit) {
 }
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -14,6 +14,8 @@
 #include "core/mesh/mesh.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// The two triangles at an edge, f = (a, b, c) and g = (b, a, d).
@@ -47,3 +49,5 @@ void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair);
 void apply_swap(Mesh& mesh, const EdgePair& pair);
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -5,6 +5,8 @@
 
 #include "core/mesh/handle.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Why an operator refused, as numbered in reports and recordings.
@@ -55,3 +57,5 @@ class Verdict {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -6,6 +6,8 @@
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// Marks that operators put on the neighbours of a vertex; emptied between any two uses, without
@@ -30,3 +32,5 @@ class VertexMarks {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

@@ -14,6 +14,8 @@
 
 #include "core/paper/types.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::paper {
 
 /// (1), (3): the model entity is of level `classification`, 0 to 3, and id `tag`. Throw as
@@ -97,3 +99,5 @@ void L_putDataD_(const DataList_<Dim>& list, std::string_view name, double value
 }
 
 }  // namespace aomd::paper
+
+#pragma GCC visibility pop

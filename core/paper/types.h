@@ -12,6 +12,8 @@
 #include "core/operators/region_collapse.h"
 #include "core/operators/region_move.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd::paper {
 
 /// What stands behind a pMesh_: a mesh, which must outlive it, the limits of the operators, and the
@@ -103,3 +105,5 @@ enum RTip_ {
 };
 
 }  // namespace aomd::paper
+
+#pragma GCC visibility pop

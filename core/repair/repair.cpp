@@ -1,6 +1,7 @@
 #include "core/repair/repair.h"
 
 #include "core/base/text.h"
+#include "core/fields/carry_corners.h"
 #include "core/io/source.h"
 #include "core/repair/stages.h"
 
@@ -126,8 +127,14 @@ class Repair {
 
 }  // namespace
 
+// Faces that change keep no order of their corners: values there follow at the end.
 RepairReport repair(MeshData& data, const RepairOptions& options) {
-  return Repair(data, options).run();
+  if (data.corners.empty()) return Repair(data, options).run();
+  const MeshData before = data;
+  data.corners.clear();
+  RepairReport report = Repair(data, options).run();
+  data.corners = fields::carried_corners(before, data, 1);
+  return report;
 }
 
 }  // namespace aomd

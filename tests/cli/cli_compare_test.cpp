@@ -124,6 +124,19 @@ TEST_F(CompareCommand, AnOriginalWithoutSize) {
   EXPECT_TRUE(compared("point.off square.off")["hausdorff_pct"].is_null());
 }
 
+// A distance whose square is no number would pass for none.
+TEST_F(CompareCommand, SizesThatCannotBeMeasuredAreRefused) {
+  for (const char* size : {"1e19", "1e160", "1e-21", "1e-200"}) {
+    const std::string n = size;
+    put("t.off", "OFF\n3 1 0\n0 0 0\n" + n + " 0 0\n0 " + n + " 0\n3 0 1 2\n");
+    for (const char* files : {"square.off t.off", "t.off square.off"})
+      expect_failure(std::string("compare --max-distance 1 ") + files, 5,
+                     "t.off: Only meshes from 1e-20 to 1e+18 across can be compared");
+  }
+  put("far.off", "OFF\n4 1 0\n0 0 0\n4 0 0\n0 4 0\n1e300 0 0\n3 0 1 2\n");
+  EXPECT_EQ(aomd("compare far.off far.off --max-distance 1e-9").code, 0) << "nothing uses vertex 3";
+}
+
 TEST_F(CompareCommand, TheTextShowsBothSurfaces) {
   const Outcome run = aomd("compare square.off turned.off");
   for (const char* part :

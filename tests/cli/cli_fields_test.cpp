@@ -51,18 +51,93 @@ class FieldsCommand : public CommandLine {
   MeshData read(const char* name) const { return io::read(at(name)).mesh; }
 };
 
-constexpr const char* all_left_out =
-    "left out, as it does not follow the operations: \"x\", \"uv\", \"id\", \"stress\"\n";
-
-TEST_F(FieldsCommand, DecimateLeavesOutArraysThatDoNotFollow) {
-  io::write(at("in.vtu"), surface());
-  const Outcome run = aomd("decimate in.vtu out.vtu --target-faces 100 --journal j");
+TEST_F(FieldsCommand, ArraysGoAlongWithDecimateAndReplay) {
+  const MeshData mesh = surface();
+  io::write(at("in.vtu"), mesh);
+  const Outcome run =
+      aomd("decimate in.vtu out.vtu --target-faces 100 --journal j --report r.json");
   EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(run.err.find(std::string("aomd: note: out.vtu: ") + all_left_out), 0u) << run.err;
-  EXPECT_TRUE(read("out.vtu").attributes.empty());
-  const Outcome replay = aomd("replay in.vtu j again.vtu");
-  EXPECT_EQ(replay.err, std::string("aomd: note: again.vtu: ") + all_left_out);
+  EXPECT_EQ(run.err.find("left out"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("\n  \"x\" on vertices, interpolated: "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\n  \"id\" on faces, label: 3 to 3\n"), std::string::npos) << run.out;
+  const MeshData result = read("out.vtu");
+  ASSERT_EQ(result.attributes.size(), 4u);
+  for (std::size_t i = 0; i < result.positions.size(); ++i)
+    EXPECT_NEAR(result.attributes[0].values[i], result.positions[i].x, 5) << "of 100";
+  EXPECT_EQ(result.attributes[1].values, std::vector<double>(2 * result.positions.size(), 0.5));
+  EXPECT_EQ(result.attributes[2].values, std::vector<double>(result.faces.size(), 3));
+  EXPECT_EQ(result.attributes[3].values, std::vector<double>(9 * result.faces.size(), 0.25));
+  EXPECT_EQ(json("r.json")["fields"].size(), 4u);
+  EXPECT_EQ(json("r.json")["fields"][3]["kind"], "conserved");
+  EXPECT_EQ(aomd("replay in.vtu j again.vtu").err, "");
   EXPECT_EQ(text("again.vtu"), text("out.vtu"));
+}
+
+/// A bumpy square of two charts that meet at x = 1/2, as OBJ and as PLY.
+TEST_F(FieldsCommand, SeamsStayUnlessTheyAreIgnored) {
+  MeshData mesh;
+  constexpr std::uint32_t n = 20;
+  for (std::uint32_t j = 0; j <= n; ++j)
+    for (std::uint32_t i = 0; i <= n; ++i)
+      mesh.positions.emplace_back(double(i) / n, double(j) / n, 0.03 * std::sin(0.9 * i) * (j % 3));
+  Attribute uv{"uv", 2, 2, false, {}};
+  uv.meaning = Meaning::Texture;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, bool right) {
+    mesh.faces.add(Shape::Triangle, {a, b, c});
+    for (const std::uint32_t v : {a, b, c}) {
+      uv.values.push_back(mesh.positions[v].x + (right ? 10 : 0));
+      uv.values.push_back(mesh.positions[v].y);
+    }
+  };
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t v = j * (n + 1) + i;
+      add(v, v + 1, v + n + 2, i >= n / 2);
+      add(v, v + n + 2, v + n + 1, i >= n / 2);
+    }
+  mesh.corners = {uv};
+  for (const std::string kind : {".obj", ".ply"}) {
+    io::write(at("in" + kind), mesh);
+    const std::string run =
+        "decimate in" + kind + " out" + kind + " --target-faces 150 --journal j";
+    ASSERT_EQ(aomd(run + " --report r.json").code, 0);
+    EXPECT_EQ(json("r.json")["options"]["seams"], "keep");
+    const MeshData result = io::read(at("out" + kind)).mesh;
+    ASSERT_EQ(result.corners.size(), 1u) << kind;
+    for (std::size_t c = 0; c < result.faces.vertices.size(); c += 3) {
+      double x = 0;
+      for (std::size_t k = c; k < c + 3; ++k) x += result.positions[result.faces.vertices[k]].x / 3;
+      for (std::size_t k = c; k < c + 3; ++k)
+        EXPECT_NEAR(result.corners[0].values[2 * k],
+                    result.positions[result.faces.vertices[k]].x + (x < 0.5 ? 0 : 10), 0.05);
+    }
+    EXPECT_EQ(aomd("replay in" + kind + " j again" + kind).err, "");
+    EXPECT_EQ(text("again" + kind), text("out" + kind));
+    ASSERT_EQ(aomd(run + " --seams ignore").code, 0);
+    EXPECT_NE(text("again" + kind), text("out" + kind));
+    EXPECT_EQ(aomd("replay in" + kind + " j again" + kind).err, "");
+    EXPECT_EQ(text("again" + kind), text("out" + kind));
+  }
+  EXPECT_NE(aomd("classify in.obj c.ply").out, aomd("classify in.obj c.ply --seams ignore").out);
+  expect_failure("decimate in.obj o.obj --factor 2 --seams tear", 2, "--seams");
+}
+
+TEST_F(FieldsCommand, CompareSaysWhatArraysOfSurfacesDifferBy) {
+  MeshData mesh = surface();
+  io::write(at("a.vtu"), mesh);
+  for (double& x : mesh.attributes[0].values) x += 2;
+  for (double& x : mesh.attributes[2].values) x = 4;
+  io::write(at("b.vtu"), mesh);
+  const auto list = nlohmann::json::parse(aomd("compare a.vtu b.vtu --json").out)["fields"];
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_NEAR(list[0]["rms"], 2, 1e-12);
+  EXPECT_NEAR(list[0]["largest"], 2, 1e-12);
+  EXPECT_NEAR(list[1]["rms"], 0, 1e-15);
+  EXPECT_NEAR(list[2]["differing_pct"], 100, 1e-9);
+  EXPECT_NEAR(list[3]["largest"], 0, 1e-15);
+  const std::string out = aomd("compare a.vtu b.vtu").out;
+  EXPECT_NE(out.find("field, % of its range"), std::string::npos) << out;
+  EXPECT_NE(out.find("% of area"), std::string::npos) << out;
 }
 
 TEST_F(FieldsCommand, WhereNothingMovesAllArraysStay) {
@@ -89,12 +164,12 @@ TEST_F(FieldsCommand, WhatAFormatDoesNotHoldIsSaid) {
   io::write(at("in.vtu"), mesh);
   const std::string fields = "attribute \"x\", attribute \"uv\", ",
                     others = "attribute \"id\", attribute \"stress\"\n";
-  for (const char* name : {"o.ply", "o.obj", "o.off", "o.stl"})
+  for (const char* name : {"o.obj", "o.off", "o.stl"})
     EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err,
               std::string("aomd: note: ") + name + ": left out: " + fields +
                   "attribute \"medit:reference\", " + others);
   EXPECT_EQ(aomd("repair in.vtu o.mesh").err, "aomd: note: o.mesh: left out: " + fields + others);
-  for (const char* name : {"o.vtk", "o.vtu", "o.msh"})
+  for (const char* name : {"o.ply", "o.vtk", "o.vtu", "o.msh"})
     EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err, "");
 }
 

@@ -133,5 +133,132 @@ TEST_F(TargetCommand, MissedForWantOfRepairPointsToIt) {
   EXPECT_EQ(stopped("doubled.off o.off --target-faces 100 --repair")["why"], "target");
 }
 
+// Each reason that keeps a twentieth of the edges has its own option, the first one is named first.
+TEST_F(TargetCommand, MissedNamesWhatHelpsForEachReason) {
+  sample("box", "box.ply", 4);
+  ASSERT_EQ(aomd("convert box.ply bare.off").code, 0);
+  const auto why = stopped("bare.off o.off --target-faces 8");
+  EXPECT_EQ(why["help"], (nlohmann::json{{"Classification", "--feature-angle off"}}));
+  EXPECT_TRUE(why["let_go"].empty());
+}
+
+// The edges of a box are features that 8 faces leave no room for.
+TEST_F(TargetCommand, ReachLetsGoOfGuardsInOrderUntilItIsMet) {
+  sample("sphere", "s.ply", 8);
+  EXPECT_EQ(stopped("s.ply o.ply --target-faces 320 --reach")["let_go"], nlohmann::json::array());
+  const auto shape = stopped("s.ply o.ply --target-faces 20 --min-angle 50 --reach");
+  EXPECT_EQ(shape["why"], "target");
+  EXPECT_EQ(shape["let_go"], nlohmann::json({"shape"}));
+  const auto facing = stopped("s.ply o.ply --target-faces 20 --angle 5 --no-swap --reach");
+  EXPECT_EQ(facing["why"], "target");
+  EXPECT_EQ(facing["let_go"], nlohmann::json({"facing"}));
+  sample("box", "box.ply", 4);
+  ASSERT_EQ(aomd("convert box.ply bare.off").code, 0);
+  const Outcome run = aomd("decimate bare.off o.off --target-faces 8 --reach --report r.json");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(json("r.json")["stopped"]["let_go"], nlohmann::json({"facing", "features"}));
+  EXPECT_EQ(json("r.json")["output"]["faces"], 8);
+  EXPECT_EQ(json("r.json")["output"]["euler"], 2) << "the topology stays";
+  EXPECT_NE(run.err.find("note: o.off: let go of facing and features to come that far\n"),
+            std::string::npos)
+      << run.err;
+}
+
+// A sheet's corners go last, and only if the file did not put them there.
+TEST_F(TargetCommand, ReachLetsGoOfCornersLast) {
+  std::string text = "OFF\n8 8 0\n", faces;
+  // A square ring around a square hole: 8 corners, which leave 8 faces.
+  for (const char* p : {"0 0", "3 0", "3 3", "0 3", "1 1", "2 1", "2 2", "1 2"})
+    text += std::string(p) + " 0\n";
+  for (const auto& t : {std::array{0, 1, 5},
+                        {0, 5, 4},
+                        {1, 2, 6},
+                        {1, 6, 5},
+                        {2, 3, 7},
+                        {2, 7, 6},
+                        {3, 0, 4},
+                        {3, 4, 7}})
+    faces += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) +
+             '\n';
+  put("ring.off", text + faces);
+  EXPECT_EQ(stopped("ring.off o.off --target-faces 6")["would_help"], "--feature-angle off");
+  const auto why = stopped("ring.off o.off --target-faces 6 --reach");
+  EXPECT_EQ(why["let_go"], nlohmann::json({"facing", "features", "corners"}));
+  ASSERT_EQ(aomd("classify ring.off ring.ply").code, 0);
+  EXPECT_EQ(stopped("ring.ply o.ply --target-faces 6 --reach")["let_go"],
+            nlohmann::json({"facing"}));
+}
+
+// What a run with what was let go of from the start does, it does.
+TEST_F(TargetCommand, ReachIsAsIfItHadBeenTold) {
+  sample("sphere", "s.ply", 8);
+  stopped("s.ply a.ply --target-faces 20 --min-angle 50 --reach --journal a.journal");
+  stopped("s.ply b.ply --target-faces 20");
+  EXPECT_EQ(text("a.ply"), text("b.ply"));
+  ASSERT_EQ(aomd("replay s.ply a.journal c.ply").code, 0);
+  EXPECT_EQ(text("a.ply"), text("c.ply"));
+}
+
+TEST_F(TargetCommand, ReachNeedsATarget) {
+  sample("sphere", "s.ply", 2);
+  expect_failure("decimate s.ply n.ply --reach", 2,
+                 "aomd: --reach is for --target-faces and --target-tets");
+  EXPECT_EQ(aomd("decimate s.ply n.ply --reach --target-error 1").code, 2);
+  EXPECT_FALSE(exists("n.ply"));
+}
+
+TEST_F(TargetCommand, ErrorIsMetAsCompareMeasuresIt) {
+  sample("scan", "s.ply", 6000);
+  for (const char* aim : {"0.5", "2%"}) {
+    const auto why = stopped(std::string("s.ply o.ply --target-error ") + aim);
+    const double limit = std::stod(aim), error = why["error_pct"].get<double>();
+    EXPECT_EQ(why["why"], "error");
+    EXPECT_LE(error, limit);
+    EXPECT_GE(error, 0.8 * limit);
+    EXPECT_GE(why["tries"], 1);
+    const auto report = json("r.json");
+    EXPECT_EQ(report["options"]["target_error_pct"], limit);
+    EXPECT_TRUE(report["options"]["target_faces"].is_null());
+    const auto compared = nlohmann::json::parse(aomd("compare s.ply o.ply --json").out);
+    EXPECT_NEAR(compared["hausdorff_pct"].get<double>(), error, 1e-9);
+  }
+}
+
+TEST_F(TargetCommand, ErrorOfSurfacesThatAreHardlyAny) {
+  put("flat.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  put("one.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  put("none.off", "OFF\n0 0 0\n");
+  put("tet.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  for (const auto& [file, faces] :
+       {std::pair{"flat.off", 2}, {"one.off", 1}, {"none.off", 0}, {"tet.off", 4}}) {
+    const auto why = stopped(std::string(file) + " o.off --target-error 1");
+    EXPECT_LT(why["error_pct"].get<double>(), 1e-12) << file;
+    EXPECT_EQ(json("r.json")["output"]["faces"], faces) << file;
+  }
+}
+
+TEST_F(TargetCommand, ErrorIsANumberAndTheOnlyAim) {
+  sample("sphere", "s.ply", 2);
+  for (const char* wrong : {"0", "-1", "nan", "x", "''", "inf"})
+    expect_failure(std::string("decimate s.ply n.ply --target-error ") + wrong, 2,
+                   "aomd: --target-error: must be a number above 0, not ");
+  for (const char* other : {"--target-faces 9", "--factor 2", "--coarsest", "--max-distance 1"})
+    EXPECT_EQ(aomd(std::string("decimate s.ply n.ply --target-error 1 ") + other).code, 2) << other;
+  sample("ball-in-box", "v.msh", 3);
+  expect_failure("decimate v.msh n.msh --target-error 1", 2,
+                 "aomd: --target-error is for surfaces, and v.msh has regions");
+  EXPECT_FALSE(exists("n.ply"));
+  EXPECT_FALSE(exists("n.msh"));
+}
+
+TEST_F(TargetCommand, ReachOfAVolumeLetsGoOfItsLeastAngles) {
+  sample("ball-in-box", "v.msh", 4);
+  const auto held = stopped("v.msh o.msh --target-tets 60 --min-dihedral 25");
+  EXPECT_EQ(held["why"], "missed");
+  const auto why = stopped("v.msh o.msh --target-tets 60 --min-dihedral 25 --reach");
+  EXPECT_EQ(why["let_go"][0], "shape");
+  EXPECT_TRUE(json("r.json")["options"]["reach"].get<bool>());
+}
+
 }  // namespace
 }  // namespace aomd::test

@@ -1,9 +1,16 @@
 // aomd compare, info and check on meshes with regions.
 
+#include <sstream>
+
 #include "tests/support/cli_helpers.h"
 
 namespace aomd::test {
 namespace {
+
+// Three tetrahedra on one face.
+constexpr const char* crowded =
+    "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+    "0 0 -1 0\n0.3 0.3 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n";
 
 // Two tetrahedra; the second one is on the wrong side of the face that they share.
 constexpr const char* folded =
@@ -59,6 +66,38 @@ TEST_F(Volumes, LimitsSayNoWithCode1) {
   const Outcome run = aomd("compare coarse.msh box.msh --same-topology");
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("no: the topology differs"), std::string::npos);
+}
+
+// What one of the two lacks is at no distance: no limit holds there.
+TEST_F(Volumes, WhatIsLostIsBeyondEveryLimit) {
+  sample("ball-in-box", "two.msh", 2);
+  sample("tet-box", "one.msh", 2);
+  for (const char* files : {"two.msh one.msh", "one.msh two.msh"}) {
+    for (const char* limit : {"--max-distance", "--max-rms"}) {
+      const Outcome run = aomd(std::string("compare ") + files + ' ' + limit + " 1000");
+      EXPECT_EQ(run.code, 1) << files << ' ' << limit;
+      EXPECT_NE(run.out.find("distance inf % is above the limit of 1000 %"), std::string::npos);
+    }
+    EXPECT_TRUE(json_of(std::string("compare --json ") + files)["hausdorff_pct"].is_null());
+  }
+}
+
+// Where model faces have other tags the interfaces that they are parts of are measured.
+TEST_F(Volumes, ModelFacesOfOtherTagsAreMeasuredAsInterfaces) {
+  sample("tet-box", "a.mesh", 2);
+  std::string other = text("a.mesh");
+  const std::size_t triangles = other.find("Triangles\n"), end = other.find("Tetrahedra\n");
+  std::istringstream lines(other.substr(triangles, end - triangles));
+  std::string line, changed;
+  for (int n = 0; std::getline(lines, line); ++n)
+    changed += n < 2 || line.find(' ') == std::string::npos
+                   ? line + '\n'
+                   : line.substr(0, line.rfind(' ')) + " 9\n";
+  put("b.mesh", other.replace(triangles, end - triangles, changed));
+  const auto json = json_of("compare --json a.mesh b.mesh");
+  EXPECT_EQ(json["model_faces"].size(), 7u);
+  EXPECT_NEAR(json["hausdorff_pct"], 0, 1e-9);
+  EXPECT_EQ(aomd("compare a.mesh b.mesh --max-distance 0.001").code, 0);
 }
 
 TEST_F(Volumes, TheTextShowsWhatChanged) {
@@ -119,15 +158,53 @@ TEST_F(Volumes, CheckNamesFoldedAndCrowdedRegions) {
   EXPECT_EQ(run.out,
             "folded region: region 1: lies on the same side as region 0 of a face of both\n"
             "folded.mesh: 1 finding\n");
-  put("crowded.mesh",
-      "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
-      "0 0 -1 0\n0 0 2 0\nTetrahedra\n3\n1 2 3 4 1\n1 3 2 5 1\n1 2 3 6 1\nEnd\n");
+  put("crowded.mesh", crowded);
   EXPECT_NE(
       aomd("check crowded.mesh").out.find("crowded face: region 0: has a face that two more "),
       std::string::npos);
   const auto json = nlohmann::json::parse(aomd("check crowded.mesh --json").out);
   EXPECT_EQ(json["volume"]["nonconforming"], 1);
   EXPECT_EQ(json["findings"].size(), 1u);
+}
+
+// What check names is a note of a decimation, which makes no more of it.
+TEST_F(Volumes, DecimatingFoldedAndCrowdedRegionsSaysSo) {
+  put("folded.mesh", folded);
+  put("crowded.mesh", crowded);
+  for (const char* how : {"--coarsest", "--coarsest --strategy paper"}) {
+    const Outcome one = aomd(std::string("decimate folded.mesh o.mesh ") + how);
+    EXPECT_EQ(one.code, 0);
+    EXPECT_EQ(one.err,
+              "aomd: note: folded.mesh: 1 face with two tetrahedra on one side, and may "
+              "stay so: aomd check names them\n");
+    const Outcome three = aomd(std::string("decimate crowded.mesh o.mesh ") + how);
+    EXPECT_EQ(three.code, 0);
+    EXPECT_EQ(three.err,
+              "aomd: note: crowded.mesh: 1 face of three or more tetrahedra, and may "
+              "stay so: aomd check names them\n");
+  }
+  sample("tet-box", "fine.mesh", 2);
+  EXPECT_EQ(aomd("decimate fine.mesh o.mesh").err, "");
+}
+
+// A vertex of two upper tetrahedra in the middle of an edge of the lower one.
+TEST_F(Volumes, HangingVerticesAreNamed) {
+  put("hanging.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n2 0 0 0\n0 2 0 0\n1 1 0 0\n"
+      "0 0 2 0\n0 0 -2 0\nTetrahedra\n3\n1 2 4 5 1\n1 4 3 5 1\n1 3 2 6 1\nEnd\n");
+  const std::string found =
+      "hanging vertices: 1 vertex lies on faces without being a corner of them";
+  const Outcome check = aomd("check hanging.mesh");
+  EXPECT_EQ(check.code, 0);
+  EXPECT_EQ(check.out, found +
+                           " (vertex 3)\nhanging.mesh: nothing found in the mesh, 1 kind of "
+                           "dirt on the surface\n");
+  EXPECT_EQ(aomd("check hanging.mesh --require welded").code, 1);
+  for (const char* strategy : {"quality", "paper"}) {
+    const Outcome run = aomd(std::string("decimate hanging.mesh o.mesh --strategy ") + strategy);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(run.err, "aomd: note: hanging.mesh: " + found + ": aomd check names them\n");
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/decimation.h"
 #include "core/decimate/quality/point_fit.h"
+#include "core/measure/distance.h"
 #include "core/mesh/geometry.h"
 #include "core/operators/collapse.h"
 #include "core/samples/samples.h"
@@ -70,6 +71,32 @@ TEST(OriginalCurvesTest, TheQuadricLeadsBack) {
   EXPECT_NEAR(at.z + step.z, 0, 1e-5);
   EXPECT_NEAR(step.x, 0, 1e-5);
   EXPECT_NEAR(error(glm::dvec3(1, 0, 0) + step), error(step), 1e-5) << "along it nothing is lost";
+}
+
+// A disc whose rim has an edge for each half degree; 60 of them become one piece.
+TEST(OriginalCurvesTest, APieceOfManyPointsTurnsTheSameWithFewOfThem) {
+  constexpr std::uint32_t count = 720;
+  MeshData disc;
+  disc.positions.emplace_back(0, 0, 0);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    disc.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    disc.faces.add(Shape::Triangle, {0, 1 + i, 1 + (i + 1) % count});
+  }
+  const Mesh mesh = classified(std::move(disc));
+  OriginalCurves all(mesh), few(mesh, 16);
+  constexpr std::uint32_t last = 100;
+  for (std::uint32_t v = last - 59; v < last; ++v)
+    for (OriginalCurves* curves : {&all, &few}) curves->merged(mesh, Vertex(v), Vertex(v + 1));
+  const glm::dvec3 at = mesh.position(Vertex(last));
+  const double cosine = all.turn_cosine(mesh, all.around(Vertex(last)), at);
+  EXPECT_NEAR(cosine, std::cos(15 * std::numbers::pi / 180), 1e-9) << "half of what the arc turns";
+  EXPECT_NEAR(few.turn_cosine(mesh, few.around(Vertex(last)), at), cosine, 2e-3);
+  const CurveError exact = all.error(mesh, all.around(Vertex(last)), at),
+                   nearly = few.error(mesh, few.around(Vertex(last)), at);
+  EXPECT_NEAR(nearly.length, exact.length, 1e-12);
+  EXPECT_NE(nearly.squares, exact.squares) << "from fewer points";
+  EXPECT_NEAR(nearly.squares, exact.squares, exact.squares / 5);
 }
 
 TEST(OriginalCurvesTest, PointsFollowCollapses) {
@@ -192,6 +219,21 @@ TEST(OriginalCurvesTest, TheRimsOfACylinderEncloseWhatTheyDid) {
     Decimation(mesh, options).run();
     for (const double z : {0.0, 2.0})
       EXPECT_NEAR(std::sqrt(rim_area(mesh, z) / before), 1, 0.002) << target << " faces";
+  }
+}
+
+// Accuracy first, long thin faces along the sides: as close as what Lindstrom and Turk's collapses
+// leave of it, in percent of the diagonal.
+TEST(OriginalCurvesTest, ACylinderIsAsCloseAsTheNumberOfItsFacesAllows) {
+  const Mesh original = classified(make_sample("cylinder", 10));
+  const measure::Surface before(original);
+  for (const auto& [target, most] : {std::pair{200u, 0.018}, {100u, 0.059}, {60u, 0.153}}) {
+    Mesh mesh = classified(make_sample("cylinder", 10));
+    DecimationOptions options = quality(target, 0);
+    options.coarsest = false;
+    Decimation(mesh, options).run();
+    const auto distance = measure::mutual_distance(before, measure::Surface(mesh), 100'000);
+    EXPECT_LE(100 * distance.rms() / std::sqrt(12), most) << target << " faces";
   }
 }
 

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <random>
 
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/point_fit.h"
+#include "core/mesh/geometry.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/operators/collapse.h"
@@ -67,6 +69,51 @@ TEST(OriginalSurfaceTest, PointsHaveTheAreaAndNormalsOfTheirSurface) {
   double weights = 0;
   for (const OriginalPoint& p : original.points()) weights += double(p.weight);
   EXPECT_NEAR(weights, 2, 1e-6);
+}
+
+// A sheet whose one corner, vertex 0, is the tip of a triangle below it too, which looks down:
+// there the nearest place of vertex 12, in the middle of the sheet, lies inside that triangle.
+//
+//   20--21--22--23--24
+//    |   |   |   |   |
+//   10--11-[12]-13--14       the sheet has 16 squares of 1 x 1 at z = 0, the triangle below is
+//    |   |   |   |   |       0, (0, 8, -0.1), (8, 0, -0.1)
+//    0---1---2---3---4
+TEST(OriginalSurfaceTest, APointStaysOnTheSideOfAThinPartThatItIsFrom) {
+  MeshData data = zoo::grid(4);
+  const auto last = static_cast<std::uint32_t>(data.positions.size());
+  data.positions.emplace_back(0, 8, -0.1);
+  data.positions.emplace_back(8, 0, -0.1);
+  data.faces.add(Shape::Triangle, {0, last, last + 1});
+  Mesh mesh(data);
+  mesh.set(0, 2);
+  OriginalSurface original(mesh);
+  const Vertex middle(12);
+  ASSERT_EQ(mesh.position(middle), glm::dvec3(2, 2, 0));
+  original.merged(middle, Vertex(0));
+  original.locate(mesh);
+  bool found = false;
+  for (const OriginalPoint& p : original.points()) {
+    if (p.position != mesh.position(middle)) continue;
+    found = true;
+    EXPECT_EQ(p.distance2, 0);
+    for (const Vertex v : mesh.triangle(Face(p.face))) EXPECT_EQ(mesh.position(v).z, 0);
+  }
+  EXPECT_TRUE(found);
+}
+
+// A face that has come to look the other way under its points is left by them.
+TEST(OriginalSurfaceTest, PointsLeaveAFaceThatHasTurnedOver) {
+  Mesh mesh(zoo::grid(4));
+  mesh.set(0, 2);
+  OriginalSurface original(mesh);
+  original.locate(mesh);
+  mesh.move(Vertex(6), {5, 5, 0});
+  original.locate(mesh);
+  for (const OriginalPoint& p : original.points()) {
+    const auto t = mesh.triangle(Face(p.face));
+    EXPECT_GT(area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])).z, 0);
+  }
 }
 
 // With the faces' middles the weighted sum over the points is the integral of any quadratic

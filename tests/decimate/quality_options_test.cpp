@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "core/decimate/decimation.h"
+#include "core/measure/distance.h"
+#include "core/measure/statistics.h"
 #include "core/mesh/geometry.h"
 #include "core/samples/samples.h"
 #include "tests/support/quality_helpers.h"
@@ -53,6 +55,48 @@ TEST(QualityOptionsTest, EveryIdeaMakesADifference) {
   for (int k = 0; k < idea_count; ++k)
     EXPECT_EQ(result(1u << k) != with_all, static_cast<Idea>(k) != Idea::Facing)
         << idea_name(static_cast<Idea>(k));
+}
+
+// A sheet of n x n squares of which a part is a bump, the rest flat.
+MeshData bump(int n, double part) {
+  MeshData data = zoo::grid(n);
+  for (glm::dvec3& p : data.positions) {
+    const double r = std::hypot(p.x - n / 2.0, p.y - n / 2.0) / (n * part);
+    if (r < 1) p.z = n * part * std::pow(1 - r * r, 2) / 2;
+  }
+  return data;
+}
+
+// What lies in flat places has no say in how many points come to a face: 6,561 vertices are enough
+// for 400 faces where all are bent, and not where a fifth is.
+TEST(QualityOptionsTest, PointsAreDenseWhereTheBentPartHasFew) {
+  const auto result = [](double part, std::uint32_t without) {
+    Mesh mesh = classified(bump(80, part));
+    DecimationOptions options = quality(400, 0);
+    options.without = without;
+    Decimation(mesh, options).run();
+    return test::without_edges(mesh);
+  };
+  const std::uint32_t no_dense_points = 1u << static_cast<int>(Idea::DensePoints);
+  EXPECT_EQ(result(0.8, no_dense_points), result(0.8, 0));
+  EXPECT_NE(result(0.25, no_dense_points), result(0.25, 0));
+}
+
+// From accuracy to regular faces no step goes back by more than 3 %.
+TEST(QualityOptionsTest, TheWayFromAccuracyToRegularFacesIsSmooth) {
+  const Mesh original = classified(make_sample("scan", 12000));
+  const measure::Surface before(original);
+  double rms = 0, angle = 0;
+  for (int tenth = 0; tenth <= 10; ++tenth) {
+    Mesh mesh = classified(make_sample("scan", 12000));
+    Decimation(mesh, quality(1000, tenth / 10.0)).run();
+    const double now = measure::mutual_distance(before, measure::Surface(mesh), 50'000).rms();
+    const double angle_now = measure::measure_quality(mesh).min_angle_mean_deg;
+    EXPECT_GE(now, 0.97 * rms) << "at " << tenth / 10.0;
+    EXPECT_GE(angle_now, 0.97 * angle) << "at " << tenth / 10.0;
+    rms = now;
+    angle = angle_now;
+  }
 }
 
 // One to a little above the target, three to the target and after it.

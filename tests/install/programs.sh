@@ -40,7 +40,7 @@ expect() {  # WANTED WORD...
 }
 expect "decimate" aomd dec
 expect "compare convert" aomd co
-expect "--target-faces --target-tets" aomd decimate a.ply --target
+expect "--target-error --target-faces --target-tets" aomd decimate a.ply --target
 expect "paper quality" aomd decimate --strategy ""
 expect "files" aomd decimate ""
 expect "sphere" aomd sample sph

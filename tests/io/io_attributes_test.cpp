@@ -70,7 +70,9 @@ TEST(Attributes, OnlyTheArrayThatClassifiesGoes) {
   const io::ReadResult result = io::read_bytes(
       "a.vtk", vtk_start + "CELL_DATA 1\nSCALARS material int\n7\nSCALARS material float\n0.5\n");
   EXPECT_EQ(result.mesh.faces.classes, std::vector{ModelRef(2, 7)});
-  EXPECT_EQ(result.mesh.attributes, (std::vector<Attribute>{{"material", 2, 1, false, {0.5}}}));
+  EXPECT_EQ(result.mesh.attributes,
+            (std::vector<Attribute>{
+                {"material", 2, 1, false, {0.5}, NumberType::Float32, Meaning::Scalars}}));
 }
 
 MeshData with_arrays() {
@@ -107,15 +109,17 @@ TEST(LeftOut, ArraysAndMarksOfWhatMoved) {
   const MeshData mesh = with_arrays();
   MeshData result = to_data(Mesh(mesh));
   result.positions[2].x = 2;
-  EXPECT_EQ(
-      io::carry_along(mesh, result).notes,
-      std::vector<std::string>{"left out, as it does not follow the operations: "
-                               "\"medit:required\", periodic links, \"u\", \"uv\", \"stress\""});
+  EXPECT_EQ(io::carry_along(mesh, result).notes,
+            std::vector<std::string>{"left out, as it does not follow the operations: "
+                                     "\"medit:required\", periodic links"});
   const std::vector<Attribute> expected{{"medit:required", 0, 1, true, {1, 0, 0, 0}},
                                         {"medit:reference", 0, 1, true, {4, 0, 0, 0}},
                                         {"medit:required", 1, 1, true, {1}},
                                         {"medit:ridge", 1, 1, true, {1}},
-                                        {"medit:required", 2, 1, true, {0, 0}}};
+                                        {"medit:required", 2, 1, true, {0, 0}},
+                                        {"u", 0, 1, false, {1, 2, 3, 4}},
+                                        {"uv", 0, 2, false, {1, 2, 3, 4, 5, 6, 7, 8}},
+                                        {"stress", 2, 9, false, std::vector<double>(18, 0.5)}};
   EXPECT_EQ(result.attributes, expected);
   EXPECT_TRUE(result.periodic.empty());
 }

@@ -79,8 +79,7 @@ TEST(WriteNotes, NameWhatTheFormatDoesNotHold) {
   EXPECT_EQ(notes_of("a.obj", mesh),
             Notes{"left out: classification of vertices, classification of edges, attribute "
                   "\"heat\", names of physical groups"});
-  EXPECT_EQ(notes_of("a.ply", mesh),
-            Notes{"left out: attribute \"heat\", names of physical groups"});
+  EXPECT_EQ(notes_of("a.ply", mesh), Notes{"left out: names of physical groups"});
   EXPECT_EQ(notes_of("a.off", mesh),
             Notes{"left out: " + edges +
                   ", classification of vertices, classification of edges, "

@@ -92,9 +92,10 @@ TEST(Obj, LargePolygonsLoseNothing) {
 }
 
 TEST(Obj, IndicesAfterSlashesMayBeMissing) {
-  const MeshData mesh =
-      obj(square + "vt 0 0\nvn 0 0 1\nf 1/ 2/1/ 3//\nf -4// 3//1 4/1/1\nf 1/0 2/99 4/-7/0\n");
-  EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 0, 2, 3, 0, 1, 3}));
+  const io::ReadResult result = io::read_bytes(
+      "a.obj", square + "vt 0 0\nvn 0 0 1\nf 1/ 2/1/ 3//\nf -4// 3//1 4/1/1\nf 1/0 2/99 4/-7/0\n");
+  EXPECT_EQ(result.mesh.faces.vertices, (Indices{0, 1, 2, 0, 2, 3, 0, 1, 3}));
+  EXPECT_EQ(result.notes, std::vector<std::string>{"left out: uv indices out of range"});
 }
 
 TEST(Obj, NamesWhatItLeavesOut) {
@@ -103,9 +104,10 @@ TEST(Obj, NamesWhatItLeavesOut) {
                                   "v 9 9 9 .1 .2 .3\nvt 0 0 \\\n0\nvn 0 0 1\ns 1\np 1\n"
                                   "vp 0 1\nshadow_obj x\nusemtl red\nf 1/1/1 2/1/1 3/1/1\n");
   EXPECT_EQ(result.notes,
-            std::vector<std::string>{"left out: materials, vertex colours, texture coordinates, "
-                                     "normals, smoothing groups, points, free-form geometry, "
-                                     "\"shadow_obj\" lines"});
+            std::vector<std::string>{"left out: points, free-form geometry, \"shadow_obj\" lines"});
+  EXPECT_EQ(io::read_bytes("a.obj", "vn 0 0 1\nvt 0 0\n" + square + "f 1 2 3\n").notes,
+            std::vector<std::string>{
+                "left out: uv values that no face names, normal values that no face names"});
   EXPECT_TRUE(io::read_bytes("a.obj", "# c\n#c\ns off\n" + square + "s 0\nv 1 1 1 1\nf 1 2 3\n")
                   .notes.empty());
 }

@@ -136,9 +136,13 @@ TEST(Ply, NamesWhatItLeavesOut) {
       "a.ply", text + "0 0 0 1 2 3 4\n1 0 0 1 2 3 4\n0 1 0 1 2 3 4\n3 0 1 2 9 1 5\n7\n0 1 5\n");
   EXPECT_EQ(result.mesh.edges.vertices, (Indices{0, 1}));
   EXPECT_EQ(result.notes,
-            std::vector<std::string>{"left out: vertex normals, vertex colours, vertex quality, "
-                                     "face colours, face texture coordinates, element \"camera\", "
-                                     "edge crease"});
+            std::vector<std::string>{
+                "left out: element \"camera\", face texture coordinates that do not fit the "
+                "corners"});
+  std::vector<std::string> names;
+  for (const Attribute& a : result.mesh.attributes) names.push_back(a.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"nx", "red", "green", "quality", "red", "crease"}))
+      << "what is not complete is an array by itself";
   EXPECT_TRUE(io::read_bytes("a.ply", triangle).notes.empty());
 }
 

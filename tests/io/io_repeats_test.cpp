@@ -139,8 +139,8 @@ TEST(Repeats, ValuesKeepTheirElements) {
                                   "CELL_DATA 9\nSCALARS x int\nLOOKUP_TABLE default\n"
                                   "1 2 3 4 5 6 7 8 9\n")
           .mesh;
-  EXPECT_EQ(grid.attributes[0], (Attribute{"x", 1, 1, true, {7}}));
-  EXPECT_EQ(grid.attributes[1], (Attribute{"x", 2, 1, true, {1, 3, 4}}));
+  EXPECT_EQ(grid.attributes[0], (Attribute{"x", 1, 1, true, {7}, {}, Meaning::Scalars}));
+  EXPECT_EQ(grid.attributes[1], (Attribute{"x", 2, 1, true, {1, 3, 4}, {}, Meaning::Scalars}));
   const MeshData gmsh =
       io::read_bytes("a.msh", msh().bytes +
                                   "$ElementData\n1\n\"x\"\n1\n0\n3\n0\n1\n3\n1 5\n2 6\n3 7\n"

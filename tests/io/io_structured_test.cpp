@@ -73,7 +73,8 @@ TEST(Structured, ReadsBinary) {
            "\nCELL_DATA 1\nSCALARS c unsigned_char\nLOOKUP_TABLE default\n\xff\n";
   const MeshData mesh = vtk(bytes);
   EXPECT_EQ(mesh.positions[3], glm::dvec3(2, 3, 4));
-  EXPECT_EQ(mesh.attributes, (std::vector<Attribute>{{"c", 2, 1, true, {255}}}));
+  const Attribute c{"c", 2, 1, true, {255}, NumberType::UInt8, Meaning::Scalars};
+  EXPECT_EQ(mesh.attributes, std::vector{c});
 }
 
 TEST(Structured, BadGridsSayWhatIsWrong) {

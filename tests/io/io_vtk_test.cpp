@@ -70,8 +70,10 @@ TEST(Vtk, ReadsPolygonalData) {
   EXPECT_EQ(mesh.faces.classes, (std::vector<ModelRef>{{2, 9}, {2, 9}, {2, 9}, {2, 10}}));
   EXPECT_EQ(mesh.faces.shapes.back(), Shape::Quad);
   EXPECT_EQ(mesh.vertex_classes[3], ModelRef(0, 7));
-  EXPECT_EQ(mesh.attributes, (std::vector<Attribute>{{"h", 1, 1, false, {.2, .2}},
-                                                     {"h", 2, 1, false, {.3, .3, .3, .4}}}));
+  EXPECT_EQ(mesh.attributes,
+            (std::vector<Attribute>{
+                {"h", 1, 1, false, {.2f, .2f}, NumberType::Float32, Meaning::Scalars},
+                {"h", 2, 1, false, {.3f, .3f, .3f, .4f}, NumberType::Float32, Meaning::Scalars}}));
   EXPECT_EQ(result.notes.front(), "classified by the cell array \"material\"");
   EXPECT_EQ(result.notes.back(), "1 polygon triangulated");
 }
@@ -88,7 +90,7 @@ TEST(Vtk, ReadsArraysOfEveryKind) {
   for (const Attribute& a : mesh.attributes) names.push_back(a.name);
   EXPECT_EQ(names, (std::vector<std::string>{"v", "n", "c", "uv", "a b", "last", "t"}));
   EXPECT_TRUE(std::isnan(mesh.attributes[0].values[10]));
-  EXPECT_EQ(mesh.attributes[4], (Attribute{"a b", 0, 1, true, {1, 2, 3, 4}}));
+  EXPECT_EQ(mesh.attributes[4], (Attribute{"a b", 0, 1, true, {1, 2, 3, 4}, NumberType::Int64}));
   EXPECT_EQ(mesh.attributes[5].values, (std::vector<double>{0, 1, 1, 0}));
   EXPECT_EQ(mesh.attributes[6].components, 9);
   EXPECT_EQ(mesh.attributes[6].dimension, 2);
@@ -148,7 +150,7 @@ TEST(Vtk, ReadsBinary) {
             "CELL_DATA 1\nFIELD F 2\nc 1 1 unsigned_char\n\xff\nd 3 1 bit\n\xa0\n");
     EXPECT_EQ(mesh.positions[1], glm::dvec3(1, 0, 0));
     EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 3}));
-    EXPECT_EQ(mesh.attributes[0], (Attribute{"c", 2, 1, true, {255}}));
+    EXPECT_EQ(mesh.attributes[0], (Attribute{"c", 2, 1, true, {255}, NumberType::UInt8}));
     EXPECT_EQ(mesh.attributes[1], (Attribute{"d", 2, 3, true, {1, 0, 1}}));
   }
 }

@@ -90,6 +90,25 @@ TEST(LongRowsTest, BlocksAreUsedAgain) {
   }
 }
 
+// Rows close up only where much lies idle: before, a row that comes and goes has its block again.
+TEST(LongRowsTest, ARowThatComesAndGoesNeedsNoMoreRoom) {
+  for (const bool erased : {true, false}) {
+    Sets sets(100);
+    for (auto& set : sets)
+      for (std::uint32_t n = 0; n < 60; ++n) set.insert(n);
+    UpRows rows = rows_of(sets);
+    std::size_t bytes = 0;
+    for (int round = 0; round < 60; ++round) {
+      rows.resize(101);
+      for (std::uint32_t n = 0; n < 20; ++n) rows.insert(100, n);
+      for (std::uint32_t n = 0; erased && n < 20; ++n) ASSERT_TRUE(rows.erase(100, n));
+      if (!erased) rows.resize(100);
+      if (round == 0) bytes = rows.bytes();
+    }
+    EXPECT_EQ(rows.bytes(), bytes) << erased;
+  }
+}
+
 // Half of the rows go, one value after the other, and the others take these in: as in collapses.
 // Blocks of the size that is needed are never left behind, so the rows must close up.
 TEST(LongRowsTest, RowsThatTakeOthersInNeedNoMoreRoom) {

@@ -45,13 +45,13 @@ struct Carried {
   io::CarriedAlong along;
 };
 
-/// The mesh with a share of its tetrahedra, and its arrays.
+/// The mesh with a share of its tetrahedra, or faces where there are none, and its arrays.
 inline Carried decimated(const MeshData& original, double share, int threads = 1) {
   Mesh mesh(original);
   classify(mesh);
   DecimationOptions options;
   options.strategy = Strategy::Quality;
-  options.target_faces = static_cast<std::uint32_t>(share * mesh.count(3));
+  options.target_faces = static_cast<std::uint32_t>(share * mesh.count(mesh.dimension()));
   options.angle_deg = usual_angle_deg(options.strategy, false);
   options.threads = threads;
   Decimation(mesh, options).run();

@@ -36,6 +36,20 @@ void drive_quality(Session& s) {
   for (const char* line : quality) drive(s, {line});
 }
 
+TEST(Aims, ANumberOfFacesMayBeAShareOfThoseAsLoaded) {
+  Session s;
+  drive(s, {"sample sphere 12"});
+  const auto faces = s.sheet().loaded_facts().faces;
+  drive(s, {"target-faces 25%"});
+  EXPECT_EQ(s.document().options().target_faces, faces / 4);
+  drive(s, {"sweep", "target-faces 10%"});
+  EXPECT_EQ(s.document().options().target_faces, faces / 10) << "not of what is left";
+  drive(s, {"sample tet-ball 3", "target-faces 50%"});
+  EXPECT_EQ(s.document().options().target_faces, 270u);
+  for (const char* line : {"target-faces 101%", "target-faces -1%", "target-faces %"})
+    EXPECT_THROW(execute(s, line), CommandError) << line;
+}
+
 TEST(Quality, ARunIsUndoneAndRedoneExactly) {
   Session s;
   drive_quality(s);

@@ -246,15 +246,14 @@ TEST(SpacingColors, StayWithTheVerticesWhileTheMeshChanges) {
                 before.color(f, mesh.triangle(f)[i]));
 }
 
-TEST(SpacingColors, AnotherMeshHasItsOwnAndAVolumeHasNone) {
+TEST(SpacingColors, AnotherMeshHasItsOwnAndWhatIsNotDecimatedNone) {
   Session s;
   s.show(make_loaded(zoo::torus(12, 9), "torus"));
   drive(s, {"color spacing"});
   s.show(make_loaded(zoo::grid(20), "grid"));
   drive(s, {"factor 2"});
   EXPECT_DOUBLE_EQ(s.sheet().field()->scale.low, 2);
-  s.show(make_loaded(zoo::hybrid(), "hybrid"));
-  s.refresh();
+  drive(s, {"sample hex-box 2"});
   EXPECT_EQ(s.sheet().field(), nullptr);
   s.show(make_loaded(zoo::grid(3), "grid"));
   s.refresh();

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -122,6 +124,64 @@ TEST(Clip, CutsASectionThroughEveryRegion) {
   EXPECT_LT(unpack_normal(s.sheet().drawing().drawable().cells[0].normal).x, -0.99);
   drive(s, {"hide region:1"});
   EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 0u);
+}
+
+/// Of two materials, which share a face in the plane x = 0.
+MeshData two_tets() {
+  MeshData data;
+  data.positions = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}};
+  data.regions.add(Shape::Tetrahedron, {0, 2, 1, 3}, ModelRef(3, 1));
+  data.regions.add(Shape::Tetrahedron, {0, 1, 2, 4}, ModelRef(3, 2));
+  return data;
+}
+
+TEST(Clip, APlaneThroughSidesShowsWhatStays) {
+  Session s;
+  load(s, two_tets());
+  const auto cells = [&] { return s.sheet().drawing().drawable().cells.values(); };
+  for (const auto& [line, tag] : {std::pair{"clip x 0.5", 1}, {"clip x 0.5 flip", 2}}) {
+    drive(s, {line});
+    ASSERT_EQ(cells().size(), 3u) << line;
+    EXPECT_NEAR(area(cells()), 0.5, 1e-6) << line;
+    for (const Corner& c : cells()) EXPECT_EQ(c.color, color_of(ModelRef(3, tag))) << line;
+  }
+  drive(s, {"clip x 0.5", "hide region:1"});
+  EXPECT_EQ(cells().size(), 0u) << "what only touches the plane lies behind it";
+}
+
+TEST(Clip, APlaneThroughSidesThatAreRoundedShowsWhatStays) {
+  Session s;
+  MeshData data = two_tets();
+  data.positions[1].x = 1e-12;
+  data.positions[2].x = -1e-12;
+  load(s, data);
+  drive(s, {"clip x 0.5", "hide region:1"});
+  EXPECT_EQ(s.sheet().drawing().drawable().cells.size(), 0u);
+}
+
+TEST(Clip, WholeCellsLeaveNoModelEdgeInTheAir) {
+  for (const char* sample : {"sample tet-box 3", "sample ball-in-box 2", "sample bracket 3"})
+    for (const char* clip : {"clip x 0.45 cells", "clip y 0.3 cells flip", "clip z 0.52 cells"}) {
+      Session s;
+      drive(s, {sample, clip});
+      std::set<std::array<float, 3>> places;
+      const auto place = [](const glm::vec3& p) { return std::array{p.x, p.y, p.z}; };
+      for (std::size_t i = 0; i + 2 < corners(s).size(); i += 3)
+        for (std::size_t k = i; corners(s)[i].position != corners(s)[i + 1].position && k < i + 3;
+             ++k)
+          places.insert(place(corners(s)[k].position));
+      const Drawable& drawable = s.sheet().drawing().drawable();
+      std::size_t edges = 0;
+      for (const Segment& e : drawable.model_edges.values()) {
+        if (e.width_px == 0) continue;
+        ++edges;
+        EXPECT_TRUE(places.contains(place(e.a)) && places.contains(place(e.b)))
+            << sample << ", " << clip;
+      }
+      EXPECT_GT(edges, 0u);
+      for (const Disc& d : drawable.model_vertices.values())
+        EXPECT_TRUE(d.radius_px == 0 || places.contains(place(d.center))) << sample << ", " << clip;
+    }
 }
 
 TEST(Clip, SectionsOfTetrahedraFillTheSquare) {

@@ -5,6 +5,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -47,6 +48,79 @@ TEST_F(Outputs, AScreenshotIsAsLargeAsTheWindowOrAsAsked) {
   EXPECT_EQ(picture("b.png").height, 300);
   EXPECT_EQ(picture("c.png").width, 500);
   EXPECT_FALSE(picture("b.png") == picture("c.png"));
+}
+
+/// Whether a pixel is another one in two pictures.
+bool others(const io::Image& a, const io::Image& b, int x, int y) {
+  return !std::equal(a.pixel(x, y), a.pixel(x, y) + 4, b.pixel(x, y));
+}
+
+TEST_F(Outputs, WhatAScriptOpensIsInItsPictures) {
+  const std::string head = "sample sphere 8\n";
+  const std::string pictures = "screenshot closed.png 640x480\n";
+  for (const char* line : {"dialog about", "palette color", "menu view", "dialog open"}) {
+    ASSERT_EQ(
+        run(head + pictures + line + "\nscreenshot open.png 640x480\ndialog none\nmenu off\n" +
+                "screenshot after.png 640x480\n",
+            "--size 640x480"),
+        0)
+        << text("err.txt");
+    ASSERT_EQ(run(head + line + "\n", "--size 640x480 --screenshot right.png"), 0);
+    EXPECT_GT(measure::compare_images(picture("open.png"), picture("right.png")).ssim, 0.99)
+        << line;
+    EXPECT_LT(measure::compare_images(picture("open.png"), picture("closed.png")).ssim, 0.98)
+        << line;
+    EXPECT_GT(measure::compare_images(picture("after.png"), picture("closed.png")).ssim, 0.99)
+        << line;
+  }
+}
+
+TEST_F(Outputs, PicturesWithoutPanelsHaveTheScaleOfTheColours) {
+  ASSERT_EQ(run("sample sphere 8\ncolor quality\nscreenshot a.png 640x480 no-ui\n"
+                "show scale off\nscreenshot b.png 640x480 no-ui\n"
+                "camera orthographic\nscreenshot c.png 640x480 no-ui\n"
+                "show length-scale off\nscreenshot d.png 640x480 no-ui\n"),
+            0);
+  const auto differ = [&](const char* a, const char* b, bool right) {
+    const io::Image one = picture(a), other = picture(b);
+    int count = 0;
+    for (int y = 0; y < one.height; ++y)
+      for (int x = 0; x < one.width; ++x)
+        count += others(one, other, x, y) && (right ? x > 480 : y > 400);
+    return count;
+  };
+  EXPECT_GT(differ("a.png", "b.png", true), 2000);
+  EXPECT_GT(differ("c.png", "d.png", false), 300);
+}
+
+TEST_F(Outputs, APageOfALessonHasOneCameraHoweverItIsReached) {
+  for (const auto& [page, before] : {std::pair{3, 2}, {2, 1}}) {
+    const std::string at = std::to_string(page), from = std::to_string(before);
+    ASSERT_EQ(run("lesson judge " + at + "\nscreenshot direct.png\nlesson judge " + from +
+                      "\nlesson next\nscreenshot next.png\n",
+                  "--size 1280x720"),
+              0)
+        << text("err.txt");
+    EXPECT_TRUE(picture("direct.png") == picture("next.png")) << page;
+  }
+}
+
+TEST_F(Outputs, WhatWasInSightStaysThereBesidePanels) {
+  const std::string size = "--size 900x900";
+  ASSERT_EQ(run("sample sphere 16\ncamera front\npanel timeline off\npanel decimation off\n"
+                "panel mesh off\nfit\npanel runs on\nscreenshot narrow.png\nfit\n"
+                "screenshot fitted.png\npanel runs off\npanel runs on\nscreenshot again.png\n",
+                size),
+            0)
+      << text("err.txt");
+  const io::Image fitted = picture("fitted.png");
+  for (const char* name : {"narrow.png", "again.png"}) {
+    const io::Image image = picture(name);
+    int count = 0;
+    for (int y = 0; y < image.height - 40; ++y)  // the lowest line says what was saved last
+      for (int x = 0; x < image.width; ++x) count += others(image, fitted, x, y);
+    EXPECT_EQ(count, 0) << name;
+  }
 }
 
 TEST_F(Outputs, ATransparentPictureHasNothingBehindTheMesh) {

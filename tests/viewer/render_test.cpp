@@ -166,6 +166,26 @@ TEST_P(Render, EdgesShowOnCoarseMeshesAndFadeOnDenseOnes) {
               1.0, 0.02);
 }
 
+/// How many pixels are not those of another picture.
+std::size_t differing(const io::Image& a, const io::Image& b) {
+  return measure::compare_images(a, b).differing_pixels;
+}
+
+TEST_P(Render, WithoutTheSurfaceEdgesShowAlone) {
+  scene::Drawable nothing, sphere = round_thing(12, false);
+  const io::Image empty = stage_->picture(nothing);
+  render::RenderSettings settings;
+  settings.show_surface = false;
+  const io::Image all = stage_->picture(sphere, settings);
+  settings.hidden_lines = false;
+  const io::Image front = stage_->picture(sphere, settings);
+  EXPECT_GT(differing(front, empty), 2000u);
+  EXPECT_LT(differing(front, empty), front.pixel_count() / 4) << "no faces";
+  EXPECT_GT(differing(all, empty), differing(front, empty) * 3 / 2) << "and those of the back";
+  settings.show_edges = false;
+  EXPECT_TRUE(stage_->picture(sphere, settings) == empty);
+}
+
 TEST_P(Render, BackFacesAreTinted) {
   scene::Drawable outside = round_thing(32, false);
   std::vector<scene::Corner> turned(outside.corners.values().begin(),

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
 
@@ -11,6 +12,51 @@ namespace aomd::scene {
 namespace {
 
 using test::drive;
+
+/// Colours are of vertices, texture coordinates jump on a seam, and a line says where it is from.
+MeshData painted() {
+  MeshData mesh = make_sample("terrain", 12);
+  Attribute color{"color", 0, 3, true, {}, NumberType::UInt8, Meaning::Colour};
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    for (const double shade : {10.0 + static_cast<double>(v), 20.0, 30.0})
+      color.values.push_back(shade);
+  Attribute uv{"texcoord", 2, 2, false, {}, NumberType::Float32, Meaning::Texture};
+  for (std::size_t c = 0; c < mesh.faces.vertices.size(); ++c) {
+    const bool upper = c / 3 >= mesh.faces.size() / 2;
+    uv.values.insert(uv.values.end(), {upper ? 2.0 : 1.0, 0.5});
+  }
+  mesh.attributes = {color};
+  mesh.corners = {uv};
+  mesh.remarks = {{"comment", "painted"}};
+  return mesh;
+}
+
+TEST(Unsaved, WhatIsSavedHasColoursTextureAndComments) {
+  const aomd::test::TemporaryFolder folder;
+  const std::string in = (folder / "in.ply").string(), out = (folder / "out.ply").string();
+  const MeshData mesh = painted();
+  io::write(in, mesh);
+  Session s;
+  drive(s, {"open " + in, "save " + out});
+  const MeshData same = io::read(out).mesh;
+  EXPECT_EQ(same.attributes, mesh.attributes);
+  EXPECT_EQ(same.corners, mesh.corners);
+  EXPECT_EQ(same.remarks, mesh.remarks);
+  drive(s, {"step 20", "save " + out});
+  const MeshData less = io::read(out).mesh;
+  ASSERT_LT(less.faces.size(), mesh.faces.size());
+  EXPECT_EQ(less.remarks, mesh.remarks);
+  ASSERT_EQ(less.attributes.size(), 1u);
+  EXPECT_EQ(less.attributes[0].type, NumberType::UInt8);
+  ASSERT_EQ(less.corners.size(), 1u);
+  for (std::size_t c = 0; c < less.faces.vertices.size(); c += 3) {
+    const double first = less.corners[0].values[2 * c];
+    EXPECT_TRUE(first == 1 || first == 2);
+    EXPECT_EQ(less.corners[0].values[2 * c + 2], first) << "no face lies on both charts";
+    EXPECT_EQ(less.corners[0].values[2 * c + 4], first);
+  }
+  EXPECT_EQ(s.status.find("left out"), std::string::npos) << s.status;
+}
 
 TEST(Unsaved, IsWhatDiffersFromTheMeshAsLoaded) {
   Session s;

@@ -8,7 +8,10 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/io/io.h"
 #include "core/operators/ball.h"
+#include "core/samples/samples.h"
+#include "tests/support/io_helpers.h"
 #include "tests/support/view_helpers.h"
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/entity_verdict.h"
@@ -57,6 +60,28 @@ TEST(VolumeInquiry, EveryEdgeIsAnsweredInWords) {
       ASSERT_EQ(verdict(s).swap_words.find("nan"), std::string::npos) << e.index;
     }
   }
+}
+
+// The last edge and face of all, of a file that lists neither.
+TEST(VolumeInquiry, EdgesAndFacesOfAFreshVolumeAreSelectedByTheirIds) {
+  const aomd::test::TemporaryFolder folder;
+  const std::string file = (folder / "ball.vtk").string();
+  MeshData ball = make_sample("tet-ball", 2);
+  ball.faces = ball.edges = {};
+  io::write(file, ball);
+  Session known;
+  drive(known, {"open " + file, "select edge 0"});
+  const std::uint32_t edges = known.document().mesh().count(1),
+                      faces = known.document().mesh().count(2);
+  for (const auto& [kind, id] : {std::pair{"edge", edges - 1}, std::pair{"face", faces - 1}}) {
+    Session s;
+    drive(s, {"open " + file});
+    EXPECT_EQ(s.document().mesh().count(1) + s.document().mesh().count(2), 0u);
+    drive(s, {std::string("select ") + kind + ' ' + std::to_string(id), "expect selected = 1"});
+    EXPECT_EQ(s.document().mesh().count(1), edges);
+    EXPECT_EQ(s.document().mesh().count(2), faces);
+  }
+  EXPECT_THROW(drive(known, {"select edge " + std::to_string(edges)}), CommandError);
 }
 
 TEST(VolumeInquiry, RemovingAnInnerEdgeIsExplainedByTetrahedra) {

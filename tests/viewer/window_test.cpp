@@ -45,6 +45,20 @@ TEST_F(ViewerWindow, AClickHitsWhereItWasMadeHoweverFastTheMouseGoesOn) {
   command("expect selected = 0");
 }
 
+TEST_F(ViewerWindow, TheScrubberEndsWhereTheMouseIsLetGoHoweverFastThatIs) {
+  start({mesh_file("cylinder", 8, "first.ply")});
+  command("step 4");
+  const glm::ivec2 from = place_of("seek 1"), to = place_of("seek 3");
+  screen_->move_mouse(from);
+  settle();
+  screen_->button(1, true);
+  screen_->move_mouse(to);
+  screen_->button(1, false);
+  screen_->move_mouse(middle(layout().viewport));
+  ASSERT_TRUE(carries_out("seek 3")) << said();
+  command("expect cursor = 3");
+}
+
 TEST_F(ViewerWindow, EscapeClosesAMenu) {
   start({mesh_file("cylinder", 8, "first.ply")});
   const ui::Area menu = layout().menu;

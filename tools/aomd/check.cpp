@@ -9,6 +9,7 @@
 #include "core/mesh/names.h"
 #include "core/mesh/verify.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
 #include "tools/aomd/volume_report.h"
@@ -26,10 +27,23 @@ std::string entity_text(EntityRef e) { return e.valid() ? name_of(e) : "mesh"; }
 
 std::vector<std::string> property_names() {
   std::vector<std::string> names;
-  names.reserve(surface_property_count);
+  names.reserve(surface_property_count + 1);
   for (int i = 0; i < surface_property_count; ++i)
     names.emplace_back(property_name(static_cast<SurfaceProperty>(i)));
+  names.emplace_back("clean");
   return names;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+void check_property(const std::string& word) {
+  const std::vector<std::string> words = property_names();
+  if (std::find(words.begin(), words.end(), word) == words.end())
+    throw UsageError("require: " + shown(word) + " is none of " + listed(words));
 }
 
 // What a mesh is found to be. Moving JSON asserts its invariants, which clang-tidy takes for
@@ -52,12 +66,14 @@ bool is_required(const CheckArguments& options, SurfaceProperty property) {
 // A border is no dirt: it is told where the surface is to be closed.
 void look_at_surface(const CheckArguments& options, const MeshData& data, const Mesh& mesh,
                      Checked& result) {
-  if (!data.regions.empty()) return;
+  const auto add = [&](const std::vector<SurfaceFinding>& findings) {
+    result.surface.insert(result.surface.end(), findings.begin(), findings.end());
+  };
   for (const SurfaceFinding& finding : survey(data))
     if (finding.breaks != SurfaceProperty::Closed || is_required(options, finding.breaks))
-      result.surface.push_back(finding);
-  const auto cuts = self_intersection_findings(mesh);
-  result.surface.insert(result.surface.end(), cuts.begin(), cuts.end());
+      add({finding});
+  add(hanging_findings(mesh, thread_count(0), measure::Skin::Derived));
+  if (data.regions.empty()) add(self_intersection_findings(mesh));
   for (const SurfaceFinding& finding : result.surface)
     if (is_required(options, finding.breaks)) {
       const std::string name = property_name(finding.breaks);
@@ -78,13 +94,12 @@ void look_at_volume(const Mesh& mesh, Checked& result) {
   result.volume = volume_json(complex, quality);
 }
 
-Checked checked(const CheckArguments& options) {
-  io::ReadResult read = read_mesh(options.file);
-  const Mesh mesh(read.mesh);
+Checked checked(const CheckArguments& options, const MeshData& data) {
+  const Mesh mesh(data);
   Checked result;
   result.mesh = verify(mesh, {options.unused});
   look_at_volume(mesh, result);
-  look_at_surface(options, read.mesh, mesh, result);
+  look_at_surface(options, data, mesh, result);
   return result;
 }
 
@@ -120,7 +135,7 @@ Json json_of(const CheckArguments& options, const Checked& result) {
 }
 
 int run(const CheckArguments& options) {
-  const Checked result = checked(options);
+  const Checked result = checked(options, read_mesh(options.file).mesh);
   if (options.json)
     std::cout << text_of(json_of(options, result));
   else
@@ -129,6 +144,13 @@ int run(const CheckArguments& options) {
 }
 
 }  // namespace
+
+Json check(const std::string& name, const MeshData& mesh, bool unused,
+           const std::vector<std::string>& required) {
+  for (const std::string& word : required) check_property(word);
+  const CheckArguments options{name, true, unused, required};
+  return json_of(options, checked(options, mesh));
+}
 
 void add_check(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
@@ -140,14 +162,11 @@ void add_check(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--unused", options->unused,
                     "Also names vertices, edges and faces that nothing uses");
-  std::vector<std::string> words = property_names();
-  words.emplace_back("clean");
-  std::string listed;
-  for (const std::string& word : words) listed += (listed.empty() ? "" : ", ") + word;
+  const std::vector<std::string> words = property_names();
   command
-      ->add_option(
-          "--require", options->required,
-          "Exit code 1 also where the surface is not: " + listed + ".\nclean is all but closed")
+      ->add_option("--require", options->required,
+                   "Exit code 1 also where the surface is not: " + listed(words) +
+                       ".\nclean is all but closed")
       ->type_name("WORD,...")
       ->delimiter(',')
       ->transform(CLI::IsMember(words, CLI::ignore_case).description(""));

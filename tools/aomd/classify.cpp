@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/text.h"
+#include "core/fields/seams.h"
 #include "core/io/left_out.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -17,6 +18,7 @@ namespace {
 struct ClassifyArguments {
   std::string input, output, format;
   double angle_deg = 20;
+  std::string seams = "keep";
   bool replace = false, quiet = false;
 };
 
@@ -29,6 +31,7 @@ int run(const ClassifyArguments& options) {
   ClassifyOptions how;
   how.feature_angle_deg = options.angle_deg;
   how.keep_present = !options.replace;
+  if (options.seams == "keep") how.seams = fields::seams_of(read.mesh);
   const ClassifyResult result = classify(mesh, how);
   if (const auto findings = verify(mesh); !findings.empty())
     throw io::ReadError(options.input, {}, "cannot be classified: " + findings.front().text);
@@ -68,6 +71,12 @@ void add_classify(CLI::App& app, Action& action) {
                    "Edges whose faces meet at more than this become model edges")
       ->type_name("DEG")
       ->check(angle())
+      ->capture_default_str();
+  command
+      ->add_option("--seams", options->seams,
+                   "Whether edges where texture coordinates jump become model edges")
+      ->type_name("keep|ignore")
+      ->transform(one_of({"keep", "ignore"}))
       ->capture_default_str();
   command->add_flag("--replace", options->replace,
                     "Forgets the classification that the file carries, but for that of regions");

@@ -10,9 +10,12 @@
 #include "core/measure/distance.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
+#include "core/mesh/extent.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/compare_volumes.h"
+#include "tools/aomd/field_report.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/progress.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
@@ -34,12 +37,21 @@ struct Comparison {
   double diagonal = 0;
   measure::MutualDistance distance;
   measure::NormalDeviation normals;
+  std::vector<measure::FieldDifference> fields;
 
   /// A length in percent of the original's diagonal; infinite where that is a point.
   [[nodiscard]] double percent(double length) const {
     return length > 0 ? 100 * length / diagonal : 0;
   }
 };
+
+// Squares of what is larger or smaller are no numbers, and a distance of none would look like 0.
+void check_extent(const std::string& file, const Mesh& mesh) {
+  if (!has_usual_extent(mesh))
+    throw io::LimitError(file, {},
+                         "Only meshes from 1e-20 to 1e+18 across can be compared: write it in "
+                         "another unit.");
+}
 
 MeshData read(const std::string& file, bool quiet, Progress& progress) {
   progress.show("reading " + file);
@@ -57,11 +69,12 @@ Side measured(const std::string& file, Mesh mesh, Progress& progress, int thread
 }
 
 Comparison compare(const CompareArguments& options, Mesh original, Mesh result) {
-  Progress progress(false);
+  Progress progress(options.quiet);
   const int threads = thread_count(options.threads);
   Comparison c{measured(options.original, std::move(original), progress, threads),
                measured(options.result, std::move(result), progress, threads),
                0,
+               {},
                {},
                {}};
   progress.show("measuring distances");
@@ -125,6 +138,7 @@ Json comparison_json(const Comparison& c, const std::vector<std::string>& object
           {"original_to_result", distance_json(c, c.distance.to_result)},
           {"result_to_original", distance_json(c, c.distance.to_original)},
           {"original", side_json(c.original)},
+          {"fields", differences_json(c.fields)},
           {"result", side_json(c.result)},
           {"objections", objections}};
 }
@@ -164,6 +178,7 @@ void print_distances(const Comparison& c) {
 void print(const Comparison& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n' << std::fixed;
   print_distances(c);
+  print_differences(std::cout, c.fields, "area");
   std::cout << std::setprecision(2);
   row("normals turned by more", "than 10 deg", "than 60 deg", "than 90 deg");
   row("  faces", c.normals.above_10deg, c.normals.above_60deg, c.normals.flips);
@@ -183,8 +198,10 @@ void print(const Comparison& c) {
   sides("% faces below 10 deg", c, [](const Side& s) { return s.quality.faces_below_10deg_pct; });
 }
 
-int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result) {
-  const Comparison c = compare(options, std::move(original), std::move(result));
+int compare_surfaces(const CompareArguments& options, Mesh original, Mesh result,
+                     std::vector<measure::FieldDifference> fields) {
+  Comparison c = compare(options, std::move(original), std::move(result));
+  c.fields = std::move(fields);
   const std::vector<std::string> list = objections(c, options);
   if (options.json) {
     std::cout << text_of(comparison_json(c, list));
@@ -204,8 +221,10 @@ int run(const CompareArguments& options) {
   const auto fields = measure::compare_fields(original, result, thread_count(options.threads));
   Mesh first(std::exchange(original, {})), second(std::exchange(result, {}));
   progress.wipe();
+  check_extent(options.original, first);
+  check_extent(options.result, second);
   return volumes ? compare_volumes(options, first, second, fields)
-                 : compare_surfaces(options, std::move(first), std::move(second));
+                 : compare_surfaces(options, std::move(first), std::move(second), fields);
 }
 
 void add_limits(CLI::App* command, CompareArguments& options) {
@@ -231,6 +250,23 @@ void add_limits(CLI::App* command, CompareArguments& options) {
 }
 
 }  // namespace
+
+Json compare(const CompareArguments& options, const MeshData& original, const MeshData& result) {
+  Mesh first(original), second(result);
+  if (!original.regions.empty() && !result.regions.empty())
+    return volume_comparison_json(
+        options, first, second,
+        measure::compare_fields(original, result, thread_count(options.threads)));
+  const Comparison c = compare(options, std::move(first), std::move(second));
+  return comparison_json(c, objections(c, options));
+}
+
+double largest_distance_pct(const measure::Surface& original, const Mesh& result, int threads) {
+  const std::size_t samples = CompareArguments().samples;
+  const measure::Surface to(result, threads);
+  const double distance = measure::mutual_distance(original, to, samples, threads).max();
+  return distance > 0 ? 100 * distance / original.tree().box().diagonal() : 0;
+}
 
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(

@@ -7,16 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/distance.h"
+
 namespace aomd::cli {
 
 struct CompareArguments {
   std::string original, result;
-  bool json = false, same_topology = false;
+  bool json = false, same_topology = false, quiet = false;
   std::size_t samples = 500'000;
   int threads = 0;  ///< 0: all cores
   std::optional<double> max_distance, max_rms;
   std::optional<std::size_t> max_flips, max_intersections;
 };
+
+/// The largest distance between two surfaces in percent of the original's diagonal, as `aomd
+/// compare` measures it unless told otherwise.
+[[nodiscard]] double largest_distance_pct(const measure::Surface& original, const Mesh& result,
+                                          int threads);
 
 /// Collects what goes beyond the limits that were given, one sentence each.
 class Objections {

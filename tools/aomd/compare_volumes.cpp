@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -43,6 +44,10 @@ struct VolumeSide {
   std::size_t self_intersections;
 };
 
+bool all_measured(const std::vector<InterfaceChange>& list) {
+  return std::all_of(list.begin(), list.end(), [](const auto& c) { return c.measured(); });
+}
+
 struct Compared {
   VolumeSide original, result;
   measure::VolumeComparison changes;
@@ -53,11 +58,15 @@ struct Compared {
   [[nodiscard]] double percent(double length) const {
     return length > 0 ? 100 * length / changes.diagonal : 0;
   }
-  /// The largest of all surfaces that both have.
+  /// The largest of all surfaces: of model faces where both have all of them, else of interfaces;
+  /// infinite where one of these is in one mesh alone.
   [[nodiscard]] measure::SetDistance largest() const {
+    const auto& list = all_measured(changes.surfaces()) ? changes.surfaces() : changes.interfaces;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (!all_measured(list)) return {none, none};
     measure::SetDistance all;
     for (const bool boundary : {true, false})
-      if (const auto part = measure::distance_over(changes.surfaces(), boundary))
+      if (const auto part = measure::distance_over(list, boundary))
         all = {std::max(all.rms, part->rms), std::max(all.max, part->max)};
     return all;
   }
@@ -65,7 +74,7 @@ struct Compared {
 
 Compared compared(const CompareArguments& options, const Mesh& original, const Mesh& result) {
   const int threads = thread_count(options.threads);
-  Progress progress(false);
+  Progress progress(options.quiet);
   progress.show("measuring " + options.original);
   VolumeSide before(options.original, original, threads);
   progress.show("measuring " + options.result);
@@ -316,24 +325,6 @@ void print_sides(const Compared& c) {
   sides("self-intersections", c, [](const VolumeSide& s) { return s.self_intersections; });
 }
 
-std::string field_name(const measure::FieldDifference& d) {
-  return "  " + shown(d.name) + " on " + entity_plural(d.dimension);
-}
-
-void print_differences(const Compared& c) {
-  if (c.fields.empty()) return;
-  columns("field, % of its range", "rms", "max", "% of volume");
-  const std::size_t shown = std::min(c.fields.size(), most_lines);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const measure::FieldDifference& d = c.fields[i];
-    if (d.label)
-      columns(field_name(d), "-", "-", 100 * d.differing);
-    else
-      columns(field_name(d), d.percent(d.rms), d.percent(d.largest));
-  }
-  print_rest(shown, c.fields.size());
-}
-
 void print_histograms(const Compared& c) {
   columns("smallest dihedral, deg", "original, %", "result, %");
   const measure::Histogram &a = c.original.dihedrals, &b = c.result.dihedrals;
@@ -352,12 +343,19 @@ void print(const Compared& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n';
   print_regions(c);
   print_surfaces(c);
-  print_differences(c);
+  print_differences(std::cout, c.fields, "volume");
   print_sides(c);
   print_histograms(c);
 }
 
 }  // namespace
+
+Json volume_comparison_json(const CompareArguments& options, const Mesh& original,
+                            const Mesh& result, std::vector<measure::FieldDifference> fields) {
+  Compared c = compared(options, original, result);
+  c.fields = std::move(fields);
+  return comparison_json(c, objections(c, options));
+}
 
 int compare_volumes(const CompareArguments& options, const Mesh& original, const Mesh& result,
                     std::vector<measure::FieldDifference> fields) {

@@ -10,9 +10,12 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/decimate/error_search.h"
+#include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
+#include "core/measure/distance.h"
 #include "core/measure/distinct.h"
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
@@ -23,43 +26,51 @@
 #include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
-#include "core/repair/triangulate.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/compare_arguments.h"
+#include "tools/aomd/decimate_input.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/keep_file.h"
+#include "tools/aomd/letting_go.h"
 #include "tools/aomd/missed_target.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
-#include "tools/aomd/repair_items.h"
 #include "tools/aomd/surface_lines.h"
+#include "tools/aomd/volume_faults.h"
 
 namespace aomd::cli {
 namespace {
 
-std::string dear_features(int model_vertices, std::uint32_t faces) {
-  return std::to_string(model_vertices) + " model vertices would take more than half of " +
-         counted(faces, "face") +
-         ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
+void leave_as_it_is(DecimationOptions& steps) {
+  steps.target_faces = no_index;
+  steps.swap = steps.smooth = false;
+}
+
+/// The files of a run whose mesh, the first of them, is in memory.
+std::vector<NamedFile> beside_mesh(std::vector<NamedFile> files) {
+  files.erase(files.begin());
+  return files;
 }
 
 /// One run, stage by stage; each fills its part of the report.
 class Run {
  public:
-  explicit Run(const DecimateOptions& options)
+  /// With a listener the mesh is in memory.
+  explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
       : options_(options),
-        progress_(options.quiet),
+        listener_(listener),
+        progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
         steps_(options.for_library()),
-        how_(options.for_classification()) {}
+        asked_(options.for_classification()) {}
 
   int run() {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
     read();
-    classify_mesh();
-    add_what_needs_the_mesh();
-    decimate();
+    meet_target();
     check();
     write();
     progress_.wipe();
@@ -67,30 +78,125 @@ class Run {
     return did_.missed && options_.strict ? says_no : done;
   }
 
+  /// The same without files for the meshes.
+  Decimated run(MeshData mesh) {
+    options_.check_spacing();
+    check_files(beside_mesh(options_.inputs()), beside_mesh(options_.outputs()));
+    take(std::move(mesh));
+    meet_target();
+    check();
+    write();
+    note_target();
+    return {std::move(result_), std::move(report_), did_.missed ? missed_words() : std::string()};
+  }
+
  private:
+  // All notes of a run pass here: to whoever listens, else to standard error.
+  void print_notes(const std::string& file, const std::vector<std::string>& notes) const {
+    if (listener_ == nullptr) return cli::print_notes(file, notes);
+    for (const std::string& note : notes) listener_->note(note);
+  }
+
   void read() {
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
-    if (!options_.quiet) print_notes(options_.input, read.notes);
-    original_ = std::move(read.mesh);
-    did_.seconds["read"] = watch_.lap();
-    if (options_.triangulate) cut_quads();
+    note(options_.input, read.notes);
+    take(std::move(read.mesh));
+  }
+
+  void take(MeshData mesh) {
+    original_ = std::move(mesh);
+    lap("read");
+    if (options_.triangulate) note(options_.input, cut_quads(original_));
     if (options_.repair) repair_mesh();
     mesh_ = Mesh(original_);
-    if (volume() && !has_tetrahedra(mesh_))
-      throw NothingToDo(printable(options_.input) + ": " + decimation_obstacle(mesh_));
-    if (const char* obstacle = decimation_obstacle(mesh_))
-      throw io::LimitError(options_.input, {}, obstacle);
-    if (const auto finding = first_repeated_region(mesh_))
-      throw io::ReadError(options_.input, {}, "cannot be decimated: " + finding->text);
-    check_kind();
+    check_decimable(mesh_, options_.input);
+    options_.check_kind(volume());
+    if (volume() && steps_.exchange)
+      note(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
     count_cells();
-    if (volume()) look_inside_out();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(original_);
     if (volume()) forget_regions();
-    did_.seconds["read"] = did_.seconds["read"].get<double>() + watch_.lap();
+    lap("read");
+  }
+
+  /// A stage may come several times.
+  void lap(const char* stage) {
+    did_.seconds[stage] = did_.seconds.value(stage, 0.0) + watch_.lap();
+  }
+
+  /// Said once, also where it is found again.
+  void note(const std::string& file, const std::vector<std::string>& notes) const {
+    if (!options_.quiet && !repeated_) print_notes(file, notes);
+  }
+
+  void meet_target() {
+    if (options_.target_error_pct > 0)
+      meet_error();
+    else
+      reach_target();
+  }
+
+  void attempt() {
+    how_ = asked_;
+    classify_mesh();
+    add_what_needs_the_mesh();
+    decimate();
+  }
+
+  // From what was read, without what an attempt before has done.
+  void start_over() {
+    repeated_ = true;
+    balls_ = {};
+    steps_.keep = {};
+    steps_.model = nullptr;
+    if (options_.model.empty()) model_.reset();
+    mesh_ = Mesh(original_);
+    record_ = {};
+    did_.missed.reset();
+    watch_.lap();
+  }
+
+  // Where the number is missed, once more with one guard after the other let go.
+  void reach_target() {
+    attempt();
+    if (!options_.reach) return;
+    for (const Guard guard : guards_in_order) {
+      const bool of_model = guard == Guard::Features || guard == Guard::Corners;
+      if (!did_.missed || (of_model && given_classes_)) return;
+      if (!let_go(guard, steps_, asked_)) continue;
+      did_.let_go.push_back(guard);
+      start_over();
+      attempt();
+    }
+  }
+
+  // The coarsest result that is no further off; where there is none, what was read.
+  void meet_error() {
+    const Mesh start(original_);
+    const measure::Surface original(start, steps_.threads);
+    ErrorSearch search(options_.target_error_pct);
+    double last = 0;
+    const auto run = [&](double guard_pct) {
+      if (last > 0) start_over();
+      steps_.max_distance = guard_pct / 100 * diagonal_;
+      last = guard_pct;
+      attempt();
+      progress_.show("measuring");
+      did_.error_pct = largest_distance_pct(original, mesh_, steps_.threads);
+      lap("measure");
+    };
+    steps_.coarsest = true;
+    while (const auto guard_pct = search.next()) {
+      run(*guard_pct);
+      search.tried(*guard_pct, mesh_.count(2), *did_.error_pct);
+    }
+    did_.tries = search.tries();
+    if (!search.best()) leave_as_it_is(steps_);
+    if (const double best = search.best().value_or(options_.target_error_pct); last != best)
+      run(best);
   }
 
   [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
@@ -98,55 +204,19 @@ class Run {
   // Their vertices, a fifth of what a decimation takes, are asked for where data go with them, and
   // where something is to be blamed on the input, which can be read again.
   void forget_regions() {
-    const bool again = options_.input != "-" && std::filesystem::is_regular_file(options_.input);
+    const bool again = listener_ == nullptr && options_.input != "-" &&
+                       std::filesystem::is_regular_file(options_.input);
+    if (options_.reach) return;
     if (!again || !original_.attributes.empty() || !original_.periodic.empty()) return;
     original_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
   }
 
-  // Options that belong to the other kind of mesh, or of strategy.
-  void check_kind() const {
-    if (volume() && steps_.topology != TopologyRule::Safe)
-      throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
-    if (!volume() && !options_.volume_rule.empty())
-      throw UsageError("--volume is for volumes, and " + options_.input + " has no regions");
-    if (!volume() && options_.min_dihedral_given)
-      throw UsageError("--min-dihedral is for volumes, and " + options_.input +
-                       " has no regions: --min-angle limits the angles of faces");
-    if (options_.volume_rule == "keep" && options_.paper())
-      throw UsageError(
-          "--volume keep is for --strategy quality: the printed loop places no vertex");
-    if (options_.volume_rule == "keep" && options_.snaps())
-      throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
-    if (volume() && steps_.exchange && !options_.quiet)
-      print_notes(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
-  }
-
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    const std::uint32_t cells = volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
-    did_.target = options_.target_count(volume(), cells);
+    did_.target = options_.target_count(volume(), cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
-  }
-
-  // Where some are upright the others may be folded, which turning does not mend; they stay so.
-  void look_inside_out() {
-    std::uint32_t turned = 0;
-    for (const Region r : mesh_.regions()) {
-      const double volume = measure::signed_volume(mesh_, r);
-      inverted_ += !(volume > 0);
-      turned += volume < 0;
-    }
-    if (options_.quiet || inverted_ == 0) return;
-    const char* kind = did_.others == 0 ? "tetrahedra" : "regions";
-    if (turned == mesh_.count(3))
-      print_notes(options_.input, {std::string("all ") + kind + " (" + grouped(turned) +
-                                   ") stand inside out: aomd convert --split-to-tets turns them"});
-    else
-      print_notes(options_.input,
-                  {grouped(inverted_) + " of " + grouped(mesh_.count(3)) + " " + kind +
-                   " stand inside out or are flat, and may stay so: aomd check names them"});
   }
 
   /// Faces, or tetrahedra.
@@ -154,32 +224,20 @@ class Run {
     return volume() ? mesh_.count(3) - did_.others : mesh_.count(2);
   }
 
-  void cut_quads() {
-    const std::size_t quads = triangulate_quads(original_);
-    if (quads > 0 && !options_.quiet)
-      print_notes(options_.input, {counted(quads, "quad") + " cut into triangles"});
-  }
-
   void repair_mesh() {
-    check_mendable(options_.input, original_);
     progress_.show("repairing");
-    RepairOptions how;
-    options_.weld.apply(how, original_);
-    did_.repaired = repair(original_, how);
+    std::vector<std::string> notes;
+    did_.repaired = mend(original_, options_, notes);
     progress_.wipe();
-    if (!options_.quiet) {
-      for (const RepairItem& item : did_.repaired.done)
-        print_notes(options_.input, {line_of(item)});
-      for (const RepairItem& item : did_.repaired.left)
-        print_notes(options_.input, {line_of(item)});
-    }
-    did_.seconds["repair"] = watch_.lap();
+    note(options_.input, notes);
+    lap("repair");
   }
 
   void classify_mesh() {
     progress_.show("classifying");
     const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
     how_.complete = looks_at_all || options_.paper();
+    if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(original_);
     if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
     if (!looks_at_all) {
@@ -188,55 +246,46 @@ class Run {
     }
     if (!options_.journal.empty()) {
       record_.classify = how_;
+      record_.seams = !how_.seams.empty();
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
-    if (model_) fit_to_model();
+    if (model_) fit_to_model(mesh_, original_.classified(), *model_, options_);
     if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
-    if (options_.snaps()) snap_to_model();
-    did_.seconds["classify"] = watch_.lap();
+    if (options_.snaps()) check_snapping(mesh_, *model_, options_);
+    if (options_.snaps()) steps_.model = model_.get();
+    lap("classify");
     did_.input = measure::count_entities(mesh_);
     volumes_before_ = measure::region_volumes(mesh_);
-    if (!options_.quiet) print_notes(options_.input, dirt_notes(original_, did_.input, false));
+    if (volume()) faults_.emplace(mesh_, did_.input);
+    note(options_.input, what_is_wrong());
     watch_.lap();
   }
 
-  // The mesh may lie on what its own facets do not give, such as a model face without faces.
-  void snap_to_model() {
-    try {
-      check_entities(mesh_, *model_);
-    } catch (const ModelError& e) {
-      throw io::ReadError(options_.input, {}, std::string("--snap model: ") + e.what());
-    }
-    steps_.model = model_.get();
+  /// What keeps a surface from its target, or what does not fit together in a volume.
+  [[nodiscard]] std::vector<std::string> what_is_wrong() const {
+    if (!volume()) return dirt_notes(original_, did_.input, false);
+    std::vector<std::string> notes =
+        notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
+    for (const SurfaceFinding& finding :
+         hanging_findings(mesh_, steps_.threads, measure::Skin::Listed))
+      notes.push_back(finding.dirt.name + ": " + finding.dirt.text + ": aomd check names them");
+    return notes;
   }
 
   // What the angle finds is classified without edges that would cost too much of the target.
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
-    if (found.given && options_.feature_angle_given && !options_.quiet)
-      print_notes(options_.input,
-                  {"the file classifies faces or edges: --feature-angle has no say"});
-    const bool free =
-        !volume() && !options_.feature_angle_given && !model_ && steps_.target_faces > 0;
+    given_classes_ = found.given || !options_.model.empty();
+    if (found.given && options_.feature_angle_given)
+      note(options_.input, {"the file classifies faces or edges: --feature-angle has no say"});
+    const bool free = !volume() && !options_.feature_angle_given && !model_ &&
+                      steps_.target_faces > 0 && how_.feature_angle_deg;
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(original_);
     classify(mesh_, how_);
-    if (!options_.quiet)
-      print_notes(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
-  }
-
-  // Classification by the model is a step of the journal, so that a replay needs no model.
-  void fit_to_model() {
-    try {
-      if (original_.classified())
-        check_against(mesh_, *model_);
-      else
-        classify_on(mesh_, *model_);
-    } catch (const ModelError& e) {
-      throw io::ReadError(options_.input, {}, e.what() + (" (" + options_.model + ")"));
-    }
+    note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
   /// What the decimation is told that needs the mesh.
@@ -247,8 +296,8 @@ class Run {
     if (!options_.only.empty()) steps_.keep = read_only_file(options_.only, mesh_, steps_.keep);
     std::size_t required = 0;
     steps_.keep = keep_required(mesh_, steps_.keep, required);
-    if (required > 0 && !options_.quiet)
-      print_notes(options_.input, {counted(required, "required vertex") + " kept in place"});
+    if (required > 0)
+      note(options_.input, {counted(required, "required vertex") + " kept in place"});
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -257,12 +306,12 @@ class Run {
     } catch (const std::invalid_argument& e) {
       throw UsageError(std::string("--spacing: ") + e.what());
     }
-    did_.seconds["spacing"] = watch_.lap();
+    lap("spacing");
   }
 
   void decimate() {
     Decimation decimation(mesh_, steps_);
-    did_.seconds["adjacency"] = watch_.lap();
+    lap("adjacency");
     const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
     using namespace std::chrono_literals;
     const auto slice =
@@ -270,7 +319,7 @@ class Run {
     while (decimation.run(slice) == Decimation::Stop::Budget)
       progress_.show(phase_name(decimation.phase()), decimation.progress());
     balls_ = {};
-    did_.seconds["decimate"] = watch_.lap();
+    lap("decimate");
     did_.memory = {{"mesh", std::max(entities, mesh_.entity_bytes())},
                    {"adjacency", std::max(adjacency, mesh_.adjacency_bytes())},
                    {"journal", record_.journal.bytes()},
@@ -278,9 +327,9 @@ class Run {
     did_.sweeps = decimation.sweeps();
     if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
-    did_.missed = {decimation.edges_left(), ""};
-    did_.missed->would_help = what_would_help(did_.missed->edges, options_, steps_, original_,
-                                              did_.input, mesh_.count(2));
+    did_.missed = {decimation.edges_left(), {}};
+    did_.missed->help = what_would_help(did_.missed->edges, options_, steps_, original_, did_.input,
+                                        mesh_.count(2));
   }
 
   void check() {
@@ -288,10 +337,10 @@ class Run {
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
     did_.self_intersections = measure::count_self_intersections(mesh_, steps_.threads).pairs;
+    did_.output = measure::count_entities(mesh_);
     if (volume()) check_volume();
     if (!volume()) count_flips();
-    did_.seconds["check"] = watch_.lap();
-    did_.output = measure::count_entities(mesh_);
+    lap("check");
     did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
@@ -302,15 +351,13 @@ class Run {
     did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
   }
 
-  // No operation turns a tetrahedron inside out; an input may have some.
+  // An input may have faults of its own.
   void check_volume() {
     did_.volume_quality = measure::measure_volume(mesh_);
     did_.volumes = volume_changes(volumes_before_, measure::region_volumes(mesh_));
-    const std::size_t after = did_.volume_quality.inverted.size();
-    if (after > inverted_)
-      throw InternalFault(options_.input +
-                          ": internal fault: " + counted(after - inverted_, "region") +
-                          " inside out in the result, which was not written");
+    if (const auto worse = made_worse(*faults_, VolumeFaults(mesh_, did_.output)))
+      throw InternalFault(options_.input + ": internal fault: " + *worse +
+                          " in the result, which was not written");
   }
 
   /// The result contradicts itself: because the input did, or because of a fault in this program.
@@ -329,19 +376,22 @@ class Run {
 
   void write() {
     progress_.show("writing");
-    MeshData result = to_data(mesh_);
-    GivenClasses(original_).apply(result);
-    carry_arrays(result);
+    result_ = to_data(mesh_);
+    GivenClasses(original_).apply(result_);
+    carry_arrays(result_);
     io::OutputFiles files;
-    const auto path = output_path(options_.output);
-    io::EncodedMesh encoded = io::to_bytes(path, format_, result);
-    files.add(path, std::move(encoded.bytes));
+    io::EncodedMesh encoded;
+    if (listener_ == nullptr) {
+      const auto path = output_path(options_.output);
+      encoded = io::to_bytes(path, format_, result_);
+      files.add(path, std::move(encoded.bytes));
+    }
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
-    did_.seconds["write"] = watch_.lap();
+    lap("write");
     did_.seconds["total"] = watch_.total();
     did_.memory["peak"] = peak_bytes();
-    if (!options_.report.empty())
-      files.add(output_path(options_.report), text_of(report_json(options_, steps_, how_, did_)));
+    report_ = report_json(options_, steps_, how_, did_);
+    if (!options_.report.empty()) files.add(output_path(options_.report), text_of(report_));
     files.commit();
     progress_.wipe();
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
@@ -350,36 +400,55 @@ class Run {
   void carry_arrays(MeshData& result) {
     io::CarriedAlong along = io::carry_along(original_, result, steps_.threads);
     did_.fields = std::move(along.fields);
-    if (!did_.fields.empty()) did_.seconds["fields"] = watch_.lap();
+    if (!did_.fields.empty()) lap("fields");
     if (!options_.quiet) print_notes(options_.output, along.notes);
   }
 
   void print_summary() const {
     print_decimation(stream_beside(options_.outputs()), options_, did_);
+    note_target();
+  }
+
+  [[nodiscard]] std::string missed_words() const {
+    return sentence(*did_.missed, steps_, did_.target, cells(), volume());
+  }
+
+  /// What was let go of to meet the target, and what it was missed for.
+  void note_target() const {
+    if (!did_.let_go.empty()) print_notes(options_.output, {words_of_let_go(did_.let_go)});
     if (!did_.missed) return;
-    print_notes(options_.output, {sentence(*did_.missed, steps_, did_.target, cells(), volume())});
+    print_notes(options_.output, {missed_words()});
     print_notes(options_.input, dirt_notes(original_, did_.input, true));
   }
 
   const DecimateOptions& options_;
+  const Listener* listener_;  ///< null: the mesh comes from a file and goes into one
   Progress progress_;
   io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
-  ClassifyOptions how_;
+  ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
   MeshData original_;  ///< as read, or as repaired
   double diagonal_ = 0;
-  bool forgotten_ = false;  ///< the vertices of the regions of `original_`
+  bool forgotten_ = false;      ///< the vertices of the regions of `original_`
+  bool repeated_ = false;       ///< the attempt is not the first
+  bool given_classes_ = false;  ///< by the file or a model: the angle had no say
   Mesh mesh_;
   Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
   std::vector<measure::RegionVolume> volumes_before_;
-  std::size_t inverted_ = 0;  ///< regions of the input
+  std::optional<VolumeFaults> faults_;  ///< of a volume as classified
   DecimateReport did_;
+  MeshData result_;
+  Json report_;
 };
 
 }  // namespace
+
+Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener& listener) {
+  return Run(options, &listener).run(std::move(mesh));
+}
 
 void add_decimate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");

@@ -42,10 +42,6 @@ CLI::Validator number_or_share() {
   return CLI::Validator(check, "");
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  return CLI::IsMember(words, CLI::ignore_case).description("");
-}
-
 std::vector<std::string> idea_names() {
   std::vector<std::string> names;
   names.reserve(idea_count);
@@ -72,6 +68,20 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
   CLI::Option* tets =
       command.add_option("--target-tets", o.target_tets, "The same of a volume's tetrahedra");
   tets->type_name("N|P%")->check(number_or_share())->excludes(target);
+  CLI::Option* error = command.add_option(
+      "--target-error", o.target_error_pct,
+      "As coarse as possible within this distance from the original, measured both\nways on the "
+      "result, percent of the diagonal");
+  error->type_name("PCT")
+      ->transform(percent())
+      ->check(positive_number())
+      ->excludes(target)
+      ->excludes(tets);
+  CLI::Option* reach = command.add_flag(
+      "--reach", o.reach,
+      "Where a target is missed, lets go of guards until it is met: of small angles,\nof facing, "
+      "of features, then of corners; never of the topology");
+  reach->excludes(error);
   CLI::Option* factor =
       command.add_option("--factor", o.decimation.factor, "Edges become this many times longer");
   factor->type_name("F")
@@ -79,10 +89,11 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
       ->capture_default_str()
       ->excludes(target)
       ->excludes(tets)
+      ->excludes(error)
       ->each([&o](const std::string&) { o.factor_given = true; });
   CLI::Option* coarsest =
       command.add_flag("--coarsest", o.decimation.coarsest, "No limit on the length of edges");
-  coarsest->excludes(factor);
+  coarsest->excludes(factor)->excludes(error);
   CLI::Option* spacing = command.add_option(
       "--spacing", o.spacing,
       "How long edges become, in the mesh's units: a file with a number for each\n"
@@ -90,13 +101,16 @@ void add_aims(CLI::App& command, DecimateOptions& o) {
       "--factor times what they are on model faces, growing inside); or a formula\n"
       "of x, y, z, h (mean length of the edges there), k (curvature) and diag\n"
       "(diagonal of the box): \"x < 0 ? 2 * h : 8 * h\"");
-  spacing->type_name("FILE|EXPR|curvature|surface")->check(not_empty())->excludes(coarsest);
+  spacing->type_name("FILE|EXPR|curvature|surface")
+      ->check(not_empty())
+      ->excludes(coarsest)
+      ->excludes(error);
   CLI::Option* gradation = command.add_option(
       "--gradation", o.gradation,
       "How much the spacing may grow per unit of length; default " +
           number_text(default_spacing_growth) + " for\ncurvature and surface, else no limit");
   gradation->type_name("G")->check(positive_number())->needs(spacing);
-  put_into("What to aim at", {target, tets, factor, coarsest, spacing, gradation});
+  put_into("What to aim at", {target, tets, error, reach, factor, coarsest, spacing, gradation});
 }
 
 void add_ways(CLI::App& command, DecimateOptions& o) {
@@ -117,6 +131,12 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "than half of --target-faces, only from 50 degrees on unless\nit is given");
   features->type_name("DEG|off")->transform(angle_or_off())->capture_default_str();
   features->each([&o](const std::string&) { o.feature_angle_given = true; });
+  command
+      .add_option("--seams", o.seams,
+                  "Whether edges where texture coordinates jump become model edges")
+      ->type_name("keep|ignore")
+      ->transform(one_of({"keep", "ignore"}))
+      ->capture_default_str();
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
@@ -171,7 +191,10 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
       "--max-distance", o.max_distance_pct,
       "No point of the result is further from the original, percent of the diagonal;\n"
       "of a volume each model face and edge by itself, and the other way round too");
-  distance->type_name("PCT")->transform(percent())->check(positive_number());
+  distance->type_name("PCT")
+      ->transform(percent())
+      ->check(positive_number())
+      ->excludes(command.get_option("--target-error"));
   CLI::Option* intersections = command.add_flag("--no-intersections", o.decimation.no_intersections,
                                                 "No faces cut each other that did not");
   CLI::Option* volume = command.add_option(
@@ -230,6 +253,24 @@ std::uint32_t DecimateOptions::target_count(bool volume, std::uint32_t input_cou
   return std::max(1u, static_cast<std::uint32_t>(std::lround(share)));
 }
 
+void DecimateOptions::check_kind(bool volume) const {
+  if (volume && topology == "paper")
+    throw UsageError("--topology paper is for surfaces: tetrahedra always keep the topology");
+  if (volume && target_error_pct > 0)
+    throw UsageError("--target-error is for surfaces, and " + input + " has regions");
+  if (!volume && !volume_rule.empty())
+    throw UsageError("--volume is for volumes, and " + input + " has no regions");
+  if (!volume && min_dihedral_given)
+    throw UsageError("--min-dihedral is for volumes, and " + input +
+                     " has no regions: --min-angle limits the angles of faces");
+  if (volume_rule == "keep" && paper())
+    throw UsageError("--volume keep is for --strategy quality: the printed loop places no vertex");
+  if (volume_rule == "keep" && snaps())
+    throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
+  if (reach && target.empty() && target_tets.empty())
+    throw UsageError("--reach is for --target-faces and --target-tets");
+}
+
 std::vector<NamedFile> DecimateOptions::inputs() const {
   std::error_code ignored;
   const bool from_file = std::filesystem::is_regular_file(spacing, ignored);
@@ -286,14 +327,16 @@ void DecimateOptions::check_spacing() const {
 
 Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
   const auto source = spacing_source();
-  const bool by_factor =
-      by_surface(source) || (!steps.coarsest && !source && steps.target_faces == 0);
+  const bool aims = steps.target_faces > 0 || target_error_pct > 0;
+  const bool by_factor = by_surface(source) || (!steps.coarsest && !source && !aims);
   const Json aim = steps.target_faces > 0 ? Json(steps.target_faces) : Json(nullptr);
   return {
       {"strategy", strategy},
       {"regularity", steps.regularity},
       {"target_faces", volume ? Json(nullptr) : aim},
       {"target_tets", volume ? aim : Json(nullptr)},
+      {"target_error_pct", target_error_pct > 0 ? Json(target_error_pct) : Json(nullptr)},
+      {"reach", reach},
       {"factor", by_factor ? Json(steps.factor) : Json(nullptr)},
       {"coarsest", steps.coarsest},
       {"spacing", or_null(spacing)},
@@ -304,6 +347,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"max_distance_pct", max_distance_pct > 0 ? Json(max_distance_pct) : Json(nullptr)},
       {"no_intersections", steps.no_intersections},
       {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
+      {"seams", seams},
       {"improve", steps.improve_passes},
       {"exchange", steps.exchange},
       {"without", without},

@@ -22,10 +22,12 @@ struct DecimateOptions {
   // What to aim at
   std::string target;               ///< "1000", or "10%" of the input's faces; empty: none
   std::string target_tets;          ///< the same of tetrahedra
+  double target_error_pct = 0;      ///< of the diagonal of the input's box; 0: none
+  bool reach = false;               ///< guards are let go of until the target is met
   std::string spacing;              ///< empty: by factor
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
-  std::string strategy = "quality", feature_angle = "20", snap = "none", model;
+  std::string strategy = "quality", feature_angle = "20", seams = "keep", snap = "none", model;
   bool feature_angle_given = false, factor_given = false, no_swap = false, no_smooth = false,
        repair = false, triangulate = false;
   WeldOption weld;                   ///< with repair
@@ -48,6 +50,8 @@ struct DecimateOptions {
   /// The number of faces, or of tetrahedra, to aim at, at least 1; 0 for none. Throws UsageError
   /// for a target of the other kind.
   [[nodiscard]] std::uint32_t target_count(bool volume, std::uint32_t input_count) const;
+  /// Throws UsageError for options that belong to the other kind of mesh, or of strategy.
+  void check_kind(bool volume) const;
   /// The files that it reads.
   [[nodiscard]] std::vector<NamedFile> inputs() const;
   /// The files that it writes.

@@ -13,11 +13,20 @@ namespace {
 
 /// "stopped" of a report.
 Json stopped_json(const DecimationOptions& steps, const DecimateReport& r) {
-  const char* why = r.missed ? "missed" : steps.target_faces > 0 ? "target" : "done";
-  const bool helps = r.missed && !r.missed->would_help.empty();
+  const char* why = r.missed                 ? "missed"
+                    : r.error_pct            ? "error"
+                    : steps.target_faces > 0 ? "target"
+                                             : "done";
+  const bool helps = r.missed && !r.missed->help.empty();
+  Json let_go = Json::array();
+  for (const Guard guard : r.let_go) let_go.push_back(guard_name(guard));
   return {{"why", why},
           {"refused", r.missed ? refused_json(r.missed->edges) : Json::object()},
-          {"would_help", helps ? Json(r.missed->would_help) : Json(nullptr)}};
+          {"would_help", helps ? Json(r.missed->help.front().option) : Json(nullptr)},
+          {"help", r.missed ? help_json(r.missed->help) : Json::object()},
+          {"let_go", let_go},
+          {"error_pct", r.error_pct ? Json(*r.error_pct) : Json(nullptr)},
+          {"tries", r.error_pct ? Json(r.tries) : Json(nullptr)}};
 }
 
 Json options_json(const DecimateOptions& options, DecimationOptions steps,
@@ -71,12 +80,23 @@ Json report_json(const DecimateOptions& options, const DecimationOptions& steps,
           {"stopped", stopped_json(steps, r)}};
 }
 
+std::string words_of_let_go(const std::vector<Guard>& guards) {
+  std::vector<std::string> names;
+  names.reserve(guards.size());
+  for (const Guard guard : guards) names.emplace_back(guard_name(guard));
+  return "let go of " + joined(names, " and ") + " to come that far";
+}
+
 void print_decimation(std::ostream& out, const DecimateOptions& options, const DecimateReport& r) {
   const bool kept = r.input.euler == r.output.euler;
   out << printable(options.input) << ": " << change_words(r) << ", Euler number " << r.input.euler
       << (kept ? " kept" : " -> " + std::to_string(r.output.euler)) << ", "
       << counted(r.self_intersections, "self-intersection") << ", " << state_words(r) << ", "
       << std::llround(1000 * r.seconds["total"].get<double>()) << " ms\n";
+  if (r.error_pct)
+    out << "  distance from the original " << number_text(*r.error_pct, 4)
+        << " % of the diagonal, within " << number_text(options.target_error_pct) << " %, after "
+        << counted(r.tries, "run") << '\n';
   if (r.volume()) print_volume_changes(out, r.volumes);
   if (!r.fields.empty()) print_fields(out, r.fields);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iomanip>
 #include <ostream>
 
 #include "core/base/text.h"
@@ -52,6 +53,19 @@ std::string change_words(const CarriedField& field) {
 
 const char* type_name(const Attribute& a) { return a.integer ? "whole" : "real"; }
 
+/// How the file stores the numbers, where that is not the usual way.
+std::string storage_words(const Attribute& a) {
+  constexpr const char* names[] = {"int8",   "uint8", "int16",  "uint16",  "int32",
+                                   "uint32", "int64", "uint64", "float32", "float64"};
+  return a.type ? names[static_cast<std::size_t>(*a.type)] : a.integer ? "int32" : "float64";
+}
+
+template <typename... Values>
+void columns(std::ostream& out, const std::string& label, const Values&... values) {
+  out << "  " << std::left << std::setw(24) << label << std::right;
+  ((out << ' ' << std::setw(15) << values), ...) << '\n';
+}
+
 template <typename Visit>
 void each_array(const MeshData& mesh, Visit&& visit) {
   std::array<std::vector<double>, 4> measures;
@@ -91,7 +105,9 @@ Json arrays_json(const MeshData& mesh) {
     json.push_back({{"name", a.name},
                     {"on", entity_plural(a.dimension)},
                     {"components", a.components},
-                    {"type", type_name(a)}});
+                    {"type", type_name(a)},
+                    {"stored", storage_words(a)},
+                    {"kind", kind_name(fields::kind_of(a))}});
     json.back().update(array_facts_json(facts));
   });
   return json;
@@ -125,6 +141,24 @@ Json differences_json(const std::vector<measure::FieldDifference>& list) {
                     {"original", array_facts_json(d.before)},
                     {"result", array_facts_json(d.after)}});
   return json;
+}
+
+void print_differences(std::ostream& out, const std::vector<measure::FieldDifference>& list,
+                       const std::string& extent) {
+  if (list.empty()) return;
+  out << std::fixed << std::setprecision(4);
+  columns(out, "field, % of its range", "rms", "max", "% of " + extent);
+  const std::size_t shown_lines = std::min(list.size(), most_arrays);
+  for (std::size_t i = 0; i < shown_lines; ++i) {
+    const measure::FieldDifference& d = list[i];
+    const std::string name = "  " + shown(d.name) + " on " + entity_plural(d.dimension);
+    if (d.label)
+      columns(out, name, "-", "-", 100 * d.differing);
+    else
+      columns(out, name, d.percent(d.rms), d.percent(d.largest));
+  }
+  if (shown_lines < list.size())
+    out << "  and " << list.size() - shown_lines << " more; --json has all\n";
 }
 
 }  // namespace aomd::cli

@@ -2,6 +2,7 @@
 // What the commands say of arrays: what they are, and what became of them.
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "core/fields/carry.h"
@@ -21,7 +22,9 @@ void print_fields(std::ostream& out, const std::vector<fields::CarriedField>& li
 [[nodiscard]] Json arrays_json(const MeshData& mesh);
 void print_arrays(std::ostream& out, const MeshData& mesh);
 
-/// What arrays of two volumes differ by.
+/// What arrays of two meshes differ by; `extent` is what a share is of: "volume" or "area".
 [[nodiscard]] Json differences_json(const std::vector<measure::FieldDifference>& list);
+void print_differences(std::ostream& out, const std::vector<measure::FieldDifference>& list,
+                       const std::string& extent);
 
 }  // namespace aomd::cli

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/field_report.h"
+#include "tools/aomd/in_memory.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/surface_lines.h"
 #include "tools/aomd/volume_report.h"
@@ -74,44 +75,70 @@ void print(const measure::VolumeComplex& complex, const measure::VolumeQuality& 
   print_regions(complex);
 }
 
+/// What is found out about a mesh, which must outlive it.
+struct Facts {
+  explicit Facts(const MeshData& mesh_data)
+      : data(mesh_data),
+        mesh(mesh_data),
+        counts(measure::count_entities(mesh)),
+        quality(measure::measure_quality(mesh)),
+        volume(measure::measure_volume(mesh, thread_count(0))),
+        complex(measure::analyse_volume(mesh, thread_count(0))),
+        dirt(survey(mesh_data)) {}
+
+  const MeshData& data;
+  Mesh mesh;
+  measure::Counts counts;
+  measure::Quality quality;
+  measure::VolumeQuality volume;
+  measure::VolumeComplex complex;
+  std::vector<SurfaceFinding> dirt;
+};
+
+void print(const std::string& file, const Facts& facts) {
+  print(file, facts.mesh, facts.counts, facts.quality);
+  if (facts.counts.regions > 0) print(facts.complex, facts.volume);
+  print_arrays(std::cout, facts.data);
+  for (const SurfaceFinding& finding : facts.dirt)
+    if (finding.breaks != SurfaceProperty::Closed)
+      std::cout << "  " << line_of(finding, file) << '\n';
+}
+
+Json json_of(const std::string& file, const Facts& facts, double read_seconds,
+             const std::vector<std::string>& notes) {
+  Json json{{"schema", 1},
+            {"input", counts_json(file, facts.counts)},
+            {"quality", quality_json(facts.quality)},
+            {"seconds", {{"read", read_seconds}}},
+            {"memory_bytes",
+             {{"mesh", facts.mesh.entity_bytes()},
+              {"adjacency", facts.mesh.adjacency_bytes()},
+              {"peak", peak_bytes()}}},
+            {"surface", surface_json(facts.dirt, file)},
+            {"fields", arrays_json(facts.data)},
+            {"notes", notes}};
+  add_volume_quality(json["quality"], facts.volume);
+  if (facts.counts.regions > 0) json["volume"] = volume_json(facts.complex, facts.volume);
+  return json;
+}
+
 int run(const InfoArguments& options) {
   Stopwatch watch;
   const io::ReadResult read = read_mesh(options.file);
-  const Mesh mesh(read.mesh);
   const double seconds = watch.lap();
-  const measure::Counts counts = measure::count_entities(mesh);
-  const measure::Quality quality = measure::measure_quality(mesh);
-  const int threads = thread_count(0);
-  const measure::VolumeQuality volume = measure::measure_volume(mesh, threads);
-  const measure::VolumeComplex complex = measure::analyse_volume(mesh, threads);
-  const std::vector<SurfaceFinding> dirt = survey(read.mesh);
-  if (!options.json) {
-    print(options.file, mesh, counts, quality);
-    if (counts.regions > 0) print(complex, volume);
-    print_arrays(std::cout, read.mesh);
-    for (const SurfaceFinding& finding : dirt)
-      if (finding.breaks != SurfaceProperty::Closed)
-        std::cout << "  " << line_of(finding, options.file) << '\n';
-    return done;
-  }
-  Json json{{"schema", 1},
-            {"input", counts_json(options.file, counts)},
-            {"quality", quality_json(quality)},
-            {"seconds", {{"read", seconds}}},
-            {"memory_bytes",
-             {{"mesh", mesh.entity_bytes()},
-              {"adjacency", mesh.adjacency_bytes()},
-              {"peak", peak_bytes()}}},
-            {"surface", surface_json(dirt, options.file)},
-            {"fields", arrays_json(read.mesh)},
-            {"notes", read.notes}};
-  add_volume_quality(json["quality"], volume);
-  if (counts.regions > 0) json["volume"] = volume_json(complex, volume);
-  std::cout << text_of(json);
+  const Facts facts(read.mesh);
+  if (options.json)
+    std::cout << text_of(json_of(options.file, facts, seconds, read.notes));
+  else
+    print(options.file, facts);
   return done;
 }
 
 }  // namespace
+
+Json info(const std::string& name, const MeshData& mesh) {
+  return json_of(name, Facts(mesh), 0, {});
+}
 
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command =

@@ -13,11 +13,11 @@ namespace {
 // What keeps a smaller share of the edges is not worth loosening.
 constexpr std::int64_t least_share = 20;
 
-/// Looks for what loosens one reason.
-class Help {
+/// Looks for what loosens one reason. What --reach has let go of is no help any more.
+class Loosening {
  public:
-  Help(const DecimateOptions& given, const DecimationOptions& steps, const MeshData& original,
-       const measure::Counts& input)
+  Loosening(const DecimateOptions& given, const DecimationOptions& steps, const MeshData& original,
+            const measure::Counts& input)
       : given_(given), steps_(steps), original_(original), input_(input) {}
 
   [[nodiscard]] std::string against(Reason reason) const {
@@ -34,9 +34,7 @@ class Help {
       case Reason::Flat:
         return given_.repair || volume ? "" : "--repair";
       case Reason::Angle:
-        return steps_.angle_deg < 90
-                   ? "--angle " + number_text(std::min(90.0, 2 * steps_.angle_deg))
-                   : "";
+        return against_angle();
       case Reason::Shape:
         return against_shape();
       case Reason::Kept:
@@ -68,6 +66,11 @@ class Help {
   }
 
  private:
+  [[nodiscard]] std::string against_angle() const {
+    if (steps_.angle_deg >= 90) return "";
+    return "--angle " + number_text(std::min(90.0, 2 * steps_.angle_deg));
+  }
+
   [[nodiscard]] std::string against_shape() const {
     const bool dihedral = steps_.min_dihedral_deg > 0, angle = steps_.min_angle_deg > 0;
     if (dihedral) return std::string("a smaller --min-dihedral") + (angle ? " or --min-angle" : "");
@@ -81,7 +84,8 @@ class Help {
     if (std::string mending = by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
-    return given_.feature_angle != "off" ? "--feature-angle off" : "";
+    if (given_.reach) return "";
+    return given_.feature_angle != "off" ? "--feature-angle off" : "--reach";
   }
 
   /// Vertices of regions that are no tetrahedra stay.
@@ -102,6 +106,14 @@ class Help {
   const measure::Counts& input_;
 };
 
+/// "; --angle 20 would help, or --feature-angle off"
+std::string words_of(const std::vector<Help>& help) {
+  if (help.empty()) return "";
+  std::string text = "; " + help.front().option + " would help";
+  for (std::size_t i = 1; i < help.size(); ++i) text += ", or " + help[i].option;
+  return text;
+}
+
 }  // namespace
 
 bool misses(std::uint64_t faces, std::uint64_t target) {
@@ -113,25 +125,32 @@ std::uint64_t least_faces(const measure::Counts& input) {
   return of_a_piece * input.components;
 }
 
-std::string what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
-                            const DecimationOptions& steps, const MeshData& original,
-                            const measure::Counts& input, std::uint64_t faces) {
-  const Help help(given, steps, original, input);
-  if (faces <= least_faces(input)) return help.by_welding();
+std::vector<Help> what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
+                                  const DecimationOptions& steps, const MeshData& original,
+                                  const measure::Counts& input, std::uint64_t faces) {
+  const Loosening loosening(given, steps, original, input);
+  std::vector<Help> help;
+  const auto add = [&](Reason reason, std::string option) {
+    const auto same = [&](const Help& each) { return each.option == option; };
+    if (!option.empty() && std::none_of(help.begin(), help.end(), same))
+      help.push_back({reason, std::move(option)});
+  };
+  if (faces <= least_faces(input)) {
+    add(Reason::None, loosening.by_welding());
+    return help;
+  }
   std::int64_t left = 0;
   for (const std::int64_t n : edges) left += n;
-  for (const ReasonCount& each : by_number(edges)) {
-    if (least_share * each.edges < left) break;
-    if (std::string option = help.against(each.reason); !option.empty()) return option;
-  }
-  return "";
+  for (const ReasonCount& each : by_number(edges))
+    if (least_share * each.edges >= left) add(each.reason, loosening.against(each.reason));
+  return help;
 }
 
 std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
                      std::uint64_t target, std::uint64_t cells, bool volume) {
   return grouped(cells) + (volume ? " tetrahedra" : " faces") + ", above the target of " +
          grouped(target) + ": " + words_of_edges_left(missed.edges, steps, volume) +
-         (missed.would_help.empty() ? "" : "; " + missed.would_help + " would help");
+         words_of(missed.help);
 }
 
 Json refused_json(const EdgesByReason& edges) {
@@ -139,6 +158,13 @@ Json refused_json(const EdgesByReason& edges) {
   for (std::size_t i = 1; i < edges.size(); ++i)
     if (edges[i] > 0) refused[reason_name(static_cast<Reason>(i))] = edges[i];
   return refused;
+}
+
+Json help_json(const std::vector<Help>& help) {
+  Json json = Json::object();
+  for (const Help& each : help)
+    if (each.reason != Reason::None) json[reason_name(each.reason)] = each.option;
+  return json;
 }
 
 }  // namespace aomd::cli

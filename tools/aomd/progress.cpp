@@ -11,6 +11,7 @@ Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 void Progress::show(std::string_view phase, double done) {
   if (!shown_) return;
+  if (listener_) return listener_(phase, done);
   const int percent = static_cast<int>(100 * std::clamp(done, 0.0, 1.0));
   std::cerr << "\r\033[Kaomd: " << phase << ' ' << percent << " %" << std::flush;
   dirty_ = true;
@@ -18,6 +19,7 @@ void Progress::show(std::string_view phase, double done) {
 
 void Progress::show(std::string_view phase) {
   if (!shown_) return;
+  if (listener_) return listener_(phase, -1);
   std::cerr << "\r\033[Kaomd: " << phase << std::flush;
   dirty_ = true;
 }

@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/decimate/decimation.h"
+#include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
 #include "core/mesh/verify.h"
@@ -55,6 +56,7 @@ int run(const ReplayArguments& options) {
   io::ReadResult read = read_mesh(options.model, options.quiet);
   mend(options, read.mesh);
   Mesh mesh(read.mesh);
+  if (file.seams) file.classify.seams = fields::seams_of(read.mesh);
   classify(mesh, file.classify);
   if (mesh.count(3) > 0 && file.start.counts[2] < mesh.count(2))
     mesh.keep_model_faces_only();  // as volumes are recorded where no model looks at them

@@ -12,6 +12,7 @@ namespace {
 
 // Dirt in a smaller share of a surface is told only where a target is missed.
 constexpr std::size_t least_share = 20;
+constexpr std::size_t most_named = 8;
 
 // Nothing where no command mends it.
 std::string command_of(const SurfaceFinding& finding, const std::string& file) {
@@ -90,6 +91,20 @@ std::vector<SurfaceFinding> self_intersection_findings(const Mesh& mesh) {
       if (std::find(item.first.begin(), item.first.end(), face.index) == item.first.end())
         item.first.push_back(face.index);
   return {{item, SurfaceProperty::Embedded, Remedy::None}};
+}
+
+std::vector<SurfaceFinding> hanging_findings(const Mesh& mesh, int threads, measure::Skin skin) {
+  const std::vector<Vertex> hanging = measure::hanging_vertices(mesh, threads, skin);
+  if (hanging.empty()) return {};
+  RepairItem item{"hanging vertices",
+                  counted(hanging.size(), "vertex") + (hanging.size() == 1 ? " lies" : " lie") +
+                      " on faces without being a corner of them",
+                  hanging.size(),
+                  0,
+                  {}};
+  for (std::size_t i = 0; i < std::min(hanging.size(), most_named); ++i)
+    item.first.push_back(hanging[i].index);
+  return {{item, SurfaceProperty::Welded, Remedy::None}};
 }
 
 std::vector<std::string> dirt_notes(const MeshData& mesh, const measure::Counts& counts,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/hanging_vertices.h"
 #include "core/repair/survey.h"
 #include "tools/aomd/report.h"
 
@@ -23,6 +24,10 @@ namespace aomd::cli {
 
 /// The pairs of faces that cut each other, where there are any.
 [[nodiscard]] std::vector<SurfaceFinding> self_intersection_findings(const Mesh& mesh);
+
+/// The vertices of the boundary, of a volume too, that lie on a side that they are no corner of.
+[[nodiscard]] std::vector<SurfaceFinding> hanging_findings(const Mesh& mesh, int threads,
+                                                           measure::Skin skin);
 
 /// What keeps a surface from being decimated, and the option that mends it; a note each. Before a
 /// run that of which there is much: at least a twentieth of the surface, and the counts show it, so

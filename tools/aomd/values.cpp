@@ -83,4 +83,8 @@ CLI::Validator not_empty() {
   return CLI::Validator(check, "");
 }
 
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::IsMember(words, CLI::ignore_case).description("");
+}
+
 }  // namespace aomd::cli

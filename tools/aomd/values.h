@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -31,5 +32,7 @@ namespace aomd::cli {
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t low, std::uint64_t high);
 /// Any text but none.
 [[nodiscard]] CLI::Validator not_empty();
+/// To transform: one of these words, in any case.
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
 
 }  // namespace aomd::cli

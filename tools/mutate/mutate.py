@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Breaks one line of the sources at a time and sees whether a test goes red.
 
-tools/mutate/mutate.py [--build FOLDER] [--only TEXT] [--list | --check] [--seconds N]
+tools/mutate/mutate.py [--build FOLDER] [--only TEXT] [--every N] [--list | --check]
+                       [--seconds N]
 
 Reads tools/mutate/mutations.txt. An entry is a paragraph of lines:
 
@@ -25,7 +26,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SOURCES = ["CMakeLists.txt", "cmake", "core", "viewer", "tools", "tests", "shaders", "assets"]
+SOURCES = ["CMakeLists.txt", "LICENSE", "cmake", "core", "viewer", "tools", "tests", "shaders",
+           "assets"]
 
 
 class Mutation:
@@ -130,13 +132,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "mutate")
     parser.add_argument("--only", default="", help="mutations whose name or file holds this text")
+    parser.add_argument("--every", type=int, default=1,
+                        help="each so many-th of these: a look at all areas in less time")
     parser.add_argument("--list", action="store_true", help="names them and ends")
     parser.add_argument("--check", action="store_true",
                         help="whether every entry fits a line, and ends; builds nothing")
     parser.add_argument("--seconds", type=int, default=120, help="for each test program")
     options = parser.parse_args()
     mutations = [m for m in read_list(ROOT / "tools" / "mutate" / "mutations.txt")
-                 if options.only in m.name or options.only in m.file]
+                 if options.only in m.name or options.only in m.file][::options.every]
     if options.list:
         print("\n".join(f"{m.file}: {m.name}" for m in mutations))
         return 0

@@ -5,7 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 aomd_packages+=(help2man file)
 aomd_install_packages
-aomd_build release aomd aomd-view
+aomd_build release aomd_installed
 cd "$aomd_root/build"
 cpack -G DEB -B packages >/dev/null
 rm -rf packages/_CPack_Packages

@@ -66,6 +66,7 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
       renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
       buffers_(gl_),
       original_buffers_(gl_) {
+  session_.keep_shape = [this] { update_aspect(); };
   session_.view.theme = options.theme.value_or(scene::Theme::Light);
   interface_.bars = options.interface;
   interface_.interactive = !headless;
@@ -87,7 +88,7 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   lay_out_frame();  // the layout, and so the picture's shape, is known from here on
 }
 
-Viewer::~Viewer() = default;
+Viewer::~Viewer() { session_.keep_shape = {}; }
 
 /// Pictures and scripts begin with the same look on every machine.
 bool Viewer::remembers() const { return !headless_ && options_.script.empty(); }
@@ -145,16 +146,23 @@ void Viewer::update_aspect() {
   const ui::Area picture = ui::picture_area(layout.viewport, session_.sheet().side_by_side(), true);
   session_.view.aspect = static_cast<double>(picture.size.x) / picture.size.y;
   session_.view.height_px = picture.size.y;
-  // In a narrower picture the same width stays in sight, as far as widths matter for most shapes.
-  if (!session_.document().empty())
-    session_.view.camera.distance *=
-        std::min(before, widest_aspect) / std::min(session_.view.aspect, widest_aspect);
+  session_.view.camera.distance *= farther(before, session_.view.aspect);
+}
+
+/// How much farther away the mesh as a whole must be seen from for a picture of another shape.
+double Viewer::farther(double before, double now) const {
+  if (session_.document().empty()) return 1;
+  const scene::Box& bounds = session_.document().content().bounds;
+  if (!(bounds.diagonal() > 0)) return 1;
+  const scene::Camera& camera = session_.view.camera;
+  return camera.fitting_distance(bounds, now) / camera.fitting_distance(bounds, before);
 }
 
 render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
   settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
+  settings.hidden_lines = session_.view.hidden_lines;
   settings.show_edge_codes = session_.sheet().verdicts() != nullptr;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
@@ -238,7 +246,6 @@ void Viewer::print_log() {
 }
 
 void Viewer::execute(const std::string& line) {
-  update_aspect();
   scene::execute(session_, line);
   const std::string_view text = scene::command_text(line);
   const bool passing = text.rfind("hover ", 0) == 0;  // where the mouse goes is not worth repeating
@@ -246,9 +253,16 @@ void Viewer::execute(const std::string& line) {
   if (const auto next = std::exchange(session_.next_line, {})) execute(*next);
 }
 
+/// The dialog that asks for a picture is not to be in it, nor where the lines are played again.
+void Viewer::clear_for_picture(std::string_view line) {
+  const bool asks = scene::command_text(line).rfind("screenshot", 0) == 0;
+  if (asks && session_.view.dialog != scene::Dialog::None) execute("dialog none");
+}
+
 void Viewer::execute_or_tell(const std::string& line) {
   in_script_ = false;  // what goes wrong from here on is to be said, not the end
   try {
+    clear_for_picture(line);
     if (headless_ || !scene::asks_first(session_, line)) execute(line);
   } catch (const std::exception& error) {
     session_.error = error.what();

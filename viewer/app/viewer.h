@@ -6,6 +6,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/app/options.h"
@@ -19,9 +20,6 @@
 struct ImGuiContext;
 
 namespace aomd::app {
-
-/// From this aspect on, more width shows nothing more of most shapes.
-inline constexpr double widest_aspect = 1.4;
 
 /// The command that the program starts with: what opens FILE or the first sample; empty where a
 /// script decides.
@@ -59,6 +57,7 @@ class Viewer {
   void connect_clipboard();
   void ask_to_close();
   void execute(const std::string& line);
+  void clear_for_picture(std::string_view line);
   void execute_or_tell(const std::string& line);
   void tick(double frame_s);
   void take_model(const std::string& line);
@@ -71,12 +70,15 @@ class Viewer {
   void print_log();
   void update_look(float scale);
   void update_aspect();
+  [[nodiscard]] double farther(double before, double now) const;
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no
   /// drawing.
   void lay_out_frame();
   void draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent = false);
   void draw_scene(const scene::Camera& camera, const render::PixelRect& rect, GLuint destination,
                   bool transparent);
+  void draw_scales(glm::ivec2 size, GLuint destination);
+  [[nodiscard]] scene::Camera camera_for(double before, double now) const;
   void take_screenshots_or_tell();
   [[nodiscard]] render::RenderSettings settings(bool transparent) const;
 

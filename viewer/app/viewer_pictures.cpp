@@ -14,13 +14,14 @@ namespace {
 
 constexpr int frames_of_picture = 3;
 
+}  // namespace
+
 /// Other than in a window that grows, nothing that was in sight may be cut off in a picture.
-scene::Camera seen_in(scene::Camera camera, double before, double now) {
-  camera.distance *= std::max(1.0, std::min(before, widest_aspect) / std::min(now, widest_aspect));
+scene::Camera Viewer::camera_for(double before, double now) const {
+  scene::Camera camera = session_.view.camera;
+  camera.distance *= std::max(1.0, farther(before, now));
   return camera;
 }
-
-}  // namespace
 
 io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   ImGuiIO& io = ImGui::GetIO();
@@ -34,7 +35,9 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
   const render::PictureTarget target(gl_, size);
   for (int i = 1; i < frames_of_picture; ++i) lay_out_frame();
-  session_.view.camera = seen_in(camera, aspect, session_.view.aspect);
+  const double now = session_.view.aspect;
+  session_.view.camera = camera;
+  session_.view.camera = camera_for(aspect, now);
   draw_frame(size, target.framebuffer(), transparent);
   lines_.clear();
   io::Image image = target.read(transparent);
@@ -48,10 +51,26 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
 io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
   session_.refresh();
   const double aspect = static_cast<double>(size.x) / size.y;
-  const scene::Camera camera = seen_in(session_.view.camera, session_.view.aspect, aspect);
+  const scene::Camera before = session_.view.camera;
+  session_.view.camera = camera_for(session_.view.aspect, aspect);
   const render::PictureTarget target(gl_, size);
-  draw_scene(camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
+  draw_scene(session_.view.camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
+  draw_scales(size, target.framebuffer());
+  session_.view.camera = before;
   return target.read(transparent);
+}
+
+/// What belongs to a picture though panels do not.
+void Viewer::draw_scales(glm::ivec2 size, GLuint destination) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 display = io.DisplaySize;
+  io.DisplaySize = ImVec2(static_cast<float>(size.x) / io.DisplayFramebufferScale.x,
+                          static_cast<float>(size.y) / io.DisplayFramebufferScale.y);
+  ImGui::NewFrame();
+  interface_.draw_scales(session_, fonts_);
+  ImGui::Render();
+  layer_->draw(*ImGui::GetDrawData(), destination);
+  io.DisplaySize = display;
 }
 
 void Viewer::take_screenshots() {

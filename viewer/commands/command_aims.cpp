@@ -1,5 +1,7 @@
 // What a decimation goes for: its strategy, and how far it goes.
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +16,10 @@ void no_other_aim(DecimationOptions& options) {
   options.coarsest = false;
   options.target_faces = 0;
   options.spacing.reset();
+}
+
+std::int64_t tetrahedra(const MeshFacts& facts) {
+  return facts.shapes[static_cast<std::size_t>(Shape::Tetrahedron)];
 }
 
 /// Sets a strategy or an aim. An angle that is the usual one follows.
@@ -60,15 +66,27 @@ void coarsest(Session& session, Arguments& arguments) {
   set_with_angle(session, options);
 }
 
+/// "25%" of what the present mesh had as loaded, at least one.
+std::uint32_t share_of_cells(const Session& session, const std::string& text) {
+  need_mesh(session);
+  const double percent = Arguments("target-faces", "N|P%|off", text.substr(0, text.size() - 1))
+                             .number("percent of the faces as loaded", 0, 100);
+  const MeshFacts& facts = session.sheet().loaded_facts();
+  const auto cells = static_cast<double>(facts.regions > 0 ? tetrahedra(facts) : facts.faces);
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(percent / 100 * cells)));
+}
+
 void target_faces(Session& session, Arguments& arguments) {
-  const std::string text = arguments.word("a number of faces, or off");
+  const std::string text = arguments.word("a number of faces, percent of them, or off");
   DecimationOptions options = session.document().options();
   if (text != "off") no_other_aim(options);
-  options.target_faces =
-      text == "off"
-          ? 0
-          : static_cast<std::uint32_t>(Arguments("target-faces", "N|off", text)
-                                           .integer("a number of faces", 1, largest_count));
+  if (text == "off")
+    options.target_faces = 0;
+  else if (text.ends_with('%'))
+    options.target_faces = share_of_cells(session, text);
+  else
+    options.target_faces = static_cast<std::uint32_t>(
+        Arguments("target-faces", "N|P%|off", text).integer("a number of faces", 1, largest_count));
   arguments.end();
   set_with_angle(session, options);
 }
@@ -126,8 +144,9 @@ std::vector<Command> aim_commands() {
        coarsest,
        {}},
       {"target-faces",
-       "N|off",
-       "Goes down to this many faces, of a volume tetrahedra, or as far as the limits let it. Ends "
+       "N|P%|off",
+       "Goes down to this many faces, of a volume tetrahedra, or to so many percent of those as "
+       "loaded, or as far as the limits let it. Ends "
        "other aims.",
        CommandGroup::Options,
        target_faces,

@@ -11,6 +11,7 @@
 #include "viewer/commands/command_groups.h"
 #include "viewer/commands/lesson_commands.h"
 #include "viewer/explain/entity_facts.h"
+#include "viewer/explain/measures.h"
 
 namespace aomd::scene {
 namespace {
@@ -185,6 +186,12 @@ double decided(Session& session) {
   return judgement->ways[judgement->best].outlook.verdict.number();
 }
 
+/// The first of what is measured on the selection; 0 where nothing is.
+double measured(Session& session) {
+  const Measures measures = measure_selection(session.document().mesh(), session.sheet().selection);
+  return measures.values.empty() ? 0 : measures.values.front();
+}
+
 double stored_relations(Session& session) {
   double count = 0;
   for (int i = 0; i < 4; ++i)
@@ -209,16 +216,20 @@ struct Measure {
   std::string_view name;
   double (*value)(Session&);
 };
-constexpr std::array<Measure, 10> measures = {
+constexpr std::array<Measure, 13> measures = {
     {{"angle", [](Session& s) { return s.document().options().angle_deg; }},
      {"factor", [](Session& s) { return s.document().options().factor; }},
      {"feature-angle",
       [](Session& s) { return s.document().classify_options().feature_angle_deg.value_or(0); }},
      {"decided", decided},
+     {"scale-start",
+      [](Session& s) { return s.sheet().field() != nullptr ? s.sheet().field()->scale.low : 0.0; }},
      {"scale-end",
       [](Session& s) {
         return s.sheet().field() != nullptr ? s.sheet().field()->scale.high : 0.0;
       }},
+     {"camera-distance", [](Session& s) { return s.view.camera.distance; }},
+     {"measured", measured},
      {"stored", stored_relations},
      {"lesson-page",
       [](Session& s) {

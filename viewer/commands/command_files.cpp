@@ -52,12 +52,19 @@ void model(Session& session, Arguments& arguments) {
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
-/// Makes the arrays of the present mesh those that the operations have led to; says what is left
-/// out.
+/// Makes the arrays of the present mesh those that the operations have led to, and gives it what a
+/// Mesh does not hold; says what is left out.
 std::string carry_along(Document& document, MeshData& data) {
-  if (document.journal().cursor() == 0 || data.attributes.empty()) return {};
-  const MeshData loaded =
+  data.remarks = document.content().remarks;
+  if (document.journal().cursor() == 0) {
+    data.corners = document.content().corners;
+    return {};
+  }
+  if (data.attributes.empty() && document.content().corners.empty()) return {};
+  MeshData loaded =
       document.can_look_back() ? to_data(document.copy_mesh_as_loaded().mesh()) : MeshData();
+  loaded.remarks = document.content().remarks;
+  loaded.corners = document.content().corners;
   std::string text;
   for (const std::string& note : io::carry_along(loaded, data).notes) text += "; " + note;
   return text;

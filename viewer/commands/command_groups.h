@@ -30,6 +30,7 @@ namespace aomd::scene {
 [[nodiscard]] std::vector<Command> class_commands();      // command_classes.cpp
 [[nodiscard]] std::vector<Command> camera_commands();     // command_camera.cpp
 [[nodiscard]] std::vector<Command> view_commands();       // command_views.cpp
+[[nodiscard]] std::vector<Command> scale_commands();      // command_scales.cpp
 [[nodiscard]] std::vector<Command> output_commands();     // command_outputs.cpp
 [[nodiscard]] std::vector<Command> work_commands();       // command_work.cpp
 [[nodiscard]] std::vector<Command> compare_commands();    // command_compare.cpp

@@ -37,7 +37,6 @@ void screenshot(Session& session, Arguments& arguments) {
       request.size = picture_size(arguments);
     if (word == "transparent" || word == "no-ui") arguments = again;
   }
-  session.view.dialog = Dialog::None;
   session.screenshots.push_back(std::move(request));
 }
 

@@ -21,11 +21,14 @@ void say(Session& session) {
     session.status += ". P tells about it, and why it stays";
 }
 
+// Edges and faces that a volume's file does not list are entities once it is prepared.
 EntityRef entity(Session& session, Arguments& arguments, int dim) {
   const long long id = arguments.integer("an id");
   const EntityRef e(dim, static_cast<std::uint32_t>(id));
   const Mesh& mesh = session.document().mesh();
-  if (id < 0 || id >= mesh.capacity(dim) || !mesh.alive(e))
+  const auto is_there = [&] { return id >= 0 && id < mesh.capacity(dim) && mesh.alive(e); };
+  if (!is_there() && (dim == 1 || dim == 2)) session.document().prepare();
+  if (!is_there())
     arguments.fail("there is no " + std::string(entity_name(dim)) + " " + std::to_string(id));
   return e;
 }

@@ -13,7 +13,8 @@ constexpr std::array groups = {
     file_commands,      output_commands, work_commands,      aim_commands,       option_commands,
     adjacency_commands, tensor_commands, edit_commands,      history_commands,   playing_commands,
     branch_commands,    run_commands,    selection_commands, neighbour_commands, class_commands,
-    camera_commands,    view_commands,   compare_commands,   lesson_commands,    script_commands};
+    camera_commands,    view_commands,   scale_commands,     compare_commands,   lesson_commands,
+    script_commands};
 
 std::vector<Command> joined() {
   std::vector<Command> table;

@@ -22,8 +22,11 @@ void color(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 9> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 12> choices = {
       {{"surface", &View::surface},
+       {"hidden-lines", &View::hidden_lines},
+       {"scale", &View::scale},
+       {"length-scale", &View::length_scale},
        {"edges", &View::edges},
        {"model-edges", &View::model_edges},
        {"model-vertices", &View::model_vertices},
@@ -140,13 +143,15 @@ std::vector<Command> view_commands() {
        color,
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
-       "surface|edges|model-edges|model-vertices|interfaces|interior-edges|original|axes|operation "
-       "[on|off|toggle]",
+       "surface|hidden-lines|edges|model-edges|model-vertices|interfaces|interior-edges|original|"
+       "axes|scale|length-scale|operation [on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; "
        "interior-edges "
        "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
        "(or what "
-       "compare with says), as glass over the present one; axes is where x, y and z point; "
+       "compare with says), as glass over the present one; axes is where x, y and z point; without "
+       "the surface edges show alone, and hidden-lines are those that it would hide; scale is that "
+       "of the colours, length-scale says how long things are without perspective; "
        "operation is what "
        "the last single step "
        "touched.",

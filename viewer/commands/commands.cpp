@@ -102,6 +102,7 @@ void execute(Session& session, std::string_view line) {
     throw CommandError("pictures are being exported: cancel that first");
   Arguments arguments(found->name, found->arguments, line.substr(name.size()));
   ++session.executed;
+  if (session.keep_shape) session.keep_shape();
   found->run(session, arguments);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/decimate/spacing/curvature.h"
+#include "viewer/document/skin.h"
 
 namespace aomd::scene {
 
@@ -20,6 +21,26 @@ bool AsLoaded::has(const Mesh& mesh, Face face) const {
 const TriangleTree& AsLoaded::tree() {
   if (!tree_) tree_.emplace(triangles_of(mesh()).corners);
   return *tree_;
+}
+
+const TriangleTree* AsLoaded::tree_of(ModelRef model_face) {
+  if (skin_trees_.empty()) plant_skin();
+  const auto found = skin_trees_.find(model_face);
+  return found == skin_trees_.end() ? nullptr : &found->second;
+}
+
+/// Polygons as fans.
+void AsLoaded::plant_skin() {
+  std::map<ModelRef, std::vector<Triangle>> triangles;
+  const auto at = [&](std::uint32_t v) { return mesh().position(Vertex(v)); };
+  const Skin skin(mesh());
+  for (const SkinFace& face : skin.faces()) {
+    if (face.model.dimension() != 2) continue;
+    const auto v = face.corners();
+    for (std::size_t k = 1; k + 1 < v.size(); ++k)
+      triangles[face.model].push_back({at(v[0]), at(v[k]), at(v[k + 1])});
+  }
+  for (const auto& [model, of_model] : triangles) skin_trees_.try_emplace(model, of_model);
 }
 
 const Column<Vertex, double>& AsLoaded::curvatures() {

@@ -1,6 +1,7 @@
 #pragma once
 // The mesh as it was loaded, kept beside the one that is decimated: what results are held against.
 
+#include <map>
 #include <optional>
 
 #include "core/mesh/column.h"
@@ -20,12 +21,18 @@ class AsLoaded {
   [[nodiscard]] const Mesh& mesh() const { return copy_.mesh(); }
   /// Whether a face of a later state is still the one of this id here.
   [[nodiscard]] bool has(const Mesh& mesh, Face face) const;
+  /// Of a surface.
   [[nodiscard]] const TriangleTree& tree();
+  /// Of a volume: what its skin has on a model face; null where that is nothing.
+  [[nodiscard]] const TriangleTree* tree_of(ModelRef model_face);
   [[nodiscard]] const Column<Vertex, double>& curvatures();
 
  private:
+  void plant_skin();
+
   BesideMesh copy_;
   std::optional<TriangleTree> tree_;
+  std::map<ModelRef, TriangleTree> skin_trees_;  ///< by model face; empty before the first need
   std::optional<Column<Vertex, double>> curvatures_;
 };
 

@@ -32,7 +32,7 @@ std::string_view Document::hindrance() const { return loaded_ ? loaded_->obstacl
 
 Column<Vertex, double> Document::wanted_lengths() const {
   if (options().spacing) return *options().spacing;
-  if (options().coarsest || options().target_faces > 0 || loaded_->skin)
+  if (options().coarsest || options().target_faces > 0 || loaded_->edge_lengths.size() == 0)
     return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   Column<Vertex, double> lengths = loaded_->edge_lengths;
   for (std::uint32_t id = 0; id < lengths.size(); ++id) lengths[Vertex(id)] *= options().factor;
@@ -264,10 +264,12 @@ void Document::reclassify(const ClassifyOptions& options) {
   if (!loaded_) return;
   record("classify", [&] {
     ClassifyOptions each = options;
+    each.seams = std::move(loaded_->classify_options.seams);
     each.keep_present = loaded_->classified_by_file();
     if (each.keep_present) restore_file_classes();
     loaded_->classified = classify(loaded_->mesh, each);
     loaded_->classify_options = options;
+    loaded_->classify_options.seams = std::move(each.seams);
     forget_fits();
     stale_ = loaded_->decimation.has_value();
   });

@@ -59,8 +59,9 @@ class Document {
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.
   [[nodiscard]] std::string_view hindrance() const;
   /// How long the present options want the edges at each vertex to be, also at those that are gone;
-  /// infinite without a limit, where a number of faces decides, or where the mesh cannot be
-  /// decimated; 0 at a vertex that has no edges as loaded. A mesh must be there.
+  /// infinite without a limit, where a number of faces decides, where the mesh cannot be decimated,
+  /// or is a volume that is not prepared; 0 at a vertex that has no edges as loaded. A mesh must be
+  /// there.
   [[nodiscard]] Column<Vertex, double> wanted_lengths() const;
   [[nodiscard]] HistoryPlace place() const;
   [[nodiscard]] const std::vector<HistoryMark>& marks() const { return marks_; }

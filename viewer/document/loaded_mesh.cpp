@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/decimate/spacing/spacing.h"
+#include "core/fields/seams.h"
 #include "core/io/io.h"
 #include "core/io/notes.h"
 #include "core/mesh/verify.h"
@@ -81,7 +82,10 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   loaded->mesh = Mesh(data);
   if (data.classified()) remember_file_classes(*loaded);
   loaded->classify_options = options;
+  loaded->corners = data.corners;
+  loaded->remarks = data.remarks;
   Mesh& mesh = loaded->mesh;
+  if (!loaded->volume()) loaded->classify_options.seams = fields::seams_of(data);
   if (!loaded->volume()) prepare_surface(*loaded);
   // Going through a volume takes its time and all its faces: only where the file says nothing.
   if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
@@ -156,6 +160,7 @@ void prepare_volume(LoadedMesh& loaded) {
   mesh.attach(&loaded.journal);
   if (loaded.source.recoverable) loaded.start = io::fingerprint(mesh);
   loaded.needs = request_for_patches(mesh);
+  loaded.edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   loaded.prepared = true;
   if (loaded.skin) loaded.skin.emplace(whole_skin(loaded));
 }

@@ -51,10 +51,12 @@ struct LoadedMesh {
   Box bounds;                      ///< of the vertices that can be seen
   Mesh mesh;
   Journal journal;
+  std::vector<Attribute> corners;  ///< what the file has on the corners of faces
+  std::vector<Remark> remarks;     ///< and what it says of the whole: a Mesh holds neither
   ClassifyOptions classify_options;
   ClassifyResult classified;
-  Column<Vertex, double>
-      edge_lengths;  ///< mean at each vertex as loaded; empty where there is a skin
+  /// Mean at each vertex as loaded; empty for quads, and for volumes before they are prepared.
+  Column<Vertex, double> edge_lengths;
   /// The file's own classification by level and id; empty where it has none. It wins over derived
   /// ones.
   std::array<std::vector<ModelRef>, 3> file_classes;

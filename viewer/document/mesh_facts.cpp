@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/id_pool.h"
+#include "core/mesh/regions_with.h"
 
 namespace aomd::scene {
 namespace {
@@ -59,15 +60,7 @@ std::int64_t count_unused(const Mesh& mesh) {
 bool is_outer(const Mesh& mesh, Face f) {
   if (!mesh.alive(f)) return false;
   VertexBuffer buffer;
-  const auto face = mesh.vertices_of(f, buffer);
-  const Row<3> regions = mesh.row<3>(Vertex(face[0]));
-  VertexBuffer other;
-  return std::count_if(regions.begin(), regions.end(), [&](Region r) {
-           const auto whole = mesh.vertices_of(r, other);
-           return std::all_of(face.begin(), face.end(), [&](std::uint32_t v) {
-             return std::find(whole.begin(), whole.end(), v) != whole.end();
-           });
-         }) < 2;
+  return count_regions_with(mesh, mesh.vertices_of(f, buffer), 2) < 2;
 }
 
 }  // namespace

@@ -106,7 +106,8 @@ void RecoveryKeeper::start_writing(const Document& document) {
   work.file = file_;
   work.journal = folder_ / (file_.stem().string() + "-" + std::to_string(++number_) + ".journal");
   work.seconds = std::time(nullptr);
-  io::JournalFile file{work.source.classify, *document.content().start, document.journal()};
+  const bool seams = !document.content().classify_options.seams.empty();
+  io::JournalFile file{work.source.classify, *document.content().start, document.journal(), seams};
   writing_ = std::async(std::launch::async, [work = std::move(work), file = std::move(file)] {
     const auto begin = Clock::now();
     try {

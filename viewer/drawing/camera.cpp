@@ -53,12 +53,15 @@ void Camera::zoom(double factor, glm::dvec2 ndc, double aspect) {
 void Camera::fit(const Box& box, double aspect) {
   if (box.empty()) return;
   target = box.center();
-  if (!(box.diagonal() > 0)) return;
+  if (box.diagonal() > 0) distance = fitting_distance(box, aspect);
+}
+
+double Camera::fitting_distance(const Box& box, double aspect) const {
   const double tan_y = std::tan(0.5 * radians(fov_deg));
   const double tan_x = tan_y * aspect;
   double needed = 0;
   for (const glm::dvec3& corner : box.corners()) {
-    const glm::dvec3 d = corner - target;
+    const glm::dvec3 d = corner - box.center();
     const double side =
         std::max(std::abs(glm::dot(d, right())) / tan_x, std::abs(glm::dot(d, up())) / tan_y);
     needed = std::max(needed, side * fit_margin - (orthographic ? 0.0 : glm::dot(d, forward())));
@@ -67,7 +70,7 @@ void Camera::fit(const Box& box, double aspect) {
   needed = std::min(needed,
                     fit_margin * box.radius() / (orthographic ? std::tan(angle) : std::sin(angle)));
   // A flat box seen from its edge needs no width at all.
-  distance = std::max(needed, 0.05 * box.diagonal());
+  return std::max(needed, 0.05 * box.diagonal());
 }
 
 void Camera::turn_to(StandardView view) {

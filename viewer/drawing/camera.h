@@ -46,6 +46,8 @@ class Camera {
   /// Looks at the whole box, as near as the present direction and projection allow. An empty box or
   /// a point changes the target only.
   void fit(const Box& box, double aspect);
+  /// From how far away that is, for a box that is more than a point.
+  [[nodiscard]] double fitting_distance(const Box& box, double aspect) const;
   /// Turns to a standard view, keeping target and distance.
   void turn_to(StandardView view);
 

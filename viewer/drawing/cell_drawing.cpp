@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "core/measure/volume_statistics.h"
+#include "core/mesh/regions_with.h"
 #include "core/mesh/side_index.h"
 #include "viewer/base/sort_once.h"
 #include "viewer/drawing/palette.h"
@@ -17,25 +20,31 @@ namespace aomd::scene {
 namespace {
 
 constexpr float interior_edge_px = 1.0f;
+constexpr double plane_rounding = 1e-3;  // of the distance between plane and section
 
 Color interior_edge_color(Theme theme) {
   const Color opaque = theme == Theme::Light ? plain_line_color() : rgb(0xc3d2e8);
   return (opaque & 0x00ffffffu) | 0x90000000u;
 }
 
-using Points = std::vector<glm::dvec3>;
+using Points = std::vector<CellPoint>;
 
 glm::dvec3 middle(const Points& points) {
   glm::dvec3 sum{0};
-  for (const glm::dvec3& p : points) sum += p;
+  for (const CellPoint& p : points) sum += p.place;
   return sum / static_cast<double>(points.size());
+}
+
+void pull(Points& points, const glm::dvec3& center, double part) {
+  for (CellPoint& p : points) p.place += part * (center - p.place);
 }
 
 /// Its length is twice the area of a plane polygon.
 glm::dvec3 normal_of(const Points& polygon) {
   glm::dvec3 normal{0};
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-    normal += glm::cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+    normal +=
+        glm::cross(polygon[k].place - polygon[0].place, polygon[k + 1].place - polygon[0].place);
   return normal;
 }
 
@@ -43,35 +52,34 @@ double height(const glm::dvec4& plane, const glm::dvec3& p) {
   return glm::dot(glm::dvec3(plane), p) + plane.w;
 }
 
-Color region_color(const CellStyle& style, ModelRef model) {
-  return style.colored ? color_of(model) : plain_face_color();
-}
-
 bool bright(const CellStyle& style, ModelRef model) {
   return style.highlighted_region && *style.highlighted_region == model;
 }
 
 /// Where the edges of a region go through the plane, around their middle, as seen from what is cut
-/// off.
-void cut(const ShapeTemplate& shape, const Points& points, const glm::dvec4& plane,
+/// off. What lies in the plane, but for rounding, counts as cut off: so the side of a region in the
+/// plane is drawn for the region that stays, and not for one that only touches the plane.
+void cut(const ShapeTemplate& shape, const Points& points, const glm::dvec4& plane, double hair,
          Points& polygon) {
   polygon.clear();
   for (int e = 0; e < shape.edge_count; ++e) {
     const auto& ends = shape.sub(1, e).vertices;
-    const glm::dvec3 &a = points[ends[0]], &b = points[ends[1]];
-    const double ha = height(plane, a), hb = height(plane, b);
-    if ((ha >= 0) == (hb >= 0)) continue;
-    polygon.push_back(a + (b - a) * (ha / (ha - hb)));
+    const CellPoint &a = points[ends[0]], &b = points[ends[1]];
+    const double ha = height(plane, a.place), hb = height(plane, b.place);
+    if ((ha > hair) == (hb > hair)) continue;
+    const double part = std::clamp(ha / (ha - hb), 0.0, 1.0);
+    polygon.push_back({a.place + (b.place - a.place) * part,
+                       a.value + (b.value - a.value) * static_cast<float>(part)});
   }
   if (polygon.size() < 3) return;
   const glm::dvec3 normal = -glm::normalize(glm::dvec3(plane)), center = middle(polygon);
   const glm::dvec3 aside = std::abs(normal.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 u = glm::normalize(glm::cross(aside, normal)), v = glm::cross(normal, u);
-  const auto angle = [&](const glm::dvec3& p) {
-    return std::atan2(glm::dot(p - center, v), glm::dot(p - center, u));
+  const auto angle = [&](const CellPoint& p) {
+    return std::atan2(glm::dot(p.place - center, v), glm::dot(p.place - center, u));
   };
   std::sort(polygon.begin(), polygon.end(),
-            [&](const glm::dvec3& p, const glm::dvec3& q) { return angle(p) < angle(q); });
+            [&](const CellPoint& p, const CellPoint& q) { return angle(p) < angle(q); });
 }
 
 EdgeEnds in_order(std::uint32_t a, std::uint32_t b) {
@@ -109,23 +117,13 @@ class OuterSides {
   std::vector<Key> single_;
 };
 
-bool has_region(const Mesh& mesh, std::span<const std::uint32_t> face) {
-  VertexBuffer buffer;
-  for (const Region r : mesh.row<3>(Vertex(face[0]))) {
-    const auto whole = mesh.vertices_of(r, buffer);
-    if (std::all_of(face.begin(), face.end(),
-                    [&](std::uint32_t v) { return contains(whole, Vertex(v)); }))
-      return true;
-  }
-  return false;
-}
-
 /// Faces that no region has are part of the outer surface too.
 bool on_loose_face(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& style) {
   VertexBuffer buffer;
   for (const Face f : mesh.row<2>(ends[0])) {
     const auto face = mesh.vertices_of(f, buffer);
-    if (contains(face, ends[1]) && !has_region(mesh, face) && !is_behind(mesh, f, style))
+    if (contains(face, ends[1]) && count_regions_with(mesh, face, 1) == 0 &&
+        !is_behind(mesh, f, style))
       return true;
   }
   return false;
@@ -133,9 +131,12 @@ bool on_loose_face(const Mesh& mesh, const EdgeEnds& ends, const CellStyle& styl
 
 }  // namespace
 
-CellStyle cell_style(const View& view, const Box& bounds) {
+CellStyle cell_style(const View& view, const Box& bounds,
+                     std::shared_ptr<const ScalarField> field) {
   CellStyle style;
   style.colored = view.coloring == Coloring::Classification;
+  style.field_version = field ? field->version : 0;
+  style.field = std::move(field);
   for (const ModelRef ref : view.hidden)
     if (ref.dimension() == 3) style.hidden_regions.insert(ref);
   if (view.highlighted && view.highlighted->dimension() == 3)
@@ -164,18 +165,19 @@ void CellPainter::clear() {
 void CellPainter::add(Region region) {
   if ((style_.shrink <= 0 && !style_.sections()) || !is_shown(mesh_, region, style_)) return;
   VertexBuffer buffer;
+  const float of_region = value_of(region);
   points_.clear();
   for (const std::uint32_t v : mesh_.vertices_of(region, buffer))
-    points_.push_back(mesh_.position(Vertex(v)));
-  const glm::dvec3 center = middle(points_);
-  for (glm::dvec3& p : points_) p += style_.shrink * (center - p);
+    points_.push_back({mesh_.position(Vertex(v)), value_at(Vertex(v), of_region)});
+  pull(points_, middle(points_), style_.shrink);
   if (style_.shrink > 0) add_sides(region);
   if (style_.sections()) add_section(region);
 }
 
 void CellPainter::add_section(Region region) {
-  cut(shape_template(mesh_.shape(region)), points_, *style_.plane, polygon_);
-  for (glm::dvec3& p : polygon_) p += glm::dvec3(*style_.plane) * style_.hair;
+  cut(shape_template(mesh_.shape(region)), points_, *style_.plane, plane_rounding * style_.hair,
+      polygon_);
+  for (CellPoint& p : polygon_) p.place += glm::dvec3(*style_.plane) * style_.hair;
   const ModelRef model = mesh_.classification(region);
   add_polygon(region, model, bright(style_, model));
 }
@@ -198,10 +200,27 @@ void CellPainter::add_sides(Region region) {
 
 void CellPainter::add_loose(const SkinFace& face) {
   polygon_.clear();
-  for (const std::uint32_t v : face.corners()) polygon_.push_back(mesh_.position(Vertex(v)));
-  const glm::dvec3 center = middle(polygon_);
-  for (glm::dvec3& p : polygon_) p += style_.shrink * (center - p);
+  for (const std::uint32_t v : face.corners())
+    polygon_.push_back({mesh_.position(Vertex(v)), value_at(Vertex(v), value_of({}))});
+  pull(polygon_, middle(polygon_), style_.shrink);
   add_polygon({}, face.model, false);
+}
+
+/// Of a field of regions; NaN where there is none.
+float CellPainter::value_of(Region region) const {
+  const bool known = region.valid() && style_.field && style_.field->kind == Coloring::Quality;
+  return known ? static_cast<float>(measure::smallest_dihedral_deg(mesh_, region))
+               : std::numeric_limits<float>::quiet_NaN();
+}
+
+float CellPainter::value_at(Vertex corner, float of_region) const {
+  const bool by_vertex = style_.field && style_.field->kind == Coloring::Spacing;
+  return by_vertex ? style_.field->vertices[corner] : of_region;
+}
+
+Color CellPainter::color_at(const CellPoint& point, ModelRef model) const {
+  if (style_.field) return style_.field->scale.color(point.value);
+  return style_.colored ? color_of(model) : plain_face_color();
 }
 
 /// As a fan whose inner lines do not show.
@@ -211,13 +230,13 @@ void CellPainter::add_polygon(Region region, ModelRef model, bool bright) {
   const double length = glm::length(normal);
   if (!(length > 0)) return;
   const std::uint32_t packed = pack_normal(glm::vec3(normal / length));
-  const Color color = region_color(style_, model);
   for (std::size_t k = 1; k + 1 < polygon_.size(); ++k) {
     std::uint32_t flags = bright ? highlighted : 0u;
     if (k > 1) flags |= hide_edge_01;
     if (k + 2 < polygon_.size()) flags |= hide_edge_20;
     for (const std::size_t i : {std::size_t{0}, k, k + 1})
-      faces_.corners.push_back({glm::vec3(polygon_[i] - origin_), packed, color, flags});
+      faces_.corners.push_back(
+          {glm::vec3(polygon_[i].place - origin_), packed, color_at(polygon_[i], model), flags});
     faces_.regions.push_back(region);
   }
 }

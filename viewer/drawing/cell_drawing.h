@@ -1,6 +1,7 @@
 #pragma once
 // What is drawn of the inside of a volume: sections, shrunken regions, inner edges.
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "core/operators/collapse_rules.h"
 #include "viewer/document/skin.h"
 #include "viewer/drawing/drawable.h"
+#include "viewer/drawing/scalar_field.h"
 #include "viewer/drawing/view.h"
 
 namespace aomd::scene {
@@ -20,6 +22,10 @@ namespace aomd::scene {
 /// Which regions are there, and how they look.
 struct CellStyle {
   bool colored = true;  ///< by classification
+  /// Numbers that give colours instead, by the vertices of the mesh or measured of its regions;
+  /// null: none.
+  std::shared_ptr<const ScalarField> field{};
+  std::uint64_t field_version = 0;
   std::set<ModelRef> hidden_regions{};
   std::optional<ModelRef> highlighted_region{};
   std::optional<glm::dvec4> plane{};  ///< keeps dot(xyz, p) + w >= 0
@@ -36,7 +42,8 @@ struct CellStyle {
   [[nodiscard]] bool sections() const { return plane && !whole; }
   friend bool operator==(const CellStyle&, const CellStyle&) = default;
 };
-[[nodiscard]] CellStyle cell_style(const View& view, const Box& bounds);
+[[nodiscard]] CellStyle cell_style(const View& view, const Box& bounds,
+                                   std::shared_ptr<const ScalarField> field);
 
 /// Whether a region is not hidden, and not taken away as a whole by the plane.
 [[nodiscard]] bool is_shown(const Mesh& mesh, Region region, const CellStyle& style);
@@ -45,6 +52,12 @@ struct CellStyle {
 struct CellFaces {
   std::vector<Corner> corners;  ///< three a triangle
   std::vector<Region> regions;  ///< one a triangle; invalid: a face that no region has
+};
+
+/// A corner of a region, of a side of it, or of the cut through it.
+struct CellPoint {
+  glm::dvec3 place{0};
+  float value = 0;  ///< of the field, where there is one
 };
 
 /// Draws regions one after the other: the cut through each as a polygon (a region is expected to be
@@ -63,15 +76,17 @@ class CellPainter {
   [[nodiscard]] CellFaces take() { return std::move(faces_); }
 
  private:
-  using Points = std::vector<glm::dvec3>;
   void add_section(Region region);
   void add_sides(Region region);
   void add_polygon(Region region, ModelRef model, bool bright);
+  [[nodiscard]] float value_of(Region region) const;
+  [[nodiscard]] float value_at(Vertex corner, float of_region) const;
+  [[nodiscard]] Color color_at(const CellPoint& point, ModelRef model) const;
 
   const Mesh& mesh_;
   const CellStyle& style_;
   glm::dvec3 origin_;
-  Points points_, polygon_;  ///< scratch
+  std::vector<CellPoint> points_, polygon_;  ///< scratch
   CellFaces faces_;
 };
 

@@ -82,6 +82,7 @@ struct Drawable {
   Overlay before;             ///< of a step, what stood there: also where the surface hides it
   Overlay selected, hovered;  ///< on the surface
   Overlay preview;            ///< of an operation: also drawn where the surface hides it
+  Overlay rulers;             ///< along what is measured: likewise
 };
 
 /// A unit normal as signed 10:10:10:2, x in the lowest bits; error below 0.1 degrees.

@@ -27,12 +27,30 @@ constexpr std::array<Color, 8> hues = {
 // strong colours of edges and vertices.
 constexpr std::array<float, 3> face_whiteness = {0.55f, 0.70f, 0.40f};
 
-// Van der Walt and Smith's maps, from an eighth (viridis) and a quarter (magma) of their way on.
+// Van der Walt and Smith's maps, from an eighth (viridis) and a quarter (magma) of their way on;
+// Nunez, Anderton and Renslow's from a quarter.
 constexpr std::array<Color, 8> viridis = {rgb(0x3e4989), rgb(0x31688e), rgb(0x26828e),
                                           rgb(0x1f9e89), rgb(0x35b779), rgb(0x6ece58),
                                           rgb(0xb5de2b), rgb(0xfde725)};
 constexpr std::array<Color, 7> magma = {rgb(0x50127b), rgb(0x812581), rgb(0xb5367a), rgb(0xe55964),
                                         rgb(0xfb8861), rgb(0xfec287), rgb(0xfcfdbf)};
+constexpr std::array<Color, 7> cividis = {rgb(0x434e6c), rgb(0x5d636e), rgb(0x777776),
+                                          rgb(0x938d78), rgb(0xb1a570), rgb(0xd3c164),
+                                          rgb(0xffea46)};
+constexpr std::array<Color, 2> grey = {rgb(0x404040), rgb(0xf2f2f2)};
+
+std::span<const Color> stops_of(ColorMap map) {
+  switch (map) {
+    case ColorMap::Magma:
+      return magma;
+    case ColorMap::Cividis:
+      return cividis;
+    case ColorMap::Grey:
+      return grey;
+    default:
+      return viridis;
+  }
+}
 
 struct Place {
   std::size_t hue = 0;
@@ -69,8 +87,7 @@ Color mix_colors(Color a, Color b, float t) {
 }
 
 Color ramp_color(float t, ColorMap map) {
-  const std::span<const Color> stops =
-      map == ColorMap::Viridis ? std::span<const Color>(viridis) : magma;
+  const std::span<const Color> stops = stops_of(map);
   const float at = std::clamp(t, 0.0f, 1.0f) * static_cast<float>(stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   return mix_colors(stops[below], stops[below + 1], at - static_cast<float>(below));

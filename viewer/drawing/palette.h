@@ -38,11 +38,13 @@ inline constexpr ModelRef unnamed_border{1, 0};
 /// The colour of what is not classified.
 [[nodiscard]] constexpr Color unclassified_color() { return rgb(0xc9ccd1); }
 
-/// Scales for numbers. Lightness rises evenly along both, also for colour-blind eyes and in grey;
-/// the darkest part of each is left out, because shading would not show on it.
+/// Scales for numbers. Lightness rises evenly along each, also for colour-blind eyes and in grey;
+/// the darkest part is left out, because shading would not show on it.
 enum class ColorMap {
   Viridis,  ///< dark blue over green to yellow
   Magma,    ///< violet over red to pale yellow: where more is worse
+  Cividis,  ///< blue over grey to yellow: nearly the same to colour-blind eyes
+  Grey,     ///< for print
 };
 /// 0 to 1 (clamped).
 [[nodiscard]] Color ramp_color(float t, ColorMap map = ColorMap::Viridis);

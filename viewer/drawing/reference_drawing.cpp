@@ -27,25 +27,31 @@ void ReferenceDrawing::update(Document& document, const KeptRun* reference, cons
     drawing_.set_bounds(document.content().bounds);
   }
   drawn_ = number;
-  const bool volume = document.content().volume();
-  const Mesh& drawn = volume ? draw_skin(mesh, document.content().bounds, view, changes) : mesh;
-  const bool as_loaded = reference == nullptr;
-  FieldSource source{drawn, document, volume, as_loaded || still, as_loaded && !volume};
+  FieldSource source{mesh, document};
+  source.as_loaded = reference == nullptr;
+  source.still = source.as_loaded || still;
   source.run = reference;
+  source.like = present.field().get();
+  if (document.content().volume()) {
+    draw_skin(source, view, changes);
+    source.skin = skin_keeper_->surface();
+  }
   fields_.update(view.coloring, source, changes);
-  if (present.field()) fields_.take_scale(*present.field());
   drawing_.set_field(fields_.field());
-  drawing_.update(drawn, view, changes);
+  drawing_.update(source.drawn(), view, changes);
 }
 
 /// What is drawn of a volume; what of it is another one than before joins the changes.
-const Mesh& ReferenceDrawing::draw_skin(const Mesh& mesh, const Box& bounds, const View& view,
-                                        SurfaceChanges& changes) {
-  if (!skin_) skin_.emplace(mesh), skin_keeper_.emplace();
-  const SkinSource source{mesh, [this]() -> const Skin& { return *skin_; }, bounds, {}};
-  changes = skin_keeper_->update(source, view, {}, drawing_).surface;
+void ReferenceDrawing::draw_skin(const FieldSource& source, const View& view,
+                                 SurfaceChanges& changes) {
+  if (!skin_) skin_.emplace(source.mesh), skin_keeper_.emplace();
+  SkinSource of{source.mesh,
+                [this]() -> const Skin& { return *skin_; },
+                source.document.content().bounds,
+                {}};
+  of.field = fields_.update_inside(view.coloring, source);
+  changes = skin_keeper_->update(of, view, {}, drawing_).surface;
   drawing_.set_whole_faces(false);
-  return skin_keeper_->surface()->mesh;
 }
 
 }  // namespace aomd::scene

@@ -27,8 +27,7 @@ class ReferenceDrawing {
 
  private:
   [[nodiscard]] const Mesh& mesh_of(Document& document, const KeptRun* reference);
-  const Mesh& draw_skin(const Mesh& mesh, const Box& bounds, const View& view,
-                        SurfaceChanges& changes);
+  void draw_skin(const FieldSource& source, const View& view, SurfaceChanges& changes);
 
   bool shown_ = false;
   std::optional<unsigned> drawn_;  ///< number of the state that is drawn; 0: the mesh as loaded

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/mesh/column.h"
 #include "core/mesh/handle.h"
@@ -19,12 +21,17 @@ struct FieldScale {
   double high = -std::numeric_limits<double>::infinity();
   bool logarithmic = false;  ///< then values that are not positive have no colour
   bool beyond = false;       ///< there are values outside: they get the colour of the end
+  int steps = 0;             ///< of colour; 0: even
   ColorMap map = ColorMap::Viridis;
 
   [[nodiscard]] bool empty() const { return low > high; }
   void add(double value) { low = std::fmin(low, value), high = std::fmax(high, value); }
   /// The value at a part 0..1 of the scale.
   [[nodiscard]] double at(double part) const;
+  /// The part at which a value stands; outside of 0..1 for one that lies beyond.
+  [[nodiscard]] double part_of(double value) const;
+  /// The colour at a part.
+  [[nodiscard]] Color color_at(double part) const;
   /// plain_face_color() for what has none.
   [[nodiscard]] Color color(double value) const;
   friend bool operator==(const FieldScale&, const FieldScale&) = default;
@@ -35,10 +42,20 @@ struct FieldText {
   std::string_view title, help, unit;
 };
 /// Spacing to Curvature.
-[[nodiscard]] FieldText field_text(Coloring coloring);
-[[nodiscard]] constexpr bool is_field(Coloring coloring) {
-  return coloring >= Coloring::Spacing && coloring <= Coloring::Curvature;
-}
+[[nodiscard]] FieldText field_text(Coloring coloring, bool volume);
+
+/// A scale as somebody wants it, of numbers whose usual one is known.
+[[nodiscard]] FieldScale chosen_scale(const FieldScale& usual, const ScaleChoice& choice,
+                                      std::vector<float> values);
+
+/// A value that a scale is labelled with.
+struct ScaleTick {
+  double part = 0;  ///< of the scale
+  std::string text;
+};
+/// The ends, with what lies beyond, and round numbers in between: about one for each of `count`
+/// parts of the scale. Where it has steps, where these meet.
+[[nodiscard]] std::vector<ScaleTick> scale_ticks(const FieldScale& scale, int count);
 
 /// One of the two columns is empty. NaN: not known yet, without a colour.
 struct ScalarField {

@@ -44,6 +44,19 @@ class EntityPainter {
       add_polygon(SideVertices(shape.sub(2, k), vertices.data()).span());
   }
 
+  void add_line(std::uint32_t a, std::uint32_t b) {
+    if (!style_.hollow) {
+      lines_.push_back({place(a), place(b), style_.color, style_.line_px});
+      return;
+    }
+    const glm::vec3 from = place(a), along = place(b) - from;
+    for (int k = 0; k < dashes; ++k) {
+      const float start = static_cast<float>(k) * (dash + gap);
+      lines_.push_back(
+          {from + start * along, from + (start + dash) * along, style_.color, style_.line_px});
+    }
+  }
+
   /// Dark rims below, so that a line reads on every colour.
   void finish() {
     std::vector<Segment> lines;
@@ -68,18 +81,6 @@ class EntityPainter {
   }
   [[nodiscard]] glm::vec3 place(std::uint32_t v) const {
     return glm::vec3(mesh_.position(Vertex(v)) - origin_);
-  }
-  void add_line(std::uint32_t a, std::uint32_t b) {
-    if (!style_.hollow) {
-      lines_.push_back({place(a), place(b), style_.color, style_.line_px});
-      return;
-    }
-    const glm::vec3 from = place(a), along = place(b) - from;
-    for (int k = 0; k < dashes; ++k) {
-      const float start = static_cast<float>(k) * (dash + gap);
-      lines_.push_back(
-          {from + start * along, from + (start + dash) * along, style_.color, style_.line_px});
-    }
   }
   void add_polygon(std::span<const std::uint32_t> v) {
     for (std::size_t k = 0; k < v.size(); ++k) add_line(v[k], v[(k + 1) % v.size()]);
@@ -108,6 +109,14 @@ void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const 
   EntityPainter painter(mesh, style, origin, overlay);
   for (const EntityRef e : entities.first(std::min(entities.size(), most_drawn)))
     if (mesh.alive(e)) painter.add(e);
+  painter.finish();
+}
+
+void draw_ruler(const Mesh& mesh, const std::array<Vertex, 2>& ends, const glm::dvec3& origin,
+                Overlay& overlay) {
+  const OverlayStyle style = selected_style();
+  EntityPainter painter(mesh, style, origin, overlay);
+  painter.add_line(ends[0].index, ends[1].index);
   painter.finish();
 }
 

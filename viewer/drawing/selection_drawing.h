@@ -1,6 +1,7 @@
 #pragma once
 // What is selected, hovered or pointed at, as overlays of the picture.
 
+#include <array>
 #include <span>
 
 #include "core/mesh/mesh.h"
@@ -29,6 +30,10 @@ struct OverlayStyle {
 void draw_entities(const Mesh& mesh, std::span<const EntityRef> entities, const OverlayStyle& style,
                    const glm::dvec3& origin, Overlay& overlay);
 inline constexpr std::size_t most_drawn = 60000;
+
+/// Adds a line of the selection's colour between two vertices.
+void draw_ruler(const Mesh& mesh, const std::array<Vertex, 2>& ends, const glm::dvec3& origin,
+                Overlay& overlay);
 
 /// Tints the cells of a drawable (sections and shrunken regions, `regions` gives the one of each
 /// triangle) that belong to entities. O(cells log(entities)); `entities` are sorted.

@@ -29,12 +29,15 @@ SkinSource skin_source(Document& document) {
             document.renew_skin();
             return *content.skin;
           },
-          content.bounds, document.place(), content.prepared};
+          content.bounds,
+          document.place(),
+          content.prepared,
+          {}};
 }
 
 SkinKeeper::Changes SkinKeeper::update(const SkinSource& source, const View& view,
                                        const VolumeChanges& changes, SurfaceDrawing& drawing) {
-  const CellStyle cells = cell_style(view, source.bounds);
+  const CellStyle cells = cell_style(view, source.bounds, source.field);
   const SkinStyle style = skin_style(view);
   Changes found;
   found.mesh = !current(source.place);

@@ -23,6 +23,7 @@ struct SkinSource {
   const Box& bounds;                   ///< what planes stand in
   HistoryPlace place;
   bool prepared = false;  ///< a prepared volume (prepare_volume), which stores what patches need
+  std::shared_ptr<const ScalarField> field = {};  ///< what colours the inside; null: nothing does
 };
 
 /// That of a document that has a skin, and outlives it.

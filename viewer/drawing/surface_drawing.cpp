@@ -47,11 +47,6 @@ glm::dvec3 center_of(const Mesh& mesh, Face f) {
   return (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0;
 }
 
-glm::dvec3 center_of(const Mesh& mesh, Edge e) {
-  const auto [a, b] = mesh.edge_vertices(e);
-  return 0.5 * (mesh.position(a) + mesh.position(b));
-}
-
 using Side = std::pair<Vertex, Vertex>;
 
 /// The live faces, vertices and sides of faces that a step touched.
@@ -190,6 +185,7 @@ void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
     drawable_.corners.resize(3 * std::size_t{mesh.capacity(2)});
   for (const Face f : changes.faces) draw_face(mesh, f);
   for (const Edge e : changes.edges) draw_edge(mesh, e);
+  for (const Face f : changes.faces) draw_sides(mesh, f);
   for (const Vertex v : changes.vertices) {
     draw_vertex(mesh, v);
     if (mesh.alive(v)) draw_normals(mesh, v);
@@ -252,9 +248,28 @@ void SurfaceDrawing::recode(const Mesh& mesh, const std::vector<Edge>& edges) {
   }
 }
 
+/// Where a plane takes whole faces away: whether it took all faces of an edge, or of a vertex.
+/// Where no faces are drawn, whether it takes the middle.
+bool SurfaceDrawing::in_the_air(const Mesh& mesh, std::span<const Vertex> vertices) const {
+  if (!style_.plane) return false;
+  bool any = !whole_faces_ && mesh.count(2) > 0;
+  for (const Face f : mesh.row<2>(vertices[0])) {
+    const auto t = mesh.triangle(f);
+    const bool has_all = std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
+      return std::find(t.begin(), t.end(), v) != t.end();
+    });
+    if (has_all && !(whole_faces_ && clipped(center_of(mesh, f)))) return false;
+    any = any || has_all;
+  }
+  if (any) return true;
+  glm::dvec3 sum(0);
+  for (const Vertex v : vertices) sum += mesh.position(v);
+  return clipped(sum / static_cast<double>(vertices.size()));
+}
+
 void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
   const ModelRef model = mesh.alive(edge) ? mesh.classification(edge) : ModelRef();
-  if (model.dimension() != 1 || hidden(model) || clipped(center_of(mesh, edge))) {
+  if (model.dimension() != 1 || hidden(model) || in_the_air(mesh, mesh.edge_vertices(edge))) {
     const std::uint32_t slot = edge_slots_.find(edge);
     if (slot == Slots<Edge>::none) return;
     drawable_.model_edges.set(slot, {});
@@ -268,9 +283,19 @@ void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
                  bright ? highlighted_edge_px : model_edge_px});
 }
 
+/// Whether model edges and vertices are in the air depends on their faces.
+void SurfaceDrawing::draw_sides(const Mesh& mesh, Face face) {
+  if (!style_.plane || !mesh.alive(face)) return;
+  const auto t = mesh.triangle(face);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const Edge e = mesh.find_edge(t[i], t[(i + 1) % 3]); e.valid()) draw_edge(mesh, e);
+    draw_vertex(mesh, t[i]);
+  }
+}
+
 void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
   const ModelRef model = mesh.alive(vertex) ? mesh.classification(vertex) : ModelRef();
-  if (model.dimension() != 0 || hidden(model) || clipped(mesh.position(vertex))) {
+  if (model.dimension() != 0 || hidden(model) || in_the_air(mesh, std::span(&vertex, 1))) {
     const std::uint32_t slot = vertex_slots_.find(vertex);
     if (slot == Slots<Vertex>::none) return;
     drawable_.model_vertices.set(slot, {});

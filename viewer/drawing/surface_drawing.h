@@ -115,6 +115,7 @@ class SurfaceDrawing {
   void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
+  void draw_sides(const Mesh& mesh, Face face);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
   [[nodiscard]] std::uint32_t code_flags(const Mesh& mesh, Face face) const;
   void draw_before(const Mesh& mesh, const Journal& journal, std::size_t step, bool alone);
@@ -128,10 +129,11 @@ class SurfaceDrawing {
   [[nodiscard]] bool marked(Face face) const {
     return face.index < marked_faces_.size() && marked_faces_[face.index];
   }
-  /// Behind the plane as a whole.
+  /// Behind the plane as a whole: a face by its middle.
   [[nodiscard]] bool clipped(const glm::dvec3& center) const {
     return style_.plane && glm::dot(glm::dvec3(*style_.plane), center) + style_.plane->w < 0;
   }
+  [[nodiscard]] bool in_the_air(const Mesh& mesh, std::span<const Vertex> vertices) const;
   [[nodiscard]] glm::vec3 place(const Mesh& mesh, Vertex v) const {
     return glm::vec3(mesh.position(v) - drawable_.origin);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // How a document is looked at: nothing here changes a mesh.
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,6 +12,7 @@
 #include "core/mesh/model_ref.h"
 #include "viewer/base/box.h"
 #include "viewer/drawing/camera.h"
+#include "viewer/drawing/palette.h"
 #include "viewer/drawing/play_speed.h"
 
 namespace aomd::scene {
@@ -24,6 +26,23 @@ enum class PreviewedWay { Best, First, Second, Swap };
 /// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h.
 /// Verdict: why each edge would be refused now.
 enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
+[[nodiscard]] constexpr bool is_field(Coloring coloring) {
+  return coloring >= Coloring::Spacing && coloring <= Coloring::Curvature;
+}
+inline constexpr std::size_t field_count = 4;
+
+/// What somebody wants of a scale of colours instead of what suits its numbers.
+struct ScaleChoice {
+  enum class Range { Automatic, Fixed, Percentile };
+  Range range = Range::Automatic;
+  double low = 0, high = 1;  ///< of a fixed range
+  double percentile = 98;  ///< so many percent of the values lie below the end, and above the start
+  int steps = 0;           ///< colours; 0: without a step
+  std::optional<ColorMap> map;
+  std::optional<bool> logarithmic;
+  friend bool operator==(const ScaleChoice&, const ScaleChoice&) = default;
+};
+
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
 enum class Dialog {
@@ -113,7 +132,11 @@ struct View : MeshView {
   double aspect = 1.5;     ///< width by height of the picture; whoever draws keeps it true
   double height_px = 600;  ///< of the picture, logical pixels; likewise
   Coloring coloring = Coloring::Classification;
+  std::array<ScaleChoice, field_count> scales;  ///< see scale_choice()
+  bool scale = true;                            ///< the scale of the colours, in the picture
+  bool length_scale = true;  ///< how long things are, in the picture without perspective
   bool surface = true;
+  bool hidden_lines = true;  ///< without the surface: also edges that it would hide
   bool edges = true;
   bool model_edges = true;
   bool model_vertices = true;
@@ -138,6 +161,11 @@ struct View : MeshView {
   Panels panels;
   Dialog dialog = Dialog::None;
   std::string palette_text;  ///< what stands in the palette when it opens
+
+  /// That of what the colours mean; null where they are no numbers.
+  [[nodiscard]] const ScaleChoice* scale_choice() const {
+    return is_field(coloring) ? &scales[static_cast<std::size_t>(coloring) - 1] : nullptr;
+  }
 };
 
 }  // namespace aomd::scene

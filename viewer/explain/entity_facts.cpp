@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/measure/volume_statistics.h"
 #include "core/mesh/derive.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/names.h"
@@ -85,6 +86,13 @@ void add_face_facts(const Mesh& mesh, EntityRef e, EntityFacts& result) {
   result.facts.emplace_back("Angles", short_number(least, 1) + " to " + degrees_text(most));
 }
 
+void add_region_facts(const Mesh& mesh, Region r, EntityFacts& result) {
+  result.facts.emplace_back("Shape", std::string(shape_template(mesh.shape(r)).name));
+  result.facts.emplace_back("Volume", significant(measure::signed_volume(mesh, r)));
+  result.facts.emplace_back("Dihedral angle",
+                            degrees_text(measure::smallest_dihedral_deg(mesh, r)) + " at least");
+}
+
 void add_vertex_facts(const Document& document, Vertex v, EntityFacts& result) {
   result.facts.emplace_back("At", point_text(document.mesh().position(v)));
   for (const AdjacentLevel& l : result.adjacent)
@@ -155,8 +163,7 @@ EntityFacts entity_facts(const Document& document, EntityRef e) {
   if (e.dimension == 0) add_vertex_facts(document, Vertex(e.index), result);
   if (e.dimension == 1) add_edge_facts(document, e, result);
   if (e.dimension == 2) add_face_facts(mesh, e, result);
-  if (e.dimension == 3)
-    result.facts.emplace_back("Shape", std::string(shape_template(mesh.shape(e)).name));
+  if (e.dimension == 3) add_region_facts(mesh, Region(e.index), result);
   add_attached(mesh, e, result);
   return result;
 }

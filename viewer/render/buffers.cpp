@@ -96,19 +96,20 @@ DrawableBuffers::DrawableBuffers(const Gl& gl)
       before(gl),
       selected(gl),
       hovered(gl),
-      preview(gl) {}
+      preview(gl),
+      rulers(gl) {}
 
 void DrawableBuffers::upload(scene::Drawable& drawable) {
   origin = drawable.origin;
   bounds = drawable.bounds;
-  uploaded_bytes_ = corners.upload(drawable.corners) + cells.upload(drawable.cells) +
-                    interior_edges.upload(drawable.interior_edges) +
-                    model_edges.upload(drawable.model_edges) +
-                    model_vertices.upload(drawable.model_vertices) +
-                    highlight_lines.upload(drawable.highlight_lines) +
-                    highlight_discs.upload(drawable.highlight_discs) +
-                    before.upload(drawable.before) + selected.upload(drawable.selected) +
-                    hovered.upload(drawable.hovered) + preview.upload(drawable.preview);
+  uploaded_bytes_ =
+      corners.upload(drawable.corners) + cells.upload(drawable.cells) +
+      interior_edges.upload(drawable.interior_edges) + model_edges.upload(drawable.model_edges) +
+      model_vertices.upload(drawable.model_vertices) +
+      highlight_lines.upload(drawable.highlight_lines) +
+      highlight_discs.upload(drawable.highlight_discs) + before.upload(drawable.before) +
+      selected.upload(drawable.selected) + hovered.upload(drawable.hovered) +
+      preview.upload(drawable.preview) + rulers.upload(drawable.rulers);
 }
 
 }  // namespace aomd::render

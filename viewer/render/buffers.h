@@ -95,7 +95,7 @@ class DrawableBuffers {
   DiscBuffer model_vertices;
   SegmentBuffer highlight_lines;
   DiscBuffer highlight_discs;
-  OverlayBuffers before, selected, hovered, preview;
+  OverlayBuffers before, selected, hovered, preview, rulers;
   glm::dvec3 origin{0};
   scene::Box bounds;
 

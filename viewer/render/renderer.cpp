@@ -37,6 +37,7 @@ SceneTheme light_scene_theme() {
   return {.background_top = rgb(0xf7f9fb),
           .background_bottom = rgb(0xd3dae3),
           .edge = with_alpha(rgb(0x1b2430), 150),
+          .wire = with_alpha(rgb(0x1b2430), 190),
           .back_face = with_alpha(rgb(0xb4533c), 165),
           .highlight = with_alpha(rgb(0xff2f92), 205),
           .outline = rgb(0xffffff),
@@ -47,6 +48,7 @@ SceneTheme dark_scene_theme() {
   return {.background_top = rgb(0x2b313b),
           .background_bottom = rgb(0x14171c),
           .edge = with_alpha(rgb(0x0b0e13), 165),
+          .wire = with_alpha(rgb(0xb9c6d8), 190),
           .back_face = with_alpha(rgb(0x9c4632), 165),
           .highlight = with_alpha(rgb(0xff4da3), 205),
           .outline = rgb(0x0e1116),
@@ -167,6 +169,7 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (!settings.show_surface && settings.show_edges) draw_wires(buffers, frame);
   if (settings.glass) {
     frame.apply_strokes(stroke_);
     draw_strokes(buffers.interior_edges);
@@ -181,6 +184,7 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   gl_.Disable(GL_DEPTH_TEST);
   draw_overlay(buffers.before, frame);
   draw_overlay(buffers.preview, frame);
+  draw_overlay(buffers.rulers, frame);
   gl_.Enable(GL_DEPTH_TEST);
   draw_overlay(buffers.selected, frame);
   draw_overlay(buffers.hovered, frame);
@@ -201,12 +205,13 @@ void Renderer::draw_background(const SceneTheme& theme, const Piece& piece) {
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
+void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires) {
   if (corners.count() == 0) return;
   const RenderSettings& settings = frame.settings;
+  const scene::Color edge = wires ? settings.theme.wire : settings.theme.edge;
   frame.apply(surface_);
-  surface_.set("edge_color",
-               settings.show_edges ? unpack_color(settings.theme.edge) : glm::vec4(0));
+  surface_.set("wires", wires ? 1 : 0);
+  surface_.set("edge_color", settings.show_edges ? unpack_color(edge) : glm::vec4(0));
   surface_.set("edge_width", settings.edge_width_px);
   surface_.set("back_color", unpack_color(settings.theme.back_face));
   surface_.set("highlight_color", unpack_color(settings.theme.highlight));
@@ -216,6 +221,26 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame) {
                  opaque(scene::verdict_color(code)));
   corners.bind();
   gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+/// Edges without faces. Where hidden ones are not wanted, the faces come first, a little farther
+/// away and in depth alone.
+void Renderer::draw_wires(const DrawableBuffers& buffers, const Frame& frame) {
+  const auto draw = [&](bool wires) {
+    draw_surface(buffers.corners, frame, wires);
+    draw_surface(buffers.cells, frame, wires);
+  };
+  if (!frame.settings.hidden_lines) {
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.DepthMask(GL_TRUE);
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(1, 4);
+    draw(false);
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    gl_.DepthMask(GL_FALSE);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+  draw(true);
 }
 
 void Renderer::draw_overlay(const OverlayBuffers& overlay, const Frame& frame) {

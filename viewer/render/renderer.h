@@ -20,6 +20,7 @@ struct SceneTheme {
   scene::Color background_top = 0;
   scene::Color background_bottom = 0;
   scene::Color edge = 0;       ///< of mesh edges; its alpha is their strength
+  scene::Color wire = 0;       ///< likewise, without the surface
   scene::Color back_face = 0;  ///< what faces seen from behind tend to; its alpha is how far
   scene::Color highlight = 0;  ///< of highlighted faces; its alpha is how far
   scene::Color outline = 0;    ///< around discs
@@ -31,9 +32,10 @@ struct SceneTheme {
 [[nodiscard]] SceneTheme dark_scene_theme();
 
 struct RenderSettings {
-  bool show_surface = true;
-  bool glass = false;      ///< the surface as glass, with the edges inside of it
-  bool show_edges = true;  ///< mesh edges; they fade where triangles shrink to a few pixels
+  bool show_surface = true;  ///< without it the mesh edges alone, where these show
+  bool hidden_lines = true;  ///< then also those that the surface would hide
+  bool glass = false;        ///< the surface as glass, with the edges inside of it
+  bool show_edges = true;    ///< mesh edges; they fade where triangles shrink to a few pixels
   bool show_model_edges = true;
   bool show_model_vertices = true;
   bool show_edge_codes = false;  ///< faces in the colours of their edges' codes, a third for each
@@ -78,7 +80,8 @@ class Renderer {
   void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera,
                   const RenderSettings& settings, const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
-  void draw_surface(const CornerBuffer& corners, const Frame& frame);
+  void draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires = false);
+  void draw_wires(const DrawableBuffers& buffers, const Frame& frame);
   void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);
   void draw_inside_glass(const CornerBuffer& corners, const Frame& frame);
   void draw_glass(const CornerBuffer& corners, const Frame& frame);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,10 +36,13 @@ class Session {
   DocumentOptions options;
   View view;
   std::deque<ScreenshotRequest> screenshots;  ///< whoever draws fulfils them
-  std::string status;                         ///< one line: what the last command did
-  std::string error;                          ///< stays until it is dismissed
-  std::vector<std::string> warnings;          ///< what a user is to be told, whatever was asked for
-  std::optional<std::string> log;             ///< for standard output, once
+  /// Brings the shape of the picture in `view` up to what is shown, before each line: of whoever
+  /// draws.
+  std::function<void()> keep_shape;
+  std::string status;                 ///< one line: what the last command did
+  std::string error;                  ///< stays until it is dismissed
+  std::vector<std::string> warnings;  ///< what a user is to be told, whatever was asked for
+  std::optional<std::string> log;     ///< for standard output, once
   bool quit = false;
   Clipboard clipboard;
   std::string asked;                     ///< the line that waits for an answer about unsaved work

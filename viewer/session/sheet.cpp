@@ -36,7 +36,8 @@ void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> b
 
 /// Edges of tetrahedra are judged, and states compared, once all is there that decimation takes.
 bool Sheet::asks() const {
-  return view_.coloring == Coloring::Verdict || view_.original || view_.side_by_side ||
+  return view_.coloring == Coloring::Verdict || view_.coloring == Coloring::Spacing ||
+         view_.coloring == Coloring::Distance || view_.original || view_.side_by_side ||
          document.answers_about(selection.single());
 }
 
@@ -58,14 +59,20 @@ void Sheet::refresh_skin() {
 
 void Sheet::draw_skin() {
   const VolumeChanges of_mesh = read_volume_changes();
-  SkinKeeper::Changes found = skin_.update(skin_source(document), view_, of_mesh, drawing_);
+  FieldSource source = field_source();
+  SkinSource skin = skin_source(document);
+  source.changed = !of_mesh.nothing();
+  skin.field = fields_.update_inside(view_.coloring, source);
+  SkinKeeper::Changes found = skin_.update(skin, view_, of_mesh, drawing_);
   SurfaceChanges& changes = found.surface;
   if (found.mesh) count_volume(of_mesh);
   picker_.note(changes);
   if (found.inside) picker_.forget_cells();
   drawing_.set_whole_faces(false);
   const Mesh& drawn = skin_.surface()->mesh;
-  refresh_field(drawn, changes);
+  source.skin = skin_.surface();
+  source.regions = of_mesh.regions;
+  refresh_field(source, changes);
   verdicts_.note_volume(document, view_, of_mesh, busy());
   verdicts_.judge_skin(document, *skin_.surface(), budget_, busy(), drawing_, !changes.nothing());
   drawing_.update(drawn, view_, changes);
@@ -103,7 +110,7 @@ void Sheet::refresh_surface() {
   facts_.update(document.mesh(), found);
   picker_.note(found);
   drawing_.set_whole_faces(true);
-  refresh_field(document.mesh(), found);
+  refresh_field(field_source(), found);
   verdicts_.update(document, view_, found, busy(), drawing_);
   drawing_.update(document.mesh(), view_, found);
   verdicts_.judge(document, budget_, busy(), drawing_);
@@ -119,10 +126,15 @@ void Sheet::refresh_surface() {
   refresh_selection(changed);
 }
 
-void Sheet::refresh_field(const Mesh& shown, SurfaceChanges& changes) {
-  FieldSource source{shown, document, document.content().skin.has_value()};
+FieldSource Sheet::field_source() {
+  FieldSource source{document.mesh(), document};
   source.still = still() && document.can_look_back();
   source.budget = budget_;
+  source.choice = view_.scale_choice();
+  return source;
+}
+
+void Sheet::refresh_field(const FieldSource& source, SurfaceChanges& changes) {
   fields_.update(view_.coloring, source, changes);
   drawing_.set_field(fields_.field());
 }

@@ -122,7 +122,8 @@ class Sheet {
   [[nodiscard]] VolumeChanges read_volume_changes();
   void count_volume(const VolumeChanges& changes);
   [[nodiscard]] bool asks() const;
-  void refresh_field(const Mesh& shown, SurfaceChanges& changes);
+  [[nodiscard]] FieldSource field_source();
+  void refresh_field(const FieldSource& source, SurfaceChanges& changes);
   void refresh_marks(bool changed);
   [[nodiscard]] bool refresh_marked_cells();
   [[nodiscard]] std::optional<std::vector<EntityRef>> newly_marked(bool changed);

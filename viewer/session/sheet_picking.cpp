@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "viewer/drawing/selection_drawing.h"
+#include "viewer/explain/measures.h"
 #include "viewer/session/sheet.h"
 
 namespace aomd::scene {
@@ -89,6 +90,9 @@ void Sheet::draw_selection() {
   draw_cells(drawable, regions, marked_cells_, marked_style(), drawable.selected);
   draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
   draw_cells(drawable, regions, selection.entities(), selected_style(), drawable.selected);
+  drawable.rulers.clear();
+  for (const Ruler& ruler : rulers_of(selection))
+    draw_ruler(mesh, ruler, drawable.origin, drawable.rulers);
   draw_entities(mesh, pointed_out_, deciding_style(), drawable.origin, drawable.selected);
   drawn_selection_ = selection.revision();
 }

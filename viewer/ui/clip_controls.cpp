@@ -20,9 +20,12 @@ std::string clip_line(const scene::Clip& clip) {
 bool toggle(const Frame& frame, const char* name, bool on) {
   ImGui::PushStyleColor(ImGuiCol_Button,
                         on ? frame.colors.accent : ImGui::GetStyle().Colors[ImGuiCol_Button]);
+  ImGui::PushStyleColor(
+      ImGuiCol_ButtonHovered,
+      on ? frame.colors.accent : ImGui::GetStyle().Colors[ImGuiCol_ButtonHovered]);
   ImGui::PushStyleColor(ImGuiCol_Text, on ? on_accent(frame) : frame.colors.text);
   const bool pressed = ImGui::SmallButton(name);
-  ImGui::PopStyleColor(2);
+  ImGui::PopStyleColor(3);
   return pressed;
 }
 

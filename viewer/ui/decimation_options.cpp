@@ -1,6 +1,7 @@
 // The options of the page Decimation.
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <string>
 
@@ -37,9 +38,26 @@ constexpr const char* factor_help =
     "start) "
     "where "
     "the angle does not bind.";
-constexpr const char* faces_help = "Stops at this many faces, or where nothing more may go.";
+constexpr const char* faces_help =
+    "Stops at this many faces, or where nothing more may go. A share of those as opened: the "
+    "command target-faces 10%.";
 constexpr const char* tetrahedra_help =
-    "Stops at this many tetrahedra, or where nothing more may go.";
+    "Stops at this many tetrahedra, or where nothing more may go. A share of those as opened: the "
+    "command target-faces 10%.";
+constexpr const char* distance_help =
+    "No operation takes the surface farther than this from the mesh as opened, percent of the "
+    "diagonal of its box; 0 is no limit. It is guaranteed, and runs take several times as long.";
+constexpr const char* least_angle_help =
+    "No face gets a smaller angle than this, degrees, unless it had one; 0 is no limit. Costs "
+    "next to no time, and leaves some faces more.";
+constexpr const char* least_dihedral_help =
+    "No tetrahedron gets a smaller angle between two of its faces than this, degrees, unless one "
+    "as bad was around it; 0 is no limit. Costs next to no time, and leaves some tetrahedra more.";
+constexpr const char* intersections_help =
+    "No operation makes faces cut each other that did not. Runs take several times as long.";
+constexpr const char* volumes_help =
+    "No model region changes by more than 0.1 % of its volume. Costs next to no time; without it "
+    "a few more tetrahedra can go.";
 constexpr const char* angle_help =
     "How far the normal of a face may turn in one operation, in degrees.";
 constexpr const char* feature_help =
@@ -107,6 +125,14 @@ void take_aim(Frame& frame, Aim aim) {
   }
 }
 
+/// What a number of faces means, and which share of those as opened it is.
+std::string cells_help(const Frame& frame, double cells) {
+  const auto most = cells_at_most(frame);
+  return std::string(is_volume(frame) ? tetrahedra_help : faces_help) + " Now " +
+         short_number(100 * cells / static_cast<double>(most), 1) + " % of " +
+         scene::grouped(most) + ".";
+}
+
 void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts& drafts) {
   switch (aim_of(options)) {
     case Aim::Factor: {
@@ -118,8 +144,8 @@ void aim_value(Frame& frame, const DecimationOptions& options, DecimationDrafts&
     case Aim::Faces: {
       double faces = options.target_faces;
       const auto most = static_cast<double>(cells_at_most(frame));
-      const char* help = is_volume(frame) ? tetrahedra_help : faces_help;
-      if (number_control("faces", faces, {4, most, "%.0f", true, help}))
+      const std::string help = cells_help(frame, faces);
+      if (number_control("faces", faces, {4, most, "%.0f", true, help.c_str()}))
         frame.emit("target-faces " + std::to_string(std::llround(faces)));
       return;
     }
@@ -216,6 +242,56 @@ void feature_angle_control(Frame& frame, DecimationDrafts& drafts) {
   }
 }
 
+double distance_percent(const Frame& frame) {
+  const double diagonal = frame.has_mesh() ? frame.document().content().bounds.diagonal() : 0;
+  return diagonal > 0 ? 100 * frame.document().options().max_distance / diagonal : 0;
+}
+
+/// "distance, angles": which are set.
+std::string limits_that_hold(const Frame& frame, const DecimationOptions& options) {
+  std::string set;
+  const auto add = [&](bool on, const char* name) {
+    if (on) set += (set.empty() ? "" : ", ") + std::string(name);
+  };
+  add(options.max_distance > 0, "distance");
+  add((is_volume(frame) ? options.min_dihedral_deg : options.min_angle_deg) > 0, "angles");
+  add(options.no_intersections, "intersections");
+  add(is_volume(frame) && !options.keep_volumes, "volumes free");
+  return set;
+}
+
+void limit_number(Frame& frame, const char* name, const char* command, double value,
+                  const NumberStyle& style) {
+  label(frame, name, style.help);
+  ImGui::SameLine(name_width());
+  ImGui::BeginGroup();
+  if (number_control(command, value, style))
+    frame.emit(std::string(command) + " " + short_number(value, 4));
+  ImGui::EndGroup();
+}
+
+void limits(Frame& frame, const DecimationOptions& options) {
+  ImGui::BeginDisabled(!frame.has_mesh());
+  limit_number(frame, "Distance", "max-distance", distance_percent(frame),
+               {0, 5, "%.3f %%", false, distance_help});
+  ImGui::EndDisabled();
+  if (is_volume(frame))
+    limit_number(frame, "Least angle", "min-dihedral", options.min_dihedral_deg,
+                 {0, 70, "%.1f\u00b0", false, least_dihedral_help});
+  else
+    limit_number(frame, "Least angle", "min-angle", options.min_angle_deg,
+                 {0, 60, "%.1f\u00b0", false, least_angle_help});
+  bool cuts = options.no_intersections;
+  if (ImGui::Checkbox("No new intersections", &cuts))
+    frame.emit(cuts ? "no-intersections on" : "no-intersections off");
+  tooltip(intersections_help);
+  if (!is_volume(frame) || options.strategy != Strategy::Quality) return;
+  bool keeps = options.keep_volumes;
+  if (ImGui::Checkbox("Volumes of regions stay", &keeps))
+    frame.emit(keeps ? "volume keep" : "volume free");
+  tooltip(volumes_help);
+}
+
 void topology_control(Frame& frame, const DecimationOptions& options) {
   label(frame, "Topology", "");
   if (ImGui::GetContentRegionAvail().x > 14.5f * em())
@@ -265,6 +341,25 @@ void decimation_options(Frame& frame, DecimationDrafts& drafts) {
     passes_control(frame, options);
   else
     regularity_control(frame, options);
+}
+
+float limits_button_width() {
+  return ImGui::CalcTextSize("Limits").x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+void limits_button(Frame& frame) {
+  const DecimationOptions& options = frame.document().options();
+  const std::string set = limits_that_hold(frame, options);
+  ImGui::PushStyleColor(ImGuiCol_Text, set.empty() ? frame.colors.text : frame.colors.accent);
+  if (ImGui::Button("Limits", {limits_button_width(), 0})) ImGui::OpenPopup("limits");
+  ImGui::PopStyleColor();
+  tooltip("What no operation may do besides turning a face too far, and what holding that costs." +
+          (set.empty() ? "" : " Set: " + set + "."));
+  constexpr float wide_ems = 22;
+  ImGui::SetNextWindowSizeConstraints({wide_ems * em(), 0}, {wide_ems * em(), FLT_MAX});
+  if (!ImGui::BeginPopup("limits")) return;
+  limits(frame, options);
+  ImGui::EndPopup();
 }
 
 }  // namespace aomd::ui

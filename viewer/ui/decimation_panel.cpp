@@ -35,8 +35,10 @@ void operation_buttons(Frame& frame) {
 void run_controls(Frame& frame) {
   const scene::Document& document = frame.document();
   if (!document.running()) {
-    primary_button(frame, "Run", "run", -1, frame.can_decimate());
-    return;
+    const float rest = limits_button_width() + ImGui::GetStyle().ItemSpacing.x;
+    primary_button(frame, "Run", "run", -rest, frame.can_decimate());
+    ImGui::SameLine();
+    return limits_button(frame);
   }
   command_button(frame, "Cancel", "cancel", -1);
   const Decimation& decimation = *document.decimation();

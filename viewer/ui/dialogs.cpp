@@ -175,7 +175,7 @@ ImVec2 size_of(Dialog dialog) {
   const ImVec2 ems = dialog == Dialog::About      ? ImVec2(30, 15)
                      : dialog == Dialog::Unsaved  ? ImVec2(27, 10)
                      : dialog == Dialog::Recovery ? ImVec2(36, 18)
-                     : dialog == Dialog::Lessons  ? ImVec2(42, 46)
+                     : dialog == Dialog::Lessons  ? ImVec2(42, 53)
                      : dialog == Dialog::Palette  ? ImVec2(42, 27)
                                                   : ImVec2(44, 34);
   return {std::min(ems.x * em(), display.x - 2 * em()),

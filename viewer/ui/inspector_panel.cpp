@@ -11,6 +11,7 @@
 #include "viewer/drawing/scalar_field.h"
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/entity_verdict.h"
+#include "viewer/explain/measures.h"
 #include "viewer/ui/class_controls.h"
 #include "viewer/ui/link_flow.h"
 #include "viewer/ui/panels.h"
@@ -47,7 +48,7 @@ void facts_table(Frame& frame, const scene::EntityFacts& inspection) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       muted(frame, fitted(name, 6.6f * em()));
-      if (name == "Spacing") tooltip(scene::field_text(scene::Coloring::Spacing).help);
+      if (name == "Spacing") tooltip(scene::field_text(scene::Coloring::Spacing, false).help);
       ImGui::TableNextColumn();
       if (name == "Lies on" && model.valid())
         LinkFlow(frame).add(value, "highlight " + scene::model_entity_text(model),
@@ -249,9 +250,18 @@ void one_entity(Frame& frame, const scene::EntityFacts& inspection) {
   adjacent_section(frame, inspection);
 }
 
+void measures_table(const Frame& frame, const scene::Measures& measures) {
+  if (measures.facts.empty() || !begin_values("measures", 2)) return;
+  for (const auto& [name, value] : measures.facts) value_row(frame, name.c_str(), value, "");
+  end_values();
+}
+
 void many_entities(Frame& frame, const scene::Selection& selection) {
+  const scene::Measures measures = scene::measure_selection(frame.document().mesh(), selection);
   heading(frame, scene::selection_text(selection).c_str());
+  measures_table(frame, measures);
   std::string copied;
+  for (const auto& [name, value] : measures.facts) copied += name + "\t" + value + "\n";
   for (const EntityRef e : selection.entities()) copied += name_of(e) + "\n";
   buttons(frame, copied);
   class_edits(frame);
@@ -276,7 +286,9 @@ void inspector_panel(Frame& frame) {
     wrapped(frame,
             "Nothing is selected. Click a vertex, an edge or a face to see what it lies on, what "
             "is adjacent and "
-            "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go.");
+            "why decimation leaves it. Shift adds, a drag with Ctrl takes a box, Escape lets go. "
+            "Two or "
+            "three vertices measure distances and angles.");
   else if (const scene::EntityFacts* inspection = frame.session.sheet().inquiry().facts())
     one_entity(frame, *inspection);
   else

@@ -10,6 +10,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/ui/menu_bar.h"
 #include "viewer/ui/orientation_axes.h"
+#include "viewer/ui/scales.h"
 #include "viewer/ui/scene_labels.h"
 #include "viewer/ui/splitter.h"
 #include "viewer/ui/widgets.h"
@@ -64,6 +65,7 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
     ImGui::ClosePopupToLevel(0, true);
   layout_ = make_layout(ImGui::GetIO().DisplaySize, session.view.panels, bars, em());
   present_ = picture_area(layout_.viewport, session.sheet().side_by_side(), true);
+  scales(frame);
   scene_labels(frame, present_);
   neighbour_legend(frame, present_);
   if (bars) {
@@ -78,6 +80,20 @@ std::vector<std::string> Interface::draw(const scene::Session& session, const Fo
   picture_menu(frame, present_, picture_menu_);
   handle_mouse(frame);
   return std::move(frame.lines);
+}
+
+void Interface::scales(const Frame& frame) const {
+  color_scale(frame, present_);
+  length_scale(frame, present_);
+}
+
+void Interface::draw_scales(const scene::Session& session, const Fonts& fonts) {
+  const Frame frame{session, fonts, theme_colors(theme_kind(session.view.theme)), false, {}};
+  const Area before = present_;
+  present_ =
+      picture_area({{0, 0}, ImGui::GetIO().DisplaySize}, session.sheet().side_by_side(), true);
+  scales(frame);
+  present_ = before;
 }
 
 void Interface::draw_panels(Frame& frame) {
@@ -169,8 +185,13 @@ void Interface::handle_hover(Frame& frame) {
     if (interactive && frame.session.sheet().inquiry().hovered()) frame.emit("hover off");
     return;
   }
-  if (io.MousePos.x == hovered_at_.x && io.MousePos.y == hovered_at_.y) return;
+  const scene::Session& session = frame.session;
+  const bool same = io.MousePos.x == hovered_at_.x && io.MousePos.y == hovered_at_.y &&
+                    hovered_from_ == session.view.camera && hovered_after_ == session.executed;
+  if (same) return;
+  hovered_after_ = session.executed + 1;  // by the line below
   hovered_at_ = io.MousePos;
+  hovered_from_ = session.view.camera;
   frame.emit("hover " + place_words(io.MousePos));
 }
 

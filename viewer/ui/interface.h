@@ -1,6 +1,7 @@
 #pragma once
 // All of the interface: one call a frame.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,8 @@ class Interface {
 
   /// Draws everything; what is left for the scene is layout().viewport.
   [[nodiscard]] std::vector<std::string> draw(const scene::Session& session, const Fonts& fonts);
+  /// Of a picture without anything else: what tells sizes and colours.
+  void draw_scales(const scene::Session& session, const Fonts& fonts);
   /// The line that a chord means now; empty where it means nothing or goes into a field.
   [[nodiscard]] static std::string line_for_chord(const scene::Session& session,
                                                   std::string_view chord);
@@ -35,6 +38,7 @@ class Interface {
   void remember_folder(const std::filesystem::path& folder) { dialogs_.meshes.set_folder(folder); }
 
  private:
+  void scales(const Frame& frame) const;
   void draw_panels(Frame& frame);
   void handle_mouse(Frame& frame);
   void handle_click(Frame& frame);
@@ -59,6 +63,8 @@ class Interface {
   PictureMenuState picture_menu_;
   MenuBarState menu_bar_;
   ImVec2 hovered_at_{-1, -1};
+  scene::Camera hovered_from_;       ///< what lies under the mouse there also depends on these
+  std::uint64_t hovered_after_ = 0;  ///< commands
 };
 
 [[nodiscard]] inline ThemeKind theme_kind(scene::Theme theme) {

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <imgui_internal.h>  // ClosePopupToLevel
+
 #include "core/samples/samples.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
@@ -114,15 +116,15 @@ void camera_menu(Frame& frame) {
 void color_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Colours")) return;
   const scene::Coloring present = frame.session.view.coloring;
-  const bool surface = frame.has_mesh() && !frame.document().content().skin;
   const auto item = [&](const char* name, const char* line, scene::Coloring coloring,
                         bool enabled = true) {
     command_item(frame, name, line, present == coloring, enabled);
   };
   item("Classification", "color classification", scene::Coloring::Classification);
-  item("Spacing", "color spacing", scene::Coloring::Spacing, surface);
+  item("Spacing", "color spacing", scene::Coloring::Spacing, frame.can_decimate());
   item("Smallest angle", "color quality", scene::Coloring::Quality);
-  item("Distance to the original", "color distance", scene::Coloring::Distance, surface);
+  item("Distance to the original", "color distance", scene::Coloring::Distance,
+       frame.can_decimate());
   item("Curvature", "color curvature", scene::Coloring::Curvature);
   item("Verdict on each edge", "color verdict", scene::Coloring::Verdict, frame.can_decimate());
   item("One colour", "color none", scene::Coloring::None);
@@ -160,6 +162,8 @@ void view_menu(Frame& frame) {
                frame.can_decimate());
   ImGui::Separator();
   command_item(frame, "Surface", "show surface toggle", view.surface);
+  command_item(frame, "    Edges that it hides", "show hidden-lines toggle", view.hidden_lines,
+               !view.surface);
   command_item(frame, "Edges", "show edges toggle", view.edges);
   command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
   command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
@@ -169,6 +173,9 @@ void view_menu(Frame& frame) {
   command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on",
                view.preview);
   command_item(frame, "Axes", "show axes toggle", view.axes);
+  command_item(frame, "Scale of the colours", "show scale toggle", view.scale);
+  command_item(frame, "Scale of lengths", "show length-scale toggle", view.length_scale,
+               view.camera.orthographic);
   command_item(frame, "Last operation", "show operation toggle", view.operation);
   const scene::StepSides sides = view.step_sides;
   command_item(frame, "    What was there before", "operation before", !sides.after,
@@ -213,6 +220,9 @@ void help_menu(Frame& frame) {
 void menu_bar(Frame& frame, const RecentFiles& recent, MenuBarState& state) {
   const std::string& wanted = frame.session.view.bar_menu;
   if (!wanted.empty() && state.shown != wanted) ImGui::OpenPopup(wanted.c_str());
+  // What a command has opened another one closes.
+  if (wanted.empty() && !state.shown.empty() && ImGui::IsPopupOpen(state.shown.c_str()))
+    ImGui::ClosePopupToLevel(0, true);
   const bool closed = !wanted.empty() && !ImGui::IsPopupOpen(wanted.c_str());
   state.shown = wanted;
   file_menu(frame, recent);

@@ -35,6 +35,10 @@ struct DecimationDrafts {
 };
 /// What decimation is told; a strategy shows the options that it has.
 void decimation_options(Frame& frame, DecimationDrafts& drafts);
+/// In the accent colour where some limit is set: opens what holds in each operation besides the
+/// angle, with what it costs.
+void limits_button(Frame& frame);
+[[nodiscard]] float limits_button_width();
 /// Options, operations, progress and refusals.
 void decimation_panel(Frame& frame, DecimationDrafts& drafts);
 
@@ -59,7 +63,7 @@ void histogram_panel(Frame& frame, HistogramDrafts& drafts);
 void side_panel(Frame& frame, DecimationDrafts& drafts, HistogramDrafts& histograms);
 
 /// What the colours of the surface say, where they are numbers. Draws nothing where they are not.
-void field_legend(const Frame& frame);
+void field_legend(Frame& frame);
 /// The plane that hides things, and how far cells are pulled apart, while one of them is on.
 void clip_controls(Frame& frame);
 /// What is seen where, over the scene, while the mesh as loaded is shown.

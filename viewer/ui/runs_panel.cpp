@@ -41,13 +41,23 @@ std::string time_words(double seconds) {
   return seconds < 1 ? short_number(1000 * seconds, 0) + " ms" : scene::significant(seconds) + " s";
 }
 
-void header(const Frame& frame) {
-  ImGui::TableSetupScrollFreeze(0, 1);
-  for (const Column& column : run_columns)
+constexpr float name_ems = 6;  // where the columns need more than there is
+
+float all_columns() {
+  float ems = name_ems;
+  for (const Column& column : run_columns) ems += column.ems + 0.6f;
+  return ems * em();
+}
+
+/// `scrolls`: from side to side, past the name, which stays.
+void header(const Frame& frame, bool scrolls) {
+  ImGui::TableSetupScrollFreeze(scrolls ? 1 : 0, 1);
+  for (const Column& column : run_columns) {
+    const bool fixed = column.ems > 0 || scrolls;
     ImGui::TableSetupColumn(
-        column.title,
-        column.ems > 0 ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
-        column.ems * em());
+        column.title, fixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+        (column.ems > 0 ? column.ems : name_ems) * em());
+  }
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (std::size_t i = 0; i < run_columns.size(); ++i) {
     ImGui::TableNextColumn();
@@ -138,11 +148,13 @@ void runs_panel(Frame& frame) {
   buttons(frame);
   ImGui::PushFont(frame.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.3f * em(), 0.1f * em()));
-  const auto flags =
-      ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH;
+  const bool scrolls = ImGui::GetContentRegionAvail().x < all_columns();
+  const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit |
+                     ImGuiTableFlags_BordersInnerH |
+                     (scrolls ? ImGuiTableFlags_ScrollX : ImGuiTableFlags_None);
   if (ImGui::BeginTable("runs", static_cast<int>(run_columns.size()), flags,
                         ImGui::GetContentRegionAvail())) {
-    header(frame);
+    header(frame, scrolls);
     const KeptRun* shown =
         frame.has_mesh() ? frame.session.sheet().runs.shown(frame.document()) : nullptr;
     for (const KeptRun& run : frame.session.sheet().runs.rows()) run_row(frame, run, &run == shown);

@@ -9,6 +9,7 @@
 #include "viewer/drawing/picking.h"
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/entity_facts.h"
+#include "viewer/explain/measures.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -126,6 +127,19 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
   ImGui::PopFont();
 }
 
+/// How long what is measured is, at the middle of each line.
+void ruler_labels(Frame& frame, const scene::Projector& project, const Area& viewport) {
+  const Mesh& mesh = frame.document().mesh();
+  Plates plates(frame);
+  for (const auto& ruler : scene::rulers_of(frame.session.sheet().selection)) {
+    const glm::dvec2 p = project(0.5 * (mesh.position(ruler[0]) + mesh.position(ruler[1])));
+    if (std::isfinite(p.x) && std::isfinite(p.y))
+      plates.add({viewport.position.x + static_cast<float>(p.x),
+                  viewport.position.y + viewport.size.y - static_cast<float>(p.y)},
+                 scene::ruler_text(mesh, ruler));
+  }
+}
+
 /// The top and the bottom of the preview of what the mouse points at; both 0 where there is none.
 ImVec2 previewed_rows(const Frame& frame, const scene::Projector& project, const Area& viewport) {
   const scene::Drawable& drawable = frame.session.sheet().drawing().drawable();
@@ -192,7 +206,9 @@ void scene_labels(Frame& frame, const Area& viewport) {
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
   if (frame.session.view.labels || frame.session.sheet().inquiry().neighbours())
     id_labels(frame, project, viewport);
-  if (const auto* hovered = frame.session.sheet().inquiry().hovered())
+  ruler_labels(frame, project, viewport);
+  const auto* hovered = frame.session.sheet().inquiry().hovered();
+  if (hovered != nullptr && !frame.session.view.menu)
     hover_label(frame, project, *hovered, viewport);
 }
 

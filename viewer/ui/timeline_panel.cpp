@@ -151,7 +151,9 @@ void strip(Frame& frame) {
       std::clamp((ImGui::GetIO().MousePos.x - from.x) / (to.x - from.x), 0.0f, 1.0f);
   const auto step =
       static_cast<std::size_t>(std::lround(share * static_cast<float>(journal.size())));
-  if (ImGui::IsItemActive() && !frame.document().running() && step != journal.cursor())
+  // Where frames are slow the mouse may be somewhere else by the time that it is let go.
+  const bool drags = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+  if (drags && !frame.document().running() && step != journal.cursor())
     frame.emit("seek " + std::to_string(step));
   if (ImGui::IsItemActive()) return;
   const std::string place = place_tooltip(frame, from, to);

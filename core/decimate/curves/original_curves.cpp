@@ -10,13 +10,6 @@
 namespace aomd {
 namespace {
 
-/// The place on the segment from `a` to `b` nearest to `p`: 0 at `a`, 1 at `b`.
-double nearest_along(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 along = b - a;
-  const double length2 = glm::dot(along, along);
-  return length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-}
-
 double squared(const glm::dvec3& d) { return glm::dot(d, d); }
 
 /// Where a point lies beside a vertex of a curve: on which of the pieces to either side, how far
@@ -26,21 +19,44 @@ struct Foot {
   double part = 0, distance2 = std::numeric_limits<double>::infinity();
 };
 
-Foot foot_of(const glm::dvec3& p, const Mesh& mesh, const CurvePlace& place, const glm::dvec3& x) {
-  Foot best;
-  for (std::size_t side = 0; side < 2; ++side) {
-    if (!place.far[side].valid()) continue;
-    const glm::dvec3 end = mesh.position(place.far[side]);
-    const double part = nearest_along(p, x, end);
-    const double distance2 = squared(x + part * (end - x) - p);
-    if (distance2 < best.distance2) best = {side, part, distance2};
+/// The feet of points beside a vertex at `x`.
+class Feet {
+ public:
+  Feet(const Mesh& mesh, const CurvePlace& place, const glm::dvec3& x) : x_(x) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!place.far[side].valid()) continue;
+      const glm::dvec3 along = mesh.position(place.far[side]) - x;
+      sides_[count_++] = {side, along, squared(along)};
+    }
   }
-  return best;
-}
+
+  [[nodiscard]] Foot of(const glm::dvec3& p) const {
+    Foot best;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto& [side, along, length2] = sides_[i];
+      const double part =
+          length2 > 0 ? std::clamp(glm::dot(p - x_, along) / length2, 0.0, 1.0) : 0.0;
+      const double distance2 = squared(x_ + part * along - p);
+      if (distance2 < best.distance2) best = {side, part, distance2};
+    }
+    return best;
+  }
+
+ private:
+  struct Side {
+    std::size_t side = 0;
+    glm::dvec3 along{};
+    double length2 = 0;
+  };
+  glm::dvec3 x_;
+  std::array<Side, 2> sides_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
-OriginalCurves::OriginalCurves(const Mesh& mesh) {
+OriginalCurves::OriginalCurves(const Mesh& mesh, std::uint32_t most_points)
+    : most_points_(most_points) {
   find_pieces(mesh);
   add_points(mesh);
 }
@@ -150,11 +166,18 @@ void OriginalCurves::for_points(const CurvePlace& place, Visit&& visit) const {
   }
 }
 
+double OriginalCurves::length(const CurvePlace& place) const {
+  double sum = 0;
+  for_points(place, [&](const Point& p) { sum += p.length; });
+  return sum;
+}
+
 CurveError OriginalCurves::error(const Mesh& mesh, const CurvePlace& place,
                                  const glm::dvec3& x) const {
+  const Feet feet(mesh, place, x);
   CurveError error;
   for_points(place, [&](const Point& p) {
-    error.squares += p.length * foot_of(p.position, mesh, place, x).distance2;
+    error.squares += p.length * feet.of(p.position).distance2;
     error.length += p.length;
   });
   return error;
@@ -162,16 +185,24 @@ CurveError OriginalCurves::error(const Mesh& mesh, const CurvePlace& place,
 
 Quadric OriginalCurves::quadric(const Mesh& mesh, const CurvePlace& place,
                                 const glm::dvec3& x) const {
+  const Feet feet(mesh, place, x);
+  std::array<glm::dvec3, 2> ends{}, directions{};  // of the pieces to either side
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!place.far[side].valid()) continue;
+    ends[side] = mesh.position(place.far[side]) - x;
+    const double length = glm::length(ends[side]);
+    if (length > 0) directions[side] = ends[side] / length;
+  }
   Quadric sum;
   for_points(place, [&](const Point& p) {
-    const Foot foot = foot_of(p.position, mesh, place, x);
+    const Foot foot = feet.of(p.position);
     const double own = 1 - foot.part;
     if (!(own > 0)) return;
-    const glm::dvec3 end = mesh.position(place.far[foot.side]) - x;
-    const glm::dvec3 off = (p.position - x - foot.part * end) / own;
-    const double weight = own * own * p.length, length = glm::length(end);
+    const glm::dvec3 off = (p.position - x - foot.part * ends[foot.side]) / own;
+    const double weight = own * own * p.length;
     sum.add_point(off, weight);
-    if (length > 0) sum.add_plane(end / length, -glm::dot(end / length, off), -weight);
+    const glm::dvec3& along = directions[foot.side];
+    if (along != glm::dvec3(0.0)) sum.add_plane(along, -glm::dot(along, off), -weight);
   });
   return sum;
 }
@@ -179,9 +210,10 @@ Quadric OriginalCurves::quadric(const Mesh& mesh, const CurvePlace& place,
 // An arc as high as h over a chord of length l turns by twice the angle with the tangent 2 h / l.
 double OriginalCurves::turn_cosine(const Mesh& mesh, const CurvePlace& place,
                                    const glm::dvec3& x) const {
+  const Feet feet(mesh, place, x);
   double cosine = 1;
   for_points(place, [&](const Point& p) {
-    const Foot foot = foot_of(p.position, mesh, place, x);
+    const Foot foot = feet.of(p.position);
     const double length2 = squared(mesh.position(place.far[foot.side]) - x);
     if (foot.distance2 > 0)
       cosine = std::min(cosine, (length2 - 4 * foot.distance2) / (length2 + 4 * foot.distance2));
@@ -215,12 +247,30 @@ void OriginalCurves::share_out(const Mesh& mesh, const CurvePlace& place, Vertex
   for (std::size_t i = 0; i < 3; ++i)
     rest[i] = place.pieces[i] == no_index ? no_index
                                           : std::exchange(pieces_[place.pieces[i]].first, no_index);
+  const Feet feet(mesh, place, mesh.position(v));
   for (std::uint32_t i : rest)
     while (i != no_index) {
       const std::uint32_t following = points_[i].next;
-      add_point(place.pieces[foot_of(points_[i].position, mesh, place, mesh.position(v)).side], i);
+      add_point(place.pieces[feet.of(points_[i].position).side], i);
       i = following;
     }
+  for (const std::uint32_t piece : place.pieces)
+    if (piece != no_index) join_points(piece);
+}
+
+// Two in a row that stand for more than twice their share stay, so that half of the points do.
+void OriginalCurves::join_points(std::uint32_t piece) {
+  std::uint32_t count = 0;
+  double length = 0;
+  for (std::uint32_t i = pieces_[piece].first; i != no_index; i = points_[i].next)
+    ++count, length += points_[i].length;
+  if (count <= most_points_) return;
+  const double enough = 4 * length / most_points_;
+  for (std::uint32_t i = pieces_[piece].first; i != no_index; i = points_[i].next)
+    for (std::uint32_t out = points_[i].next;
+         out != no_index && points_[i].length + points_[out].length <= enough;
+         out = points_[i].next = points_[out].next)
+      points_[i].length += std::exchange(points_[out].length, 0);
 }
 
 void OriginalCurves::locate(const Mesh& mesh) {

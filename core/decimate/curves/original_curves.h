@@ -33,8 +33,10 @@ struct CurveError {
 /// the mesh has no model edges.
 class OriginalCurves {
  public:
-  /// O(edges). T(1,0) must be stored.
-  explicit OriginalCurves(const Mesh& mesh);
+  /// O(edges). T(1,0) must be stored. Where a collapse leaves a piece with more than `most_points`,
+  /// points close to each other become one, so that none costs more than that: enough to say how
+  /// far a curve turns.
+  explicit OriginalCurves(const Mesh& mesh, std::uint32_t most_points = no_index);
 
   [[nodiscard]] bool empty() const { return pieces_.empty(); }
   /// A vertex between two pieces of one curve, and of this alone: it may move along it and go.
@@ -47,6 +49,8 @@ class OriginalCurves {
   /// The other ends of the pieces at a vertex inside a curve.
   [[nodiscard]] std::array<Vertex, 2> neighbours(Vertex v) const;
 
+  /// What the points around a place stand for: CurveError::length, wherever its vertex is.
+  [[nodiscard]] double length(const CurvePlace& place) const;
   /// The error around a place whose vertex is at `x`.
   [[nodiscard]] CurveError error(const Mesh& mesh, const CurvePlace& place,
                                  const glm::dvec3& x) const;
@@ -90,12 +94,14 @@ class OriginalCurves {
   void add_points(const Mesh& mesh);
   void add_point(std::uint32_t piece, std::uint32_t point);
   void share_out(const Mesh& mesh, const CurvePlace& place, Vertex v);
+  void join_points(std::uint32_t piece);
   [[nodiscard]] std::uint32_t piece_between(Vertex v, Vertex w) const;
   [[nodiscard]] std::uint32_t other_piece(Vertex v, std::uint32_t piece) const;
   [[nodiscard]] Vertex far_end(std::uint32_t piece, Vertex v) const;
   template <typename Visit>
   void for_points(const CurvePlace& place, Visit&& visit) const;
 
+  std::uint32_t most_points_;
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
   std::vector<Node> nodes_;

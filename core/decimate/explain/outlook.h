@@ -10,6 +10,8 @@
 #include "core/operators/swap.h"
 #include "core/operators/verdict.h"
 
+#pragma GCC visibility push(default)
+
 namespace aomd {
 
 /// What verdicts are held against, degrees and lengths; 0 where there is no such limit.
@@ -51,3 +53,5 @@ struct MoveOutlook {
 };
 
 }  // namespace aomd
+
+#pragma GCC visibility pop

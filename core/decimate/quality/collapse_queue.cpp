@@ -12,11 +12,6 @@ namespace {
 // Neighbours are fetched together, so that the wait for memory is one and not six.
 void prefetch(const void* place) { __builtin_prefetch(place); }
 
-constexpr float inverse_typical =
-    1e3f;  // of the distance, by the diagonal, whose third power is as large as its square
-constexpr float steady =
-    1e-3f;  // of the quadric's trace: flat places leave the minimum open otherwise
-
 }  // namespace
 
 // Where an end lies on a model edge or vertex only the rest of the model edge may follow it; the
@@ -29,12 +24,6 @@ bool CollapseQueue::may_collapse(Vertex v, Vertex w, double length2) const {
   return length2 < reach * reach;
 }
 
-// Squared distances become third powers, nearly: few large errors count more than many small ones.
-float CollapseQueue::price(float squares, float area) const {
-  const float scaled = std::max(0.0f, squares * rules_.scale);
-  return rules_.cubes && area > 0 ? scaled * std::sqrt(scaled / area) * inverse_typical : scaled;
-}
-
 float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
   const State &at_v = state_[v], &at_w = state_[w];
   const glm::dvec3 from = mesh_.position(v), to = mesh_.position(w);
@@ -44,22 +33,61 @@ float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
   if (on_curves(v, w)) return cost_along_curve(v, w, c);
   const Freedom freedom = freedom_of(v, w);
   if (freedom == Freedom::None) return unlimited;
-  LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
-  q += at_w.quadric;
+  EdgeView<float> edge{at_v.quadric.about(-along), along, length2, at_v.area + at_w.area};
+  edge.quadric += at_w.quadric;  // all as seen from w
   glm::vec3 x(0.0f);
   c = {v, w, to};
   if (freedom == Freedom::OntoFirst) {
     c = {w, v, from};
     x = along;
   } else if (freedom == Freedom::Any) {
-    const glm::vec3 middle = 0.5f * along;
-    if (!q.minimum(middle, steady * q.trace(), x) ||
-        !(glm::dot(x - middle, x - middle) <= 4 * length2))
-      x = middle;
+    x = place_of_least(edge);
     c.position = to + glm::dvec3(x);
   }
-  const float area = at_v.area + at_w.area;
-  return price(q(x), area) + rules_.edge_weight * area * length2 * rules_.scale;
+  return cost_at(rules_, edge, x);
+}
+
+// Whether a vertex may go anywhere on what it lies on.
+bool CollapseQueue::roams(Vertex v) const {
+  return state_[v].model.dimension() > 1 && rules_.places && !options_.model && !options_.kept(v);
+}
+
+EdgeView<Lanes> CollapseQueue::view_of_four(const State& at_v, const FourStates& others,
+                                            const std::array<glm::vec3, Lanes::count>& along) {
+  EdgeView<Lanes> edges;
+  edges.along = {Lanes::each([&](std::size_t i) { return along[i].x; }),
+                 Lanes::each([&](std::size_t i) { return along[i].y; }),
+                 Lanes::each([&](std::size_t i) { return along[i].z; })};
+  edges.length2 = glm::dot(edges.along, edges.along);
+  edges.area = Lanes(at_v.area) + Lanes::each([&](std::size_t i) { return others[i]->area; });
+  edges.quadric = QuadricOf<Lanes>(at_v.quadric).about(-edges.along);
+  edges.quadric += QuadricOf<Lanes>::of_each(
+      [&](std::size_t i) -> const LocalQuadric& { return others[i]->quadric; });
+  return edges;
+}
+
+// What cost() says of up to four edges from one vertex: those whose ends may go anywhere are
+// computed together, others one by one.
+CollapseQueue::FourCosts CollapseQueue::costs(Vertex v, std::span<const Vertex> others) const {
+  FourStates at;
+  std::array<glm::vec3, Lanes::count> along;
+  for (std::size_t i = 0; i < Lanes::count; ++i) {
+    const Vertex w = others[std::min(i, others.size() - 1)];
+    at[i] = &state_[w];
+    along[i] = glm::vec3(mesh_.position(v) - mesh_.position(w));
+  }
+  const EdgeView<Lanes> edges = view_of_four(state_[v], at, along);
+  const Lanes together = cost_at(rules_, edges, place_of_least(edges));
+  const bool free = roams(v);
+  FourCosts result;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    Contraction c;
+    if (!free || at[i]->model != state_[v].model || options_.kept(others[i]))
+      result[i] = cost(v, others[i], c);
+    else
+      result[i] = may_collapse(v, others[i], double(edges.length2[i])) ? together[i] : unlimited;
+  }
+  return result;
 }
 
 // A curve counts like a strip of surface as wide as the curve is long there: then an edge of it and
@@ -79,7 +107,7 @@ float CollapseQueue::cost_along_curve(Vertex v, Vertex w, Contraction& c) const 
   const float area = at_v.area + at_w.area;
   const float strip = static_cast<float>(e.length * e.length / rules_.unit_area);
   const float squares = static_cast<float>(e.squares * e.length / rules_.unit_area);
-  return price(q(glm::vec3(c.position - to)) + squares, area + strip) +
+  return price(rules_, q(glm::vec3(c.position - to)) + squares, area + strip) +
          rules_.edge_weight * area * glm::dot(along, along) * rules_.scale;
 }
 
@@ -87,12 +115,13 @@ float CollapseQueue::cost_along_curve(Vertex v, Vertex w, Contraction& c) const 
 // piece of the curve a point is nearest to depends on the place, so twice.
 glm::dvec3 CollapseQueue::least_on_curve(const CurvePlace& place, const Quadric& quadric,
                                          const glm::dvec3& from, const glm::dvec3& to) const {
+  constexpr float steady = 1e-3f;  // of the quadric's trace: straight pieces leave it open else
   const glm::dvec3 middle = (from + to) / 2.0;
-  const double length2 = glm::dot(from - to, from - to);
+  const double length2 = glm::dot(from - to, from - to), length = curves_.length(place);
   glm::dvec3 x = middle;
   for (int i = 0; i < 2; ++i) {
     Quadric error = curves_.quadric(mesh_, place, x);
-    error *= curves_.error(mesh_, place, x).length / rules_.unit_area;
+    error *= length / rules_.unit_area;
     error += quadric.about(x - to);
     glm::dvec3 step;
     if (!error.minimum(middle - x, double(steady) * error.trace(), step)) return middle;
@@ -126,6 +155,25 @@ void CollapseQueue::look_around(Vertex v, Star& star, Visit&& visit) const {
   for_neighbours(star, visit);
 }
 
+// Calls visit(neighbour, cost) for the edges to the wanted neighbours.
+template <typename Wanted, typename Visit>
+void CollapseQueue::for_costs(Vertex v, Star& star, const Wanted& wanted, Visit&& visit) const {
+  std::array<Vertex, Lanes::count> others;
+  std::size_t count = 0;
+  const auto finish = [&] {
+    if (count == 0) return;
+    const FourCosts found = costs(v, std::span(others).first(count));
+    for (std::size_t i = 0; i < count; ++i) visit(others[i], found[i]);
+    count = 0;
+  };
+  look_around(v, star, [&](Vertex w) {
+    if (!wanted(w)) return;
+    others[count++] = w;
+    if (count == others.size()) finish();
+  });
+  finish();
+}
+
 // All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller
 // id.
 void CollapseQueue::find_candidates(Vertex v) {
@@ -154,11 +202,9 @@ void CollapseQueue::fill() {
                  each_alive(mesh_.ids(0), begin, end, [&](std::uint32_t id) {
                    const Vertex v(id);
                    if (crowded(mesh_, v)) return;
-                   look_around(v, star, [&](Vertex w) {
-                     if (w < v) return;
-                     Contraction c;
-                     state_[v].offer(w, cost(v, w, c));
-                   });
+                   const auto is_later = [v](Vertex w) { return v < w; };
+                   for_costs(v, star, is_later,
+                             [&](Vertex w, float its_cost) { state_[v].offer(w, its_cost); });
                  });
                });
   for (const Vertex v : mesh_.vertices())
@@ -172,18 +218,16 @@ void CollapseQueue::reset(const CostRules& rules) {
 
 void CollapseQueue::measure(bool by_points) {
   normal_.assign(mesh_.capacity(0), glm::vec3(0.0f));
-  const auto measure = [&](std::uint32_t id) {
-    const Vertex v(id);
+  for (const Vertex v : mesh_.vertices()) {
     State fresh;
     fresh.reach = state_[v].reach;
     fresh.model = mesh_.classification(v);
     state_[v] = fresh;
-    if (!by_points) quadric_of_faces(v);
-  };
-  parallel_for(
-      mesh_.capacity(0), options_.threads, vertices_a_piece,
-      [&](std::size_t begin, std::size_t end) { each_alive(mesh_.ids(0), begin, end, measure); });
-  if (by_points) quadrics_of_points();
+  }
+  if (by_points)
+    quadrics_of_points();
+  else
+    quadrics_of_faces();
   fill();
 }
 
@@ -262,9 +306,8 @@ void CollapseQueue::update(Vertex v, Vertex kept, float cost) {
 
 void CollapseQueue::refresh_around(Vertex kept) {
   dequeue(kept);
-  look_around(kept, star_, [&](Vertex w) {
-    Contraction c;
-    const float known = cost(kept, w, c);
+  const auto all = [](Vertex) { return true; };
+  for_costs(kept, star_, all, [&](Vertex w, float known) {
     if (kept < w) state_[kept].offer(w, known);
     update(w, kept, w < kept ? known : unlimited);
   });

@@ -2,12 +2,15 @@
 // Which collapse is next: what each vertex stands for, what the collapses of its edges cost, and
 // the vertices in the order of the cheapest of these.
 
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/options.h"
 #include "core/decimate/quality/cheapest.h"
+#include "core/decimate/quality/edge_cost.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
@@ -16,14 +19,6 @@
 #include "core/operators/star.h"
 
 namespace aomd {
-
-/// What a cost is made of.
-struct CostRules {
-  float edge_weight = 0;  ///< what a squared edge length costs, by the area it stands for
-  float scale = 1;        ///< makes costs independent of the mesh's units
-  double unit_area = 1;   ///< areas are counted in it: numbers stay near 1
-  bool cubes = true, places = true;  ///< the ideas of these names are in force
-};
 
 /// Judges nothing but costs: whether a collapse is allowed is for others to say. Mesh, original and
 /// options must outlive it; T(2,0) and T(0,2) must be stored.
@@ -92,15 +87,25 @@ class CollapseQueue {
   };
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
 
+  using FourCosts = std::array<float, Lanes::count>;
+  using FourStates = std::array<const State*, Lanes::count>;
+
   template <typename Visit>
   void look_around(Vertex v, Star& star, Visit&& visit) const;
+  template <typename Wanted, typename Visit>
+  void for_costs(Vertex v, Star& star, const Wanted& wanted, Visit&& visit) const;
+  [[nodiscard]] FourCosts costs(Vertex v, std::span<const Vertex> others) const;
+  /// Edges from one vertex, as seen from the others.
+  [[nodiscard]] static EdgeView<Lanes> view_of_four(
+      const State& at_v, const FourStates& others,
+      const std::array<glm::vec3, Lanes::count>& along);
+  [[nodiscard]] bool roams(Vertex v) const;
   void find_candidates(Vertex v);
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
   [[nodiscard]] bool on_curves(Vertex v, Vertex w) const {
     return state_[v].model.dimension() <= 1 && state_[w].model.dimension() <= 1;
   }
-  [[nodiscard]] float price(float squares, float area) const;
   [[nodiscard]] float cost_along_curve(Vertex v, Vertex w, Contraction& contraction) const;
   [[nodiscard]] glm::dvec3 least_on_curve(const CurvePlace& place, const Quadric& quadric,
                                           const glm::dvec3& from, const glm::dvec3& to) const;
@@ -111,7 +116,7 @@ class CollapseQueue {
 
   // Quadrics (quadrics.cpp)
   void add_normal(Vertex v, const glm::vec3& normal);
-  void quadric_of_faces(Vertex v);
+  void quadrics_of_faces();
   void quadrics_of_points();
 
   const Mesh& mesh_;

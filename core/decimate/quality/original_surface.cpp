@@ -9,6 +9,7 @@
 #include "core/base/box.h"
 #include "core/base/parallel.h"
 #include "core/mesh/geometry.h"
+#include "core/model/nearest_lanes.h"
 #include "core/model/triangle_tree.h"
 #include "core/operators/star.h"
 
@@ -19,62 +20,79 @@ constexpr std::size_t items_a_piece = 1024;
 
 bool has(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] == v || t[2] == v; }
 
-}  // namespace
-
-OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, int threads)
-    : taken_by_(mesh.capacity(0)) {
-  vertex_of_.reserve(mesh.count(0));
-  for (const Face f : mesh.faces())
-    for (const Vertex v : mesh.triangle(f)) {
-      if (taken_by_[v].valid()) continue;
-      taken_by_[v] = v;
-      vertex_of_.push_back(v);
-    }
-  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
-  Box box;
-  for (const Vertex v : vertex_of_) box.add(mesh.position(v));
-  diagonal_ = box.diagonal();
-  points_.resize(vertex_of_.size());
-  Column<Face, double> areas(mesh.capacity(2), 0);
-  parallel_for(points_.size(), threads, items_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) set_point(mesh, i, areas);
-  });
-  for (const Face f : mesh.faces()) area_ += areas[f];
-  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh, areas);
+bool looks_alike(const Mesh& mesh, Face f, const OriginalPoint& p) {
+  const auto t = mesh.triangle(f);
+  const glm::dvec3 normal =
+      area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+  return glm::dot(normal, glm::dvec3(p.normal)) > 0;
 }
 
-void OriginalSurface::add_faces(const Mesh& mesh, const Column<Face, double>& areas) {
-  for (OriginalPoint& p : points_) p.weight /= 4;
-  points_.reserve(points_.size() + mesh.count(2));
-  vertex_of_.reserve(points_.capacity());
-  for (const Face f : mesh.faces()) {
-    if (!(areas[f] > 0)) continue;
-    const auto t = mesh.triangle(f);
-    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
-    points_.push_back({.position = (a + b + c) / 3.0,
-                       .normal = glm::vec3(area_normal(a, b, c) / (2 * areas[f])),
-                       .weight = static_cast<float>(0.75 * areas[f])});
-    vertex_of_.push_back(t[0]);
+}  // namespace
+
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling)
+    : taken_by_(mesh.capacity(0)) {
+  add_vertices(mesh);
+  if (sampling == Sampling::VerticesAndFaces) add_faces(mesh);
+}
+
+// In the order in which faces use them.
+void OriginalSurface::add_vertices(const Mesh& mesh) {
+  Column<Vertex, std::uint32_t> point_of(mesh.capacity(0), no_index);
+  vertex_of_.reserve(mesh.count(0));
+  Box box;
+  for (const Face f : mesh.faces())
+    for (const Vertex v : mesh.triangle(f)) {
+      if (point_of[v] != no_index) continue;
+      point_of[v] = static_cast<std::uint32_t>(vertex_of_.size());
+      vertex_of_.push_back(v);
+      box.add(mesh.position(v));
+    }
+  for (const Vertex v : mesh.vertices()) taken_by_[v] = v;
+  diagonal_ = box.diagonal();
+  points_.resize(vertex_of_.size());
+  share_out_faces(mesh, point_of);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    OriginalPoint& p = points_[i];
+    p.position = mesh.position(vertex_of_[i]);
+    const double length = glm::length(glm::dvec3(p.normal));
+    if (length > 0) p.normal = glm::vec3(glm::dvec3(p.normal) / length);
   }
 }
 
-// Also fills in the area of each face of which the point is the first corner.
-void OriginalSurface::set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas) {
+// Gives each face's normal and area to its corners.
+void OriginalSurface::share_out_faces(const Mesh& mesh,
+                                      const Column<Vertex, std::uint32_t>& point_of) {
   const double scale =
       diagonal_ > 0 ? 1 / (diagonal_ * diagonal_) : 1;  // single precision has no room for any unit
-  OriginalPoint& p = points_[i];
-  p.position = mesh.position(vertex_of_[i]);
-  for (const Face f : mesh.row<2>(vertex_of_[i])) {
+  for (const Face f : mesh.faces()) {
     const auto t = mesh.triangle(f);
     const glm::dvec3 normal =
         area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
     const double area = glm::length(normal) / 2;
-    p.normal += glm::vec3(scale * normal);
-    p.weight += static_cast<float>(area / 3);
-    if (t[0] == vertex_of_[i]) areas[f] = area;
+    area_ += area;
+    for (const Vertex v : t) {
+      OriginalPoint& p = points_[point_of[v]];
+      p.normal += glm::vec3(scale * normal);
+      p.weight += static_cast<float>(area / 3);
+    }
   }
-  if (const double length = glm::length(glm::dvec3(p.normal)); length > 0)
-    p.normal = glm::vec3(glm::dvec3(p.normal) / length);
+}
+
+void OriginalSurface::add_faces(const Mesh& mesh) {
+  for (OriginalPoint& p : points_) p.weight /= 4;
+  points_.reserve(points_.size() + mesh.count(2));
+  vertex_of_.reserve(points_.capacity());
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    const glm::dvec3 normal = area_normal(a, b, c);
+    const double area = glm::length(normal) / 2;
+    if (!(area > 0)) continue;
+    points_.push_back({.position = (a + b + c) / 3.0,
+                       .normal = glm::vec3(normal / (2 * area)),
+                       .weight = static_cast<float>(0.75 * area)});
+    vertex_of_.push_back(t[0]);
+  }
 }
 
 // Several threads may shorten the same path at once: whatever they write leads to the same end.
@@ -91,18 +109,30 @@ Vertex OriginalSurface::taken_by(Vertex v) {
   return last;
 }
 
+// Of the faces that look the way the original did, else of all: from a face behind an edge, where
+// the nearest place may lie inside, no walk leads back. Two faces at a time.
 void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
+  const Row<2> faces = mesh.row<2>(v);
+  const TwoPoints position(p.position);
   double best = std::numeric_limits<double>::infinity();
+  bool faces_it = false;
   p.face = no_index;
-  for (const Face f : mesh.row<2>(v)) {
-    const auto t = mesh.triangle(f);
-    glm::dvec3 at;
-    const double d = nearest_barycentric(p.position, mesh.position(t[0]), mesh.position(t[1]),
-                                         mesh.position(t[2]), at);
-    if (d >= best) continue;
-    best = d;
-    p.face = f.index;
-    p.barycentric = at;
+  for (std::size_t begin = 0; begin < faces.size(); begin += DoubleLanes::count) {
+    const std::array two{faces[begin], faces[std::min(begin + 1, faces.size() - 1)]};
+    const auto f = mesh.triangle(two[0]), g = mesh.triangle(two[1]);
+    const auto corner = [&](std::size_t k) {
+      return two_points(mesh.position(f[k]), mesh.position(g[k]));
+    };
+    TwoPoints at;
+    const DoubleLanes d = nearest_barycentric(position, corner(0), corner(1), corner(2), at);
+    for (std::size_t i = 0; i < two.size(); ++i) {
+      const bool now = looks_alike(mesh, two[i], p);
+      if ((faces_it && !now) || (faces_it == now && d[i] >= best)) continue;
+      faces_it = now;
+      best = d[i];
+      p.face = two[i].index;
+      p.barycentric = {at.x[i], at.y[i], at.z[i]};
+    }
   }
   p.distance2 = static_cast<float>(best);
 }
@@ -146,7 +176,7 @@ void OriginalSurface::find_face(const Mesh& mesh, OriginalPoint& p) {
 
 void OriginalSurface::locate_point(const Mesh& mesh, std::size_t i) {
   OriginalPoint& p = points_[i];
-  if (p.face != no_index && mesh.alive(Face(p.face))) {
+  if (p.face != no_index && mesh.alive(Face(p.face)) && looks_alike(mesh, Face(p.face), p)) {
     const auto t = mesh.triangle(Face(p.face));
     glm::dvec3 at;
     p.distance2 = static_cast<float>(nearest_barycentric(

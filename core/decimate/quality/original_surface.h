@@ -36,10 +36,8 @@ enum class Sampling : std::uint8_t { Vertices, VerticesAndFaces };
 /// point. Not meant for exact distances: a walk may stop at a local minimum.
 class OriginalSurface {
  public:
-  /// O(vertices + faces). T(0,2) and T(2,0) must be stored. Here and below the result does not
-  /// depend on the number of threads.
-  explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices,
-                           int threads = 1);
+  /// O(vertices + faces). T(2,0) must be stored.
+  explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices);
 
   [[nodiscard]] const std::vector<OriginalPoint>& points() const { return points_; }
   /// The diagonal of its box, and its area.
@@ -49,7 +47,8 @@ class OriginalSurface {
   /// A collapse took `deleted` into `kept`.
   void merged(Vertex deleted, Vertex kept) { taken_by_[deleted] = kept; }
   /// Finds the face of every point: from the vertices that took it in since the last time, else
-  /// from the face it lay on. T(0,2) and T(2,0) must be stored. O(points).
+  /// from the face it lay on. T(0,2) and T(2,0) must be stored. O(points). Here and below the
+  /// result does not depend on the number of threads.
   void locate(const Mesh& mesh, int threads = 1);
   /// Forgets all faces and finds each anew by a search over all of `mesh`. O(points log faces).
   void locate_anywhere(const Mesh& mesh, int threads = 1);
@@ -67,14 +66,22 @@ class OriginalSurface {
     if (f.index >= first_.size()) return;
     for (std::uint32_t i = first_[f]; i != no_index; i = points_[i].next) visit(points_[i]);
   }
+  /// The same as long as visit(point) is true; whether it was for all of them.
+  template <typename Visit>
+  bool for_points_while(Face f, Visit&& visit) const {
+    std::uint32_t i = f.index < first_.size() ? first_[f] : no_index;
+    while (i != no_index && visit(points_[i])) i = points_[i].next;
+    return i == no_index;
+  }
   /// Distributes the points of two faces anew: to `f` where goes_to_f(point), else to `g`. The call
   /// may set barycentric coordinates and distance.
   template <typename Where>
   void redistribute(Face f, Face g, Where&& goes_to_f);
 
  private:
-  void add_faces(const Mesh& mesh, const Column<Face, double>& areas);
-  void set_point(const Mesh& mesh, std::size_t i, Column<Face, double>& areas);
+  void add_vertices(const Mesh& mesh);
+  void share_out_faces(const Mesh& mesh, const Column<Vertex, std::uint32_t>& point_of);
+  void add_faces(const Mesh& mesh);
   void locate_point(const Mesh& mesh, std::size_t i);
   static void find_face(const Mesh& mesh, OriginalPoint& p);
   static bool walk_once(const Mesh& mesh, OriginalPoint& p);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/decimate/quality/quadric.h"
+#include "core/model/nearest_lanes.h"
 
 namespace aomd {
 namespace {
@@ -77,7 +78,7 @@ bool Fitter::least_squares_on_curve(Vertex v, const Star& star, const FitRules& 
   constexpr double along = 10;
   const glm::dvec3 at = mesh_.position(v);
   const CurvePlace place = curves_.around(v);
-  const double length = curves_.error(mesh_, place, at).length;
+  const double length = curves_.length(place);
   const glm::dvec3 a = mesh_.position(place.far[0]) - at, b = mesh_.position(place.far[1]) - at;
   const double chord = glm::length(b - a);
   if (!(length > 0) || !(chord > 0)) return false;
@@ -168,7 +169,8 @@ bool Fitter::leaves_curve(Vertex v, const glm::dvec3& target) const {
          most * curves_.error(mesh_, place, mesh_.position(v)).squares;
 }
 
-double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules) const {
+// What the energy falls by. Where that is not enough, something that is not enough either.
+double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules, double enough) const {
   const glm::dvec3 a = mesh_.position(pair.a), b = mesh_.position(pair.b),
                    c = mesh_.position(pair.c), d = mesh_.position(pair.d);
   const double shapes =
@@ -182,13 +184,16 @@ double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules) const {
     unit *= std::pow(std::min(1.0, before / (2 * rules.face_energy)), rules.local);
   const double gain = rules.shape * unit * shapes;
   if (gain + before <= 0) return gain;  // even without any error left it would not pay
+  const TwoPoints corners[] = {two_points(d, c), two_points(b, a), two_points(c, d)};
   double after = 0;
-  for (const Face f : {pair.f, pair.g})
-    original_.for_points(f, [&](const OriginalPoint& p) {
-      glm::dvec3 at;
-      after += double(p.weight) * std::min(nearest_barycentric(p.position, d, b, c, at),
-                                           nearest_barycentric(p.position, c, a, d, at));
-    });
+  const auto add = [&](const OriginalPoint& p) {
+    TwoPoints at;
+    const DoubleLanes distance2 =
+        nearest_barycentric(TwoPoints(p.position), corners[0], corners[1], corners[2], at);
+    after += double(p.weight) * std::min(distance2[0], distance2[1]);
+    return gain + before - after > enough;
+  };
+  if (original_.for_points_while(pair.f, add)) original_.for_points_while(pair.g, add);
   return gain + before - after;
 }
 
@@ -215,8 +220,8 @@ Verdict Fitter::judge_swap(Vertex a, Vertex b, const FitRules& rules, EdgePair& 
         return std::max(smallest_angle_cosine(pa, pb, pc), smallest_angle_cosine(pb, pa, pd));
       }))
     return {Reason::Shape, pair.f, worst};
-  if (!(swap_gain(pair, rules) > least_gain * rules.face_energy))
-    return {Reason::Quality, pair.f, worst};
+  const double enough = least_gain * rules.face_energy;
+  if (!(swap_gain(pair, rules, enough) > enough)) return {Reason::Quality, pair.f, worst};
   if (joined(mesh_, pair.c, pair.d)) return {Reason::Topology, pair.c};
   return {};
 }

@@ -79,7 +79,7 @@ class Fitter {
   [[nodiscard]] bool leaves_curve(Vertex v, const glm::dvec3& target) const;
   [[nodiscard]] static bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                                        const FitRules& rules);
-  [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules) const;
+  [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules, double enough) const;
 
   const Mesh& mesh_;
   OriginalSurface& original_;

@@ -28,7 +28,25 @@ class QuadricOf {
         yz_(Number(q.yz_)),
         b_(q.b_),
         c_(Number(q.c_)) {}
-
+  /// Several at once, where a number has lanes: of quadric(0), quadric(1) and so on.
+  template <typename Each>
+  [[nodiscard]] static QuadricOf of_each(const Each& quadric) {
+    const auto lanes = [&](auto&& number) {
+      return Number::each([&](std::size_t i) { return number(quadric(i)); });
+    };
+    QuadricOf q;
+    q.xx_ = lanes([](const auto& one) { return one.xx_; });
+    q.yy_ = lanes([](const auto& one) { return one.yy_; });
+    q.zz_ = lanes([](const auto& one) { return one.zz_; });
+    q.xy_ = lanes([](const auto& one) { return one.xy_; });
+    q.xz_ = lanes([](const auto& one) { return one.xz_; });
+    q.yz_ = lanes([](const auto& one) { return one.yz_; });
+    q.b_ = {lanes([](const auto& one) { return one.b_.x; }),
+            lanes([](const auto& one) { return one.b_.y; }),
+            lanes([](const auto& one) { return one.b_.z; })};
+    q.c_ = lanes([](const auto& one) { return one.c_; });
+    return q;
+  }
   /// Adds weight * (n.x + d)^2.
   void add_plane(const Vec3& n, Number d, Number weight) {
     const Vec3 m = weight * n;
@@ -81,18 +99,18 @@ class QuadricOf {
   /// Half the gradient.
   [[nodiscard]] Vec3 slope(const Vec3& p) const { return times(p) + b_; }
   /// The minimum of the quadric plus `stay` * |x - anchor|^2, which makes it unique; false where
-  /// numbers are too small for it.
-  [[nodiscard]] bool minimum(const Vec3& anchor, Number stay, Vec3& x) const {
+  /// numbers are too small for it, and `x` is of no use.
+  [[nodiscard]] auto minimum(const Vec3& anchor, Number stay, Vec3& x) const {
+    using std::abs;
     const Number a = xx_ + stay, d = yy_ + stay, f = zz_ + stay;
     const Number c0 = d * f - yz_ * yz_, c1 = xz_ * yz_ - xy_ * f, c2 = xy_ * yz_ - xz_ * d;
     const Number determinant = a * c0 + xy_ * c1 + xz_ * c2;
-    if (!(std::abs(determinant) > std::numeric_limits<Number>::min())) return false;
     const Number d1 = a * f - xz_ * xz_, d2 = xy_ * xz_ - a * yz_, f2 = a * d - xy_ * xy_;
     const Vec3 r = stay * anchor - b_;
     x = Vec3(c0 * r.x + c1 * r.y + c2 * r.z, c1 * r.x + d1 * r.y + d2 * r.z,
              c2 * r.x + d2 * r.y + f2 * r.z) *
         (Number(1) / determinant);
-    return true;
+    return abs(determinant) > std::numeric_limits<Number>::min();
   }
 
  private:

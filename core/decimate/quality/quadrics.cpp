@@ -14,8 +14,8 @@ void CollapseQueue::add_normal(Vertex v, const glm::vec3& normal) {
 }
 
 // Every face is a plane to its three vertices, by its area (Garland, Heckbert 1997).
-void CollapseQueue::quadric_of_faces(Vertex v) {
-  for (const Face f : mesh_.row<2>(v)) {
+void CollapseQueue::quadrics_of_faces() {
+  for (const Face f : mesh_.faces()) {
     const auto t = mesh_.triangle(f);
     const glm::dvec3 normal =
         area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
@@ -23,9 +23,11 @@ void CollapseQueue::quadric_of_faces(Vertex v) {
     if (!(length > 0)) continue;
     const glm::vec3 unit(normal / length);
     const float share = static_cast<float>(length / (6 * rules_.unit_area));
-    state_[v].quadric.add_plane(unit, 0, share);
-    state_[v].area += share;
-    add_normal(v, share * unit);
+    for (const Vertex v : t) {
+      state_[v].quadric.add_plane(unit, 0, share);
+      state_[v].area += share;
+      add_normal(v, share * unit);
+    }
   }
 }
 

@@ -22,19 +22,22 @@ bool QualityLoop::advance_collapse() {
     if (!relax()) begin_improvement();
     return false;
   }
-  if (CollapseQueue::Candidate c; queue_.cheapest(v, c) && try_collapse(c) == Reason::None)
-    return true;
-  return try_others(v);
+  Trial cheapest;
+  if (queue_.cheapest(v, cheapest.candidate)) {
+    cheapest.reason = try_collapse(cheapest.candidate);
+    if (cheapest.reason == Reason::None) return true;
+  }
+  return try_others(v, cheapest);
 }
 
-// The cheapest candidate is not known any more, or not allowed. One that would leave a sliver waits
-// until others cost so much more.
-bool QualityLoop::try_others(Vertex v) {
+// The cheapest candidate is not known any more, or not allowed: then it is not judged again. One
+// that would leave a sliver waits until others cost so much more.
+bool QualityLoop::try_others(Vertex v, const Trial& cheapest) {
   const std::vector<CollapseQueue::Candidate>& found = queue_.take_all(v);
   float later = CollapseQueue::unlimited;
   for (std::size_t i = 0; i < found.size() && found[i].cost <= later; ++i) {
     if (queue_.put_off(v, i, later)) return false;
-    const Reason reason = try_collapse(found[i]);
+    const Reason reason = cheapest.is_of(found[i]) ? cheapest.reason : try_collapse(found[i]);
     if (reason == Reason::None) return true;
     if (reason == Reason::Shape && !pays_for_sliver(found[i]))
       later = std::min(later, sliver_price_ * found[i].cost);

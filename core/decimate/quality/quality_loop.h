@@ -41,7 +41,16 @@ class QualityLoop final : public Loop {
   // Collapses (quality_loop.cpp)
   bool advance_collapse();
   bool relax();
-  bool try_others(Vertex v);
+  /// A candidate that was judged, and what came of it.
+  struct Trial {
+    CollapseQueue::Candidate candidate;
+    Reason reason = Reason::None;
+    [[nodiscard]] bool is_of(const CollapseQueue::Candidate& other) const {
+      return candidate.contraction.deleted == other.contraction.deleted &&
+             candidate.contraction.kept == other.contraction.kept;
+    }
+  };
+  bool try_others(Vertex v, const Trial& cheapest);
   /// None where it was made.
   Reason try_collapse(const CollapseQueue::Candidate& candidate);
   void collapse(const Contraction& contraction);

@@ -6,6 +6,7 @@
 
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/spacing.h"
+#include "core/mesh/geometry.h"
 
 namespace aomd {
 namespace {
@@ -17,6 +18,34 @@ double between(double regularity, double at_0, double at_half, double at_1) {
   return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
 }
 
+bool is_flat(const Mesh& mesh, Vertex v) {
+  constexpr double flat = 1 - 1e-6;  // cosine: some 0.1 degrees
+  glm::dvec3 sum(0.0);
+  double areas = 0;
+  for (const Face f : mesh.row<2>(v)) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 normal =
+        area_normal(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+    sum += normal;
+    areas += glm::length(normal);
+  }
+  return glm::length(sum) >= flat * areas;
+}
+
+// About how many vertices lie where the surface bends: flat places end up with next to no faces,
+// and have none of their points to offer elsewhere.
+double bent_vertices(const Mesh& mesh) {
+  constexpr std::uint32_t one_of = 16;
+  std::uint32_t seen = 0, bent = 0;
+  const IdPool& ids = mesh.ids(0);
+  for (std::uint32_t id = ids.next_alive(0); id < ids.capacity();
+       id = ids.next_alive(id + one_of)) {
+    ++seen;
+    bent += !is_flat(mesh, Vertex(id));
+  }
+  return seen > 0 ? double(mesh.count(0)) * bent / seen : 0;
+}
+
 // A vertex that is fitted to a handful of points follows their noise, and what lies between them
 // not at all. More points take time: for those who want accuracy first.
 Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
@@ -25,14 +54,16 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
   const double faces =
       by_factor ? mesh.count(2) / (options.factor * options.factor) : options.target_faces;
   const bool wanted = options.regularity < 0.5 && options.has(Idea::DensePoints);
-  return wanted && mesh.count(0) < enough * faces ? Sampling::VerticesAndFaces : Sampling::Vertices;
+  const bool few =
+      wanted && (mesh.count(0) < enough * faces || bent_vertices(mesh) < enough * faces);
+  return few ? Sampling::VerticesAndFaces : Sampling::Vertices;
 }
 
 }  // namespace
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      original_(mesh, sampling(mesh, options), options.threads),
+      original_(mesh, sampling(mesh, options)),
       curves_(mesh),
       collapser_(mesh),
       fitter_(mesh, original_, curves_),
@@ -42,7 +73,7 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
 
 void QualityLoop::set_rules() {
   const double w = options_.regularity;
-  const double usual_least_deg = between(w, 8, 12, 12);
+  const double usual_least_deg = between(w, 4, 12, 12);
   rules_.max_turn = TurnLimit(options_.angle_deg);
   rules_.topology = options_.topology;
   rules_.original_normals = options_.has(Idea::Facing) ? &queue_.normals() : nullptr;
@@ -52,7 +83,7 @@ void QualityLoop::set_rules() {
   rules_.least_around = LeastAngle(usual_least_deg);
   sliver_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
-  fit_.shape = between(w, 0.3, 1.5, 4);
+  fit_.shape = between(w, 0.2, 1.5, 4);
   fit_.local = w < 0.5 ? 0.5 - w : 0;
   fit_.pull = between(w, 1e-4, 0.022, 0.07);
   fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
@@ -63,7 +94,7 @@ CostRules QualityLoop::cost_rules() const {
   CostRules rules;
   const double diagonal = original_.diagonal(),
                points = static_cast<double>(original_.points().size());
-  rules.edge_weight = static_cast<float>(between(options_.regularity, 1e-7, 3e-4, 5e-3));
+  rules.edge_weight = static_cast<float>(between(options_.regularity, 2e-8, 3e-4, 5e-3));
   if (original_.area() > 0) rules.unit_area = original_.area() / points;
   if (diagonal > 0) rules.scale = static_cast<float>(1 / (diagonal * diagonal));
   rules.cubes = options_.has(Idea::ThirdPowers);

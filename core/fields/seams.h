@@ -1,0 +1,45 @@
+#pragma once
+// Where values on the corners of faces jump from one face to the next.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/fields/cells.h"
+
+namespace aomd::fields {
+
+/// Faces on both sides of each edge, as far as an array on corners goes on across it.
+class Charts {
+ public:
+  /// The array must have values for every corner of the faces. O(n log n).
+  Charts(const Cells& faces, const Attribute& corners);
+
+  /// The number of the first corner of a face; the others follow.
+  [[nodiscard]] std::size_t first_corner(std::uint32_t face) const { return starts_[face]; }
+  /// The face beyond the side from a corner to the next one, or no_index: at a seam, or where other
+  /// than two faces meet.
+  [[nodiscard]] std::uint32_t beyond(std::size_t corner) const { return beyond_[corner]; }
+  /// Edges between two faces where the values jump, smaller vertex first.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 2>>& seams() const { return seams_; }
+  /// A number for each face, the same for all that hang together without a seam between them.
+  [[nodiscard]] std::vector<std::uint32_t> numbers() const;
+
+ private:
+  struct Side {
+    std::array<std::uint32_t, 2> ends{};
+    std::uint32_t face = 0;
+    std::size_t from = 0, to = 0;  ///< its corners, at the smaller vertex and at the other one
+  };
+  [[nodiscard]] std::vector<Side> sorted_sides(const Cells& faces) const;
+  [[nodiscard]] static bool jumps(const Attribute& corners, const Side& a, const Side& b);
+
+  std::vector<std::size_t> starts_;
+  std::vector<std::uint32_t> beyond_;
+  std::vector<std::array<std::uint32_t, 2>> seams_;
+};
+
+/// The seams of all arrays on corners but normals, sorted: those of facets are everywhere.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh);
+
+}  // namespace aomd::fields

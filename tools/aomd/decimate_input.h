@@ -1,0 +1,35 @@
+#pragma once
+// What `aomd decimate` does to its input before anything else, and what it asks of it.
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+#include "core/model/model.h"
+#include "core/repair/repair.h"
+#include "tools/aomd/decimate_options.h"
+
+namespace aomd::cli {
+
+/// Cuts quads into triangles; notes how many.
+[[nodiscard]] std::vector<std::string> cut_quads(MeshData& mesh);
+
+/// Mends what --repair mends; notes what was done and what is left.
+[[nodiscard]] RepairReport mend(MeshData& mesh, const DecimateOptions& options,
+                                std::vector<std::string>& notes);
+
+/// Throws NothingToDo, io::LimitError or io::ReadError for a mesh that cannot be decimated.
+void check_decimable(const Mesh& mesh, const std::string& file);
+
+/// Classifies a mesh on a CAD model, or holds its classification against it. A step of the journal,
+/// so that a replay needs no model. Throws io::ReadError.
+void fit_to_model(Mesh& mesh, bool classified, const Model& model, const DecimateOptions& options);
+
+/// Throws io::ReadError where the mesh lies on what the model does not have, such as one by its own
+/// facets a model face without faces.
+void check_snapping(const Mesh& mesh, const Model& model, const DecimateOptions& options);
+
+/// A note on features that would cost too much of a target.
+[[nodiscard]] std::string dear_features(int model_vertices, std::uint32_t faces);
+
+}  // namespace aomd::cli
