@@ -61,13 +61,16 @@ def test_welding():
                                              ("layered-beam", {"target_tets": "50%"})])
 def test_compare_says_what_the_program_says(tmp_path, sample, options):
     mesh = aomd.sample(sample)
+    mesh = mesh.with_attribute("heat", np.sin(mesh.vertices[:, 0]))
     coarse = aomd.decimate(mesh, **options).mesh
     mesh.write(tmp_path / "a.vtu")
     coarse.write(tmp_path / "b.vtu")
-    found = aomd.compare(mesh, coarse, samples=2000, max_distance=0.0001)
+    as_listed = [aomd.read(tmp_path / file) for file in ("a.vtu", "b.vtu")]
+    found = aomd.compare(*as_listed, samples=2000, max_distance=0.0001)
     said = program("compare", tmp_path / "a.vtu", tmp_path / "b.vtu", "--samples", "2000",
                    "--max-distance", "0.0001")
     assert without_names(found) == without_names(said)
+    assert "heat" in [each["name"] for each in found["fields"]]
     if sample == "sphere":
         assert found["objections"][0].startswith("largest distance")
 

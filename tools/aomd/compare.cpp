@@ -252,12 +252,14 @@ void add_limits(CLI::App* command, CompareArguments& options) {
 }  // namespace
 
 Json compare(const CompareArguments& options, const MeshData& original, const MeshData& result) {
+  auto fields = measure::compare_fields(original, result, thread_count(options.threads));
   Mesh first(original), second(result);
+  check_extent(options.original, first);
+  check_extent(options.result, second);
   if (!original.regions.empty() && !result.regions.empty())
-    return volume_comparison_json(
-        options, first, second,
-        measure::compare_fields(original, result, thread_count(options.threads)));
-  const Comparison c = compare(options, std::move(first), std::move(second));
+    return volume_comparison_json(options, first, second, std::move(fields));
+  Comparison c = compare(options, std::move(first), std::move(second));
+  c.fields = std::move(fields);
   return comparison_json(c, objections(c, options));
 }
 
