@@ -39,6 +39,14 @@ void add_entities(aomd::EntityList& list, Shape shape, std::size_t count,
   list.vertices.assign(corners, corners + each * count);
 }
 
+std::unique_ptr<aomd_mesh> mesh_of(std::size_t vertices, const double* positions, int dimension,
+                                   Shape shape, std::size_t count, const std::uint32_t* corners) {
+  auto made = std::make_unique<aomd_mesh>();
+  made->data.positions = positions_of(vertices, positions);
+  add_entities(made->data.list(dimension), shape, count, corners, vertices);
+  return made;
+}
+
 const std::vector<aomd::ModelRef>& classes_of(const MeshData& data, int dimension) {
   return dimension == 0 ? data.vertex_classes : data.list(dimension).classes;
 }
@@ -48,20 +56,14 @@ const std::vector<aomd::ModelRef>& classes_of(const MeshData& data, int dimensio
 aomd_status aomd_mesh_from_triangles(size_t vertices, const double* positions, size_t triangles,
                                      const uint32_t* corners, aomd_mesh** mesh) {
   return guarded([&] {
-    auto made = std::make_unique<aomd_mesh>();
-    made->data.positions = positions_of(vertices, positions);
-    add_entities(made->data.faces, Shape::Triangle, triangles, corners, vertices);
-    *mesh = made.release();
+    *mesh = mesh_of(vertices, positions, 2, Shape::Triangle, triangles, corners).release();
   });
 }
 
 aomd_status aomd_mesh_from_tetrahedra(size_t vertices, const double* positions, size_t tetrahedra,
                                       const uint32_t* corners, aomd_mesh** mesh) {
   return guarded([&] {
-    auto made = std::make_unique<aomd_mesh>();
-    made->data.positions = positions_of(vertices, positions);
-    add_entities(made->data.regions, Shape::Tetrahedron, tetrahedra, corners, vertices);
-    *mesh = made.release();
+    *mesh = mesh_of(vertices, positions, 3, Shape::Tetrahedron, tetrahedra, corners).release();
   });
 }
 

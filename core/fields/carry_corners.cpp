@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/buckets.h"
 #include "core/base/parallel.h"
 #include "core/fields/field.h"
 #include "core/fields/same_place.h"
@@ -27,26 +28,26 @@ struct CornerPlace {
 /// One array on its way.
 class CornerCarrier {
  public:
-  CornerCarrier(const Cells& original, const Cells& result, const Attribute& array, int threads)
+  /// The tree has the faces of the original; its parts become the charts of this array.
+  CornerCarrier(const Cells& original, const Cells& result, const Attribute& array, SidedTree& tree,
+                int threads)
       : original_(original),
         result_(result),
         array_(array),
         charts_(original, array),
-        tree_(original.mesh().positions, items(), threads),
-        threads_(threads) {}
+        tree_(tree),
+        threads_(threads) {
+    const std::vector<std::uint32_t> numbers = charts_.numbers();
+    for (SidedTree::Item& item : tree.items()) item.part = numbers[item.owner];
+  }
 
   [[nodiscard]] Attribute run(const std::vector<std::uint32_t>& same) const {
     Attribute carried = like(array_);
     const std::size_t corners = result_.mesh().faces.vertices.size();
     carried.values.resize(corners * stride());
-    std::vector<std::size_t> starts;
-    for (std::size_t f = 0, next = 0; f < result_.size(); ++f) {
-      starts.push_back(next);
-      next += result_.vertices(static_cast<std::uint32_t>(f)).size();
-    }
     parallel_for(result_.size(), threads_, 64, [&](std::size_t begin, std::size_t end) {
       for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
-        fill(f, same[f], std::span(carried.values).subspan(stride() * starts[f]));
+        fill(f, same[f], std::span(carried.values).subspan(stride() * result_.first_corner(f)));
     });
     join(carried);
     return carried;
@@ -54,17 +55,6 @@ class CornerCarrier {
 
  private:
   [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(array_.components); }
-
-  [[nodiscard]] std::vector<SidedTree::Item> items() const {
-    const std::vector<std::uint32_t> numbers = charts_.numbers();
-    std::vector<SidedTree::Item> items;
-    for (std::uint32_t f = 0; f < original_.size(); ++f) {
-      const auto v = original_.vertices(f);
-      for (std::size_t k = 2; k < v.size(); ++k)
-        items.push_back({{v[0], v[k - 1], v[k]}, f, numbers[f], original_.area_normal(f)});
-    }
-    return items;
-  }
 
   void fill(std::uint32_t f, std::uint32_t same, std::span<double> values) const {
     const glm::dvec3 centre = result_.centre(f);
@@ -85,7 +75,7 @@ class CornerCarrier {
 
   /// The corner of a face that is at a place.
   [[nodiscard]] CornerPlace at_vertex(std::uint32_t face, const glm::dvec3& p) const {
-    const std::size_t n = original_.vertices(face).size(), first = charts_.first_corner(face);
+    const std::size_t n = original_.vertices(face).size(), first = original_.first_corner(face);
     std::size_t k = 0;
     while (k + 1 < n && original_.corner(face, k) != p) ++k;
     return {{first + k, first + k, first + k}, {1, 0, 0}, 0};
@@ -93,7 +83,7 @@ class CornerCarrier {
 
   [[nodiscard]] CornerPlace place_on(std::uint32_t face, const glm::dvec3& p) const {
     CornerPlace best;
-    const std::size_t n = original_.vertices(face).size(), first = charts_.first_corner(face);
+    const std::size_t n = original_.vertices(face).size(), first = original_.first_corner(face);
     for (std::size_t k = 2; k < n; ++k) {
       glm::dvec3 weights;
       const double d2 =
@@ -113,7 +103,7 @@ class CornerCarrier {
     const double reach2 = std::max(2 * glm::dot(way, way), best.distance2);
     for (std::size_t i = 0; i < met.size() && met.size() < most_faces; ++i)
       for (std::size_t k = 0; k < original_.vertices(met[i]).size(); ++k) {
-        const std::uint32_t next = charts_.beyond(charts_.first_corner(met[i]) + k);
+        const std::uint32_t next = charts_.beyond(original_.first_corner(met[i]) + k);
         if (next == no_index || std::find(met.begin(), met.end(), next) != met.end()) continue;
         const CornerPlace there = place_on(next, p);
         if (there.distance2 > reach2) continue;
@@ -146,29 +136,34 @@ class CornerCarrier {
     for (std::size_t i = 0; i < array_.values.size(); ++i)
       if (std::isfinite(array_.values[i]))
         range[i % stride()] = std::max(range[i % stride()], std::abs(array_.values[i]));
+    const auto close = [&](std::size_t c, std::size_t other) {
+      for (std::size_t k = 0; k < stride(); ++k)
+        if (!(std::abs(carried.values[stride() * c + k] - carried.values[stride() * other + k]) <=
+              1e-9 * range[k]))
+          return false;
+      return true;
+    };
     const std::vector<std::uint32_t>& vertices = result_.mesh().faces.vertices;
-    std::vector<std::vector<std::size_t>> known(result_.mesh().positions.size());
-    for (std::size_t c = 0; c < vertices.size(); ++c) {
-      double* const own = &carried.values[stride() * c];
-      const auto close = [&](std::size_t other) {
-        for (std::size_t k = 0; k < stride(); ++k)
-          if (!(std::abs(own[k] - carried.values[stride() * other + k]) <= 1e-9 * range[k]))
-            return false;
-        return true;
-      };
-      std::vector<std::size_t>& here = known[vertices[c]];
-      const auto found = std::find_if(here.begin(), here.end(), close);
-      if (found == here.end())
-        here.push_back(c);
-      else
-        std::copy_n(&carried.values[stride() * *found], stride(), own);
+    Buckets<std::size_t> at(result_.mesh().positions.size(), [&](const auto& file) {
+      for (std::size_t c = 0; c < vertices.size(); ++c) file(vertices[c], c);
+    });
+    for (std::size_t v = 0; v < at.count(); ++v) {
+      auto known = at[v].begin();  // the end of those that differ
+      for (const std::size_t c : at[v]) {
+        const auto found =
+            std::find_if(at[v].begin(), known, [&](std::size_t other) { return close(c, other); });
+        if (found == known)
+          *known++ = c;
+        else
+          std::copy_n(&carried.values[stride() * *found], stride(), &carried.values[stride() * c]);
+      }
     }
   }
 
   const Cells &original_, &result_;
   const Attribute& array_;
   Charts charts_;
-  SidedTree tree_;
+  const SidedTree& tree_;
   int threads_;
 };
 
@@ -180,8 +175,11 @@ std::vector<Attribute> carried_corners(const MeshData& original, const MeshData&
   if (original.corners.empty() || original.faces.empty() || result.faces.empty()) return arrays;
   const Cells before(original, 2), after(result, 2);
   const auto same = same_cells(before, after, SameVertices(original, result));
+  const bool changed = std::find(same.begin(), same.end(), no_index) != same.end();
+  SidedTree tree(original.positions, changed ? face_items(before) : std::vector<SidedTree::Item>(),
+                 threads);
   for (const Attribute& a : original.corners)
-    arrays.push_back(CornerCarrier(before, after, a, threads).run(same));
+    arrays.push_back(CornerCarrier(before, after, a, tree, threads).run(same));
   return arrays;
 }
 

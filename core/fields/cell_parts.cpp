@@ -90,7 +90,7 @@ void SideParts::add(ModelRef model, const std::vector<std::uint32_t>& cells, int
       triangles.push_back(t);
       owners.push_back(i);
     });
-  nearby_.emplace(model, Nearby{TriangleTree(triangles, threads), std::move(owners)});
+  nearby_.emplace(model, Nearby{TriangleTree(std::move(triangles), threads), std::move(owners)});
 }
 
 void SideParts::of(std::uint32_t i, std::vector<CellPart>& parts) const {

@@ -22,6 +22,8 @@ class Cells {
   [[nodiscard]] std::span<const std::uint32_t> vertices(std::uint32_t i) const {
     return std::span(list().vertices).subspan(starts_[i], starts_[i + 1] - starts_[i]);
   }
+  /// Its first one among the corners of all.
+  [[nodiscard]] std::size_t first_corner(std::uint32_t i) const { return starts_[i]; }
   /// Unclassified where the list has no classes.
   [[nodiscard]] ModelRef model(std::uint32_t i) const {
     return list().classes.empty() ? ModelRef() : list().classes[i];

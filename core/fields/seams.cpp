@@ -15,13 +15,8 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 }  // namespace
 
 Charts::Charts(const Cells& faces, const Attribute& corners)
-    : beyond_(faces.mesh().faces.vertices.size(), no_index) {
-  std::size_t next = 0;
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    starts_.push_back(next);
-    next += faces.vertices(f).size();
-  }
-  const std::vector<Side> sides = sorted_sides(faces);
+    : faces_(faces), beyond_(faces.mesh().faces.vertices.size(), no_index) {
+  const std::vector<Side> sides = sorted_sides();
   const auto first_corner = [](const Side& s, bool along) { return along ? s.from : s.to; };
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     while (end < sides.size() && sides[end].ends == sides[i].ends) ++end;
@@ -33,7 +28,7 @@ Charts::Charts(const Cells& faces, const Attribute& corners)
     }
     const auto runs_along = [&](const Side& s) {
       const auto v = faces.vertices(s.face);
-      const std::size_t k = s.from - starts_[s.face];
+      const std::size_t k = s.from - faces.first_corner(s.face);
       return v[(k + 1) % v.size()] == s.ends[1];
     };
     beyond_[first_corner(a, runs_along(a))] = b.face;
@@ -41,13 +36,14 @@ Charts::Charts(const Cells& faces, const Attribute& corners)
   }
 }
 
-std::vector<Charts::Side> Charts::sorted_sides(const Cells& faces) const {
+std::vector<Charts::Side> Charts::sorted_sides() const {
   std::vector<Side> sides;
   sides.reserve(beyond_.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const auto v = faces.vertices(f);
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    const auto v = faces_.vertices(f);
+    const std::size_t first = faces_.first_corner(f);
     for (std::size_t k = 0; k < v.size(); ++k) {
-      const std::size_t l = (k + 1) % v.size(), a = starts_[f] + k, b = starts_[f] + l;
+      const std::size_t l = (k + 1) % v.size(), a = first + k, b = first + l;
       sides.push_back(v[k] < v[l] ? Side{{v[k], v[l]}, f, a, b} : Side{{v[l], v[k]}, f, b, a});
     }
   }
@@ -68,14 +64,13 @@ bool Charts::jumps(const Attribute& corners, const Side& a, const Side& b) {
 }
 
 std::vector<std::uint32_t> Charts::numbers() const {
-  DisjointSets sets(starts_.size());
-  for (std::uint32_t f = 0; f < starts_.size(); ++f) {
-    const std::size_t end = f + 1 < starts_.size() ? starts_[f + 1] : beyond_.size();
-    for (std::size_t c = starts_[f]; c < end; ++c)
-      if (beyond_[c] != no_index) sets.unite(f, beyond_[c]);
-  }
+  DisjointSets sets(faces_.size());
+  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    for (std::size_t k = 0; k < faces_.vertices(f).size(); ++k)
+      if (const std::uint32_t next = beyond_[faces_.first_corner(f) + k]; next != no_index)
+        sets.unite(f, next);
   std::vector<std::uint32_t> numbers;
-  for (std::uint32_t f = 0; f < starts_.size(); ++f) numbers.push_back(sets.find(f));
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) numbers.push_back(sets.find(f));
   return numbers;
 }
 

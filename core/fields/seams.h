@@ -9,14 +9,13 @@
 
 namespace aomd::fields {
 
-/// Faces on both sides of each edge, as far as an array on corners goes on across it.
+/// Faces on both sides of each edge, as far as an array on corners goes on across it. The faces
+/// must outlive it.
 class Charts {
  public:
   /// The array must have values for every corner of the faces. O(n log n).
   Charts(const Cells& faces, const Attribute& corners);
 
-  /// The number of the first corner of a face; the others follow.
-  [[nodiscard]] std::size_t first_corner(std::uint32_t face) const { return starts_[face]; }
   /// The face beyond the side from a corner to the next one, or no_index: at a seam, or where other
   /// than two faces meet.
   [[nodiscard]] std::uint32_t beyond(std::size_t corner) const { return beyond_[corner]; }
@@ -31,10 +30,10 @@ class Charts {
     std::uint32_t face = 0;
     std::size_t from = 0, to = 0;  ///< its corners, at the smaller vertex and at the other one
   };
-  [[nodiscard]] std::vector<Side> sorted_sides(const Cells& faces) const;
+  [[nodiscard]] std::vector<Side> sorted_sides() const;
   [[nodiscard]] static bool jumps(const Attribute& corners, const Side& a, const Side& b);
 
-  std::vector<std::size_t> starts_;
+  const Cells& faces_;
   std::vector<std::uint32_t> beyond_;
   std::vector<std::array<std::uint32_t, 2>> seams_;
 };

@@ -46,13 +46,18 @@ class SidedTree {
 
  private:
   template <typename Takes>
-  [[nodiscard]] TriangleTree::Nearest look(const glm::dvec3& p, const Takes& takes) const;
+  [[nodiscard]] TriangleTree::Nearest look(
+      const glm::dvec3& p, const Takes& takes,
+      double most2 = std::numeric_limits<double>::infinity()) const;
   /// Of the part, or of all where it has none.
   [[nodiscard]] TriangleTree::Nearest nearest_in(const glm::dvec3& p, std::uint32_t part) const;
 
   std::vector<Item> items_;
   TriangleTree tree_;
 };
+
+/// Faces as fans around their first vertex, all of part 0.
+[[nodiscard]] std::vector<SidedTree::Item> face_items(const Cells& faces);
 
 template <typename Visit>
 void SidedTree::each_nearest(const glm::dvec3& p, std::uint32_t part, Visit&& visit) const {

@@ -14,19 +14,6 @@ namespace {
 
 using Items = std::vector<SidedTree::Item>;
 
-/// The faces as fans around their first vertex.
-Items face_items(const Cells& faces) {
-  Items items;
-  items.reserve(faces.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const auto v = faces.vertices(f);
-    const glm::dvec3 normal = faces.area_normal(f);
-    for (std::size_t k = 2; k < v.size(); ++k)
-      items.push_back({{v[0], v[k - 1], v[k]}, f, 0, normal});
-  }
-  return items;
-}
-
 Items rim_items(const std::vector<RimSide>& rims) {
   Items items;
   for (const RimSide& side : rims)
@@ -59,11 +46,6 @@ double longest_side(const Cells& faces, std::uint32_t f) {
   return longest;
 }
 
-/// One vertex alone.
-VertexSource source_at(std::uint32_t vertex) {
-  return {{vertex, vertex, vertex, vertex}, {1, 0, 0, 0}};
-}
-
 }  // namespace
 
 SurfacePairing::SurfacePairing(const Cells& original, const Cells& result, const SameVertices& same,
@@ -90,7 +72,7 @@ void SurfacePairing::find_parts() {
   if (one)
     voted.assign(result_.size(), pieces.empty() ? 0 : pieces[0]);
   else
-    voted = pieces_by_vote();
+    voted = pieces_by_vote(pieces);
   std::map<std::pair<std::uint32_t, ModelRef>, std::uint32_t> numbers;
   const auto key = [&](const std::vector<std::uint32_t>& piece, const Cells& cells,
                        std::uint32_t f) {
@@ -110,13 +92,14 @@ void SurfacePairing::find_parts() {
 }
 
 /// The piece of the original that most faces of each piece of the result lie on.
-std::vector<std::uint32_t> SurfacePairing::pieces_by_vote() const {
-  const std::vector<std::uint32_t> before = pieces_of(original_), after = pieces_of(result_);
+std::vector<std::uint32_t> SurfacePairing::pieces_by_vote(
+    const std::vector<std::uint32_t>& pieces) const {
+  const std::vector<std::uint32_t> after = pieces_of(result_);
   std::vector<std::uint32_t> votes(result_.size(), no_index);
   parallel_for(result_.size(), threads_, 128, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f)
       if (const std::uint32_t face = face_at(result_.centre(f), f); face != no_index)
-        votes[f] = before[face];
+        votes[f] = pieces[face];
   });
   std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> counts;
   for (std::uint32_t f = 0; f < result_.size(); ++f) ++counts[after[f]][votes[f]];
@@ -194,13 +177,13 @@ VertexSource SurfacePairing::weighted(const SidedTree::Item& item, const glm::dv
 
 VertexSource SurfacePairing::source_of(std::uint32_t vertex) const {
   const std::span<const std::uint32_t> same = same_.at(vertex);
-  if (same.size() == 1) return source_at(same[0]);
+  if (same.size() == 1) return VertexSource::only(same[0]);
   const SidedTree::Item* const found = item_of(vertex);
-  if (!found) return same.empty() ? VertexSource() : source_at(same[0]);
+  if (!found) return same.empty() ? VertexSource() : VertexSource::only(same[0]);
   const glm::dvec3& p = result_.mesh().positions[vertex];
   for (const std::uint32_t v : found->corners)
-    if (original_.mesh().positions[v] == p) return source_at(v);
-  return same.empty() ? weighted(*found, p) : source_at(same[0]);
+    if (original_.mesh().positions[v] == p) return VertexSource::only(v);
+  return same.empty() ? weighted(*found, p) : VertexSource::only(same[0]);
 }
 
 }  // namespace aomd::fields

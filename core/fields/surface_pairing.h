@@ -38,7 +38,8 @@ class SurfacePairing {
     bool on_rim = false;
   };
   void find_parts();
-  [[nodiscard]] std::vector<std::uint32_t> pieces_by_vote() const;
+  [[nodiscard]] std::vector<std::uint32_t> pieces_by_vote(
+      const std::vector<std::uint32_t>& pieces) const;
   void find_sides();
   [[nodiscard]] VertexSource source_of(std::uint32_t vertex) const;
   [[nodiscard]] const SidedTree::Item* item_of(std::uint32_t vertex) const;

@@ -35,13 +35,13 @@ glm::dvec3 inward(const glm::dvec3& p, const Cells& regions, std::uint32_t regio
 
 VertexSource source_at(const Cells& original, const TetTree& tree, const glm::dvec3& p,
                        const glm::dvec3& inner, std::span<const std::uint32_t> same) {
-  if (same.size() == 1) return {{same[0]}, {1, 0, 0, 0}};
+  if (same.size() == 1) return VertexSource::only(same[0]);
   const std::uint32_t region = tree.region_at(inner);
   if (same.empty()) return region == no_index ? VertexSource() : corners_of(original, region, p);
   if (region != no_index)
     for (const std::uint32_t v : original.vertices(region))
-      if (original.mesh().positions[v] == p) return {{v}, {1, 0, 0, 0}};
-  return {{same[0]}, {1, 0, 0, 0}};
+      if (original.mesh().positions[v] == p) return VertexSource::only(v);
+  return VertexSource::only(same[0]);
 }
 
 double interpolated(const Attribute& array, const VertexSource& source, std::size_t component) {

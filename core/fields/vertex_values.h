@@ -15,6 +15,10 @@ namespace aomd::fields {
 struct VertexSource {
   std::array<std::uint32_t, 4> corners{no_index, no_index, no_index, no_index};
   Weights weights{1, 0, 0, 0};
+
+  [[nodiscard]] static VertexSource only(std::uint32_t vertex) {
+    return {{vertex, vertex, vertex, vertex}, {1, 0, 0, 0}};
+  }
 };
 
 /// For each vertex of the result: the vertex of the original at its place; else the corners of the

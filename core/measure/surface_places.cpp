@@ -22,8 +22,6 @@ VertexSource middle_of(const Cells& faces, std::uint32_t f) {
   return source;
 }
 
-VertexSource at_vertex(std::uint32_t v) { return {{v, v, v, v}, {1, 0, 0, 0}}; }
-
 }  // namespace
 
 SurfacePlaces::SurfacePlaces(const MeshData& original, const MeshData& result, int threads) {
@@ -51,7 +49,7 @@ void SurfacePlaces::add(const MeshData& own, const MeshData& other, bool own_is_
   const std::vector<VertexSource> sources = pairing.vertex_sources();
   for (std::uint32_t v = 0; v < sources.size(); ++v)
     if (sources[v].corners[0] != no_index)
-      vertices_.push_back(place({no_index, at_vertex(v)}, {no_index, sources[v]}, 0));
+      vertices_.push_back(place({no_index, VertexSource::only(v)}, {no_index, sources[v]}, 0));
 }
 
 double SurfacePlaces::value(const Attribute& array, const Spot& spot, std::size_t component) {

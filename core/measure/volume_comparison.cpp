@@ -148,7 +148,7 @@ TriangleTree tree_of(const Mesh& mesh, const VolumeCurves& curves) {
   std::vector<Triangle> flat;
   for (const auto& [a, b] : curves.edges)
     flat.push_back({mesh.position(a), mesh.position(b), mesh.position(b)});
-  return TriangleTree(flat);
+  return TriangleTree(std::move(flat));
 }
 
 double length_of(const Mesh& mesh, const VolumeCurves& curves) {
@@ -198,7 +198,7 @@ TriangleTree tree_of_vertices(const Mesh& mesh) {
   std::vector<Triangle> points;
   for (const Vertex v : mesh.vertices())
     if (used[v.index]) points.push_back({mesh.position(v), mesh.position(v), mesh.position(v)});
-  return TriangleTree(points);
+  return TriangleTree(std::move(points));
 }
 
 ModelVertexChange compare_vertices(const Volume& original, const VolumeCurves& before,

@@ -68,13 +68,26 @@ BoxTree boxes_of(std::span<const Triangle> triangles, int threads) {
   return tree;
 }
 
-TriangleTree::TriangleTree(std::span<const Triangle> triangles, int threads)
-    : boxes_(boxes_of(triangles, threads)), triangles_(triangles.size()) {
-  parallel_for(size(), threads, grain, [&](std::size_t begin, std::size_t end) {
-    for (auto n = static_cast<std::uint32_t>(begin); n < end; ++n)
-      triangles_[n] = triangles[source(n)];
-  });
+TriangleTree::TriangleTree(std::vector<Triangle> triangles, int threads)
+    : boxes_(boxes_of(triangles, threads)), triangles_(std::move(triangles)) {
+  put_in_order();
   if (boxes_overlap()) add_tilted_boxes();
+}
+
+// Each cycle of places by itself: no second copy of all.
+void TriangleTree::put_in_order() {
+  std::vector<bool> done(size(), false);
+  for (std::uint32_t first = 0; first < size(); ++first) {
+    if (done[first]) continue;
+    const Triangle taken = triangles_[first];
+    std::uint32_t n = first;
+    for (; source(n) != first; n = source(n)) {
+      triangles_[n] = triangles_[source(n)];
+      done[n] = true;
+    }
+    triangles_[n] = taken;
+    done[n] = true;
+  }
 }
 
 // A line through the box of all meets as many leaves as their surfaces are larger than its own: a
@@ -114,21 +127,9 @@ double TriangleTree::diagonal2() const {
   return glm::dot(size, size);
 }
 
-// Where boxes overlap, those of thousands hold a point near what they share: one of them that it
-// lies on up to rounding is enough.
 TriangleTree::Nearest TriangleTree::nearest(const glm::dvec3& p, std::uint32_t hint) const {
-  Nearest best;
-  if (triangles_.empty()) return best;
-  const double as_good_as_none = tilted_.empty() ? 0 : 1e-30 * diagonal2();
-  const auto consider = [&](std::uint32_t n) {
-    const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
-    if (const double d2 = glm::dot(d, d); d2 < best.distance2) best = {n, q, d2};
-    return best.distance2 > as_good_as_none ? best.distance2 : 0;
-  };
-  const double least = hint != no_index ? consider(hint) : best.distance2;
-  boxes_.cheapest(
-      least, [&](std::uint32_t node) { return bound2(node, p); }, consider);
-  return best;
+  return nearest_of(
+      p, [](std::uint32_t) { return true; }, std::numeric_limits<double>::infinity(), hint);
 }
 
 double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -36,13 +37,13 @@ struct Triangles {
 /// The boxes of triangles, sorted by their centres. The same tree for any number of threads.
 [[nodiscard]] BoxTree boxes_of(std::span<const Triangle> triangles, int threads = 1);
 
-/// Triangles in a tree of boxes. Built in O(n log n); the triangles are copied, about 160 bytes
-/// each with the tree. Where boxes along the axes tell little apart, as of thin triangles around
-/// one vertex or edge, each node has a tilted box too.
+/// Triangles in a tree of boxes. Built in O(n log n); about 160 bytes a triangle. Where boxes along
+/// the axes tell little apart, as of thin triangles around one vertex or edge, each node has a
+/// tilted box too.
 class TriangleTree {
  public:
   /// The same tree for any number of threads.
-  explicit TriangleTree(std::span<const Triangle> triangles, int threads = 1);
+  explicit TriangleTree(std::vector<Triangle> triangles, int threads = 1);
 
   [[nodiscard]] std::size_t size() const { return triangles_.size(); }
   /// The n-th triangle in the tree's order, and its index in what the tree was built from.
@@ -62,9 +63,12 @@ class TriangleTree {
   /// the tree's order) only saves time. About O(log n). Nothing (no_index) when the tree is empty.
   [[nodiscard]] Nearest nearest(const glm::dvec3& p, std::uint32_t hint = no_index) const;
 
-  /// The same among the triangles that takes(n) accepts.
+  /// The same among the triangles that takes(n) accepts and whose squared distance is at most
+  /// `most2`.
   template <typename Takes>
-  [[nodiscard]] Nearest nearest_of(const glm::dvec3& p, const Takes& takes) const;
+  [[nodiscard]] Nearest nearest_of(const glm::dvec3& p, const Takes& takes,
+                                   double most2 = std::numeric_limits<double>::infinity(),
+                                   std::uint32_t hint = no_index) const;
 
   struct RayHit {
     std::uint32_t triangle = no_index;                          ///< in the tree's order
@@ -82,6 +86,7 @@ class TriangleTree {
   void within(const glm::dvec3& p, double distance2, Visit&& visit) const;
 
  private:
+  void put_in_order();
   [[nodiscard]] bool boxes_overlap() const;
   void add_tilted_boxes();
   /// Squared distance that all triangles below a node have from `p` at least.
@@ -108,18 +113,25 @@ double nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::
 /// The point of a triangle nearest to `p` (Ericson, Real-Time Collision Detection, section 5.1.5).
 [[nodiscard]] glm::dvec3 nearest_point(const Triangle& t, const glm::dvec3& p);
 
+// Where boxes overlap, those of thousands hold a point near what they share: one of them that it
+// lies on up to rounding is enough.
 template <typename Takes>
-TriangleTree::Nearest TriangleTree::nearest_of(const glm::dvec3& p, const Takes& takes) const {
+TriangleTree::Nearest TriangleTree::nearest_of(const glm::dvec3& p, const Takes& takes,
+                                               double most2, std::uint32_t hint) const {
   Nearest best;
+  double limit = std::nextafter(most2, std::numeric_limits<double>::infinity());
+  const double as_good_as_none = tilted_.empty() ? 0 : 1e-30 * diagonal2();
+  const auto consider = [&](std::uint32_t n) {
+    if (takes(n)) {
+      const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
+      const double d2 = d.x * d.x + d.y * d.y + d.z * d.z;
+      if (d2 < limit) best = {n, q, limit = d2};
+    }
+    return best.triangle == no_index || limit > as_good_as_none ? limit : 0;
+  };
+  const double least = hint != no_index ? consider(hint) : limit;
   boxes_.cheapest(
-      best.distance2, [&](std::uint32_t node) { return bound2(node, p); },
-      [&](std::uint32_t n) {
-        if (!takes(n)) return best.distance2;
-        const glm::dvec3 q = nearest_point(triangles_[n], p), d = q - p;
-        const double d2 = d.x * d.x + d.y * d.y + d.z * d.z;
-        if (d2 < best.distance2) best = {n, q, d2};
-        return best.distance2;
-      });
+      least, [&](std::uint32_t node) { return bound2(node, p); }, consider);
   return best;
 }
 

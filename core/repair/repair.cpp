@@ -130,8 +130,10 @@ class Repair {
 // Faces that change keep no order of their corners: values there follow at the end.
 RepairReport repair(MeshData& data, const RepairOptions& options) {
   if (data.corners.empty()) return Repair(data, options).run();
-  const MeshData before = data;
-  data.corners.clear();
+  MeshData before;
+  before.positions = data.positions;
+  before.faces = data.faces;
+  before.corners = std::exchange(data.corners, {});
   RepairReport report = Repair(data, options).run();
   data.corners = fields::carried_corners(before, data, 1);
   return report;

@@ -2,26 +2,11 @@
 
 #include <algorithm>
 
+#include "core/io/face_sink.h"
 #include "core/io/formats.h"
 #include "core/io/polygon.h"
 
 namespace aomd {
-namespace {
-
-/// Values of the faces, as those of the triangles that come from each.
-void spread(Attribute& a, const std::vector<std::uint32_t>& from) {
-  const auto n = static_cast<std::size_t>(a.components);
-  std::vector<double> values;
-  values.reserve(n * from.size());
-  for (const std::uint32_t f : from) {
-    const auto first = a.values.begin() + static_cast<std::ptrdiff_t>(n * f);
-    values.insert(values.end(), first, first + a.components);
-  }
-  a.values = std::move(values);
-}
-
-}  // namespace
-
 std::size_t triangulate_quads(MeshData& mesh) {
   const auto quads = std::count(mesh.faces.shapes.begin(), mesh.faces.shapes.end(), Shape::Quad);
   if (quads == 0 || !mesh.regions.empty()) return 0;
@@ -45,8 +30,8 @@ std::size_t triangulate_quads(MeshData& mesh) {
   });
   mesh.faces = std::move(triangles);
   for (Attribute& a : mesh.attributes)
-    if (a.dimension == 2) spread(a, from);
-  for (Attribute& a : mesh.corners) spread(a, corner_from);
+    if (a.dimension == 2) io::detail::take_values(a, from);
+  for (Attribute& a : mesh.corners) io::detail::take_values(a, corner_from);
   return static_cast<std::size_t>(quads);
 }
 

@@ -64,19 +64,9 @@ MeshData cube_sphere(int n) {
 }
 
 Carried decimated_with_seams(const MeshData& original, double share, int threads = 1) {
-  Mesh mesh(original);
   ClassifyOptions how;
   how.seams = fields::seams_of(original);
-  classify(mesh, how);
-  DecimationOptions options;
-  options.strategy = Strategy::Quality;
-  options.target_faces = static_cast<std::uint32_t>(share * mesh.count(2));
-  options.angle_deg = usual_angle_deg(options.strategy, false);
-  options.threads = threads;
-  Decimation(mesh, options).run();
-  Carried result{to_data(mesh), {}};
-  result.along = io::carry_along(original, result.mesh, threads);
-  return result;
+  return decimated(original, share, threads, how);
 }
 
 TEST(Seams, AreWhereCornersDiffer) {

@@ -46,9 +46,10 @@ struct Carried {
 };
 
 /// The mesh with a share of its tetrahedra, or faces where there are none, and its arrays.
-inline Carried decimated(const MeshData& original, double share, int threads = 1) {
+inline Carried decimated(const MeshData& original, double share, int threads = 1,
+                         const ClassifyOptions& how = {}) {
   Mesh mesh(original);
-  classify(mesh);
+  classify(mesh, how);
   DecimationOptions options;
   options.strategy = Strategy::Quality;
   options.target_faces = static_cast<std::uint32_t>(share * mesh.count(mesh.dimension()));
@@ -58,6 +59,19 @@ inline Carried decimated(const MeshData& original, double share, int threads = 1
   Carried result{to_data(mesh), {}};
   result.along = io::carry_along(original, result.mesh, threads);
   return result;
+}
+
+/// How often cells of a dimension use a vertex at x = 1, where two parts touch: the first array is
+/// expected to be -1 in the part below and 1 in the one above.
+inline std::size_t uses_at_contact(const MeshData& mesh, int dimension) {
+  const fields::Cells cells(mesh, dimension);
+  std::size_t at_contact = 0;
+  for (std::uint32_t i = 0; i < cells.size(); ++i)
+    for (const std::uint32_t v : cells.vertices(i)) {
+      EXPECT_EQ(mesh.attributes[0].values[v], cells.centre(i).x < 1 ? -1 : 1);
+      at_contact += mesh.positions[v].x == 1;
+    }
+  return at_contact;
 }
 
 /// The integral of a component over each class, and that of its size over all.

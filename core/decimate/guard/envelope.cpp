@@ -36,7 +36,7 @@ std::size_t longest_side(const Triangle& t) {
 
 Envelope::Envelope(std::span<const Triangle> triangles, double distance,
                    std::span<const std::array<std::uint32_t, 3>> vertices)
-    : tree_(triangles),
+    : tree_({triangles.begin(), triangles.end()}),
       distance_(distance),
       reach_(std::max(0.0, distance - rounding(tree_))),
       reach2_(reach_ * reach_),
