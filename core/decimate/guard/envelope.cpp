@@ -26,12 +26,6 @@ double rounding(const TriangleTree& tree) {
   return 64 * std::numeric_limits<double>::epsilon() * std::max({size.x, size.y, size.z});
 }
 
-// The side that starts at the returned corner is the longest.
-std::size_t longest_side(const Triangle& t) {
-  const double a = square(t[1] - t[0]), b = square(t[2] - t[1]), c = square(t[0] - t[2]);
-  return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
-}
-
 }  // namespace
 
 Envelope::Envelope(std::span<const Triangle> triangles, double distance,
@@ -76,76 +70,29 @@ Envelope::Answer Envelope::contains(const Triangle& t, std::uint32_t& hint) {
     const Triangle& p = part.corners;
     if (seen > 1 && near(p, part.hint)) continue;
     const std::uint32_t before = part.hint;
-    const std::size_t k = longest_side(p);
-    const double longest2 = square(p[(k + 1) % 3] - p[k]);
+    const double longest2 = longest_side2(p);
     const bool last = seen > most_parts || longest2 <= least_part * least_part * reach2_;
     const double distance2 = locate((p[0] + p[1] + p[2]) / 3.0, last, part.hint);
     hint = part.hint;
     if (!(distance2 <= reach2_)) return {false, std::sqrt(distance2)};
     if (hint != before && near(p, hint)) continue;
     if (last) return {false, std::sqrt(distance2)};
-    const bool flat =
-        16 * patches_.around(tree_, hint).radius2 > longest2;  // halves will soon fit in patches
-    if (flat || !cut_along_sides(part, distance2)) bisect(part);
+    const TriangleParts smaller = cut(p, hint, distance2, longest2);
+    for (const Triangle& corners : smaller.span()) parts_.push_back({corners, hint});
   }
   return {true, 0};
 }
 
-void Envelope::bisect(const Part& part) {
-  const Triangle& t = part.corners;
-  const std::size_t k = longest_side(t), l = (k + 1) % 3;
-  const dvec3 middle = 0.5 * (t[k] + t[l]);
-  parts_.push_back({{middle, t[l], t[(k + 2) % 3]}, part.hint});
-  parts_.push_back({{t[k], middle, t[(k + 2) % 3]}, part.hint});
-}
-
-// Cuts off what reaches over a side of the nearest triangle, by the upright plane along that side
-// or a little further out: the one that the part reaches over most.
-bool Envelope::cut_along_sides(const Part& part, double distance2) {
-  const Triangle& t = part.corners;
-  const Triangle& one = tree_.triangle(part.hint);
-  const dvec3 normal = glm::cross(one[1] - one[0], one[2] - one[0]);
-  const double out = 0.5 * std::sqrt(reach2_ - distance2), least = 0.01 * reach_;
-  double most = least;
-  dvec3 beyond(0.0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    dvec3 outward = glm::cross(one[(k + 1) % 3] - one[k], normal);
-    const double length2 = square(outward);
-    if (!(length2 > 0)) return false;
-    outward /= std::sqrt(length2);
-    dvec3 over(0.0);
-    for (int i = 0; i < 3; ++i)
-      over[i] = glm::dot(outward, t[static_cast<std::size_t>(i)] - one[k]) - out;
-    const double high = std::max({over.x, over.y, over.z}),
-                 low = std::min({over.x, over.y, over.z});
-    if (high <= most || low >= -least) continue;
-    most = high;
-    beyond = over;
+// Along the sides of the nearest triangle, or a little further out; in halves where these will soon
+// fit in patches.
+TriangleParts Envelope::cut(const Triangle& t, std::uint32_t nearest, double distance2,
+                            double longest2) {
+  if (16 * patches_.around(tree_, nearest).radius2 <= longest2) {
+    const double out = 0.5 * std::sqrt(reach2_ - distance2);
+    const TriangleParts parts = cut_along_sides(t, tree_.triangle(nearest), out, 0.01 * reach_);
+    if (parts.count > 0) return parts;
   }
-  if (most <= least) return false;
-  cut(part, beyond);
-  return true;
-}
-
-// Cuts by a plane, given how far the corners lie beyond it: one corner lies alone on its side.
-void Envelope::cut(const Part& part, const dvec3& beyond) {
-  const Triangle& t = part.corners;
-  const auto over = [&](std::size_t i) { return beyond[static_cast<int>(i)] > 0; };
-  const std::size_t a = over(1) == over(2)   ? 0
-                        : over(0) == over(2) ? 1
-                                             : 2,
-                    b = (a + 1) % 3, c = (a + 2) % 3;
-  const auto crossing = [&](std::size_t i, std::size_t j) {
-    const double from = beyond[static_cast<int>(i)], to = beyond[static_cast<int>(j)];
-    return t[i] + (from / (from - to)) * (t[j] - t[i]);
-  };
-  const dvec3 ab = crossing(a, b), ac = crossing(a, c);
-  const Part alone{{t[a], ab, ac}, part.hint}, first{{ab, t[b], t[c]}, part.hint},
-      second{{ab, t[c], ac}, part.hint};
-  if (!over(a))
-    parts_.insert(parts_.end(), {first, second, alone});
-  else
-    parts_.insert(parts_.end(), {alone, first, second});
+  return bisected(t);
 }
 
 }  // namespace aomd

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/decimate/guard/patches.h"
+#include "core/decimate/guard/triangle_cuts.h"
 #include "core/model/triangle_tree.h"
 
 namespace aomd {
@@ -43,9 +44,8 @@ class Envelope {
   };
   [[nodiscard]] bool near(const Triangle& t, std::uint32_t n);
   [[nodiscard]] double locate(const glm::dvec3& p, bool surely, std::uint32_t& near) const;
-  void bisect(const Part& part);
-  void cut(const Part& part, const glm::dvec3& beyond);
-  [[nodiscard]] bool cut_along_sides(const Part& part, double distance2);
+  [[nodiscard]] TriangleParts cut(const Triangle& t, std::uint32_t nearest, double distance2,
+                                  double longest2);
 
   TriangleTree tree_;
   double distance_, reach_, reach2_;  ///< reach: the distance less what rounding may lose
