@@ -384,9 +384,12 @@ class Run {
     if (listener_ == nullptr) {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
-      files.add(path, std::move(encoded.bytes));
+      files.add(path, encoded.bytes);
+      encoded.bytes = {};
     }
-    if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
+    if (!options_.journal.empty())
+      files.add(output_path(options_.journal),
+                [&](const io::OutputFiles::Take& take) { put_bytes(record_, take); });
     lap("write");
     did_.seconds["total"] = watch_.total();
     did_.memory["peak"] = peak_bytes();
