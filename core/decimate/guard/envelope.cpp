@@ -60,6 +60,12 @@ double Envelope::locate(const dvec3& p, bool surely, std::uint32_t& near) const 
   return nearest.distance2;
 }
 
+Envelope::Answer Envelope::contains(const dvec3& p, std::uint32_t& hint) const {
+  const double distance2 = locate(p, false, hint);
+  if (distance2 <= reach2_) return {true, 0};
+  return {false, std::sqrt(distance2)};
+}
+
 Envelope::Answer Envelope::contains(const Triangle& t, std::uint32_t& hint) {
   if (hint != no_index && near(t, hint)) return {true, 0};
   parts_.clear();

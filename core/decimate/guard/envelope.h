@@ -28,6 +28,8 @@ class Envelope {
     bool inside = false;
     double distance = 0;  ///< where not inside: of a point outside, or of one that may be near such
   };
+  /// Whether a point lies within the distance. `hint` as below. About 0.3 us.
+  [[nodiscard]] Answer contains(const glm::dvec3& p, std::uint32_t& hint) const;
   /// Whether every point of `t` certainly lies within the distance. What has its corners in one
   /// convex set of near points, around one triangle or over a patch, lies in it altogether; what
   /// has not is cut along the sides of the nearest triangle, or in halves, until each part does.
