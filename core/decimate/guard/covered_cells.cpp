@@ -111,15 +111,14 @@ double CoveredCells::reach2(const Original& original) const {
 // By the cells that are over it along its normal, if they are over all of it and high enough for
 // none of its points to be out of reach: what most are.
 bool CoveredCells::laid_over(const Triangle& original, double most2) {
-  Overlay overlay(original);
+  Overlay overlay(original, most2);
   over_.clear();
   Box within_reach = box_of(original);
   within_reach.low -= std::sqrt(most2), within_reach.high += std::sqrt(most2);
   for (const Candidate& c : candidates_) {
     if (!c.box.touches(within_reach)) continue;
-    const double height2 = overlay.lay(*c.corners);
-    if (height2 > most2) return false;
-    if (height2 >= 0) over_.push_back({&c, 0, height2});
+    if (const double height2 = overlay.lay(*c.corners); height2 >= 0)
+      over_.push_back({&c, 0, height2});
   }
   return overlay.complete();
 }

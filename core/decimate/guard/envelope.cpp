@@ -7,6 +7,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/decimate/guard/overlay.h"
+#include "core/model/tilted_box.h"
+
 namespace aomd {
 namespace {
 
@@ -14,6 +17,7 @@ using glm::dvec3;
 
 constexpr double least_part = 1.0 / 16;  // of the distance: shorter ones count as outside
 constexpr int most_parts = 4096;
+constexpr double patch_cost = 0.5;  // square of a radius in areas of parallelograms, as measured
 
 double square(const dvec3& v) { return glm::dot(v, v); }
 
@@ -49,6 +53,27 @@ bool Envelope::near(const Triangle& t, std::uint32_t n) {
   return (close(t[0]) && close(t[1]) && close(t[2])) || (!known && over(patches_.around(tree_, n)));
 }
 
+// To go over triangles then costs less than to cut until each part fits in a patch.
+bool Envelope::small_patch(std::uint32_t n) {
+  const auto& [a, b, c] = tree_.triangle(n);
+  return patches_.around(tree_, n).radius2 < patch_cost * glm::length(glm::cross(b - a, c - a));
+}
+
+// By triangles that are over it along its normal, within reach.
+bool Envelope::laid_over(const Triangle& t) const {
+  Overlay overlay(t, reach2_);
+  TiltedBox tilted(t, tree_.box());
+  Box box;
+  for (const dvec3& p : t) {
+    box.add(p);
+    tilted.add(p);
+  }
+  box.low -= reach_, box.high += reach_;
+  tree_.reached([&](const Box& b) { return b.touches(box) && tilted.may_touch(b, reach_); },
+                [&](std::uint32_t n) { overlay.lay(tree_.triangle(n)); });
+  return overlay.complete();
+}
+
 // A triangle that may be near: by a walk from the last one, or by a search where that leads to none
 // that is near enough, or where it must be the nearest.
 double Envelope::locate(const dvec3& p, bool surely, std::uint32_t& near) const {
@@ -67,7 +92,7 @@ Envelope::Answer Envelope::contains(const dvec3& p, std::uint32_t& hint) const {
 }
 
 Envelope::Answer Envelope::contains(const Triangle& t, std::uint32_t& hint) {
-  if (hint != no_index && near(t, hint)) return {true, 0};
+  if (hint != no_index && (near(t, hint) || (small_patch(hint) && laid_over(t)))) return {true, 0};
   parts_.clear();
   parts_.push_back({t, hint});
   for (int seen = 1; !parts_.empty(); ++seen) {

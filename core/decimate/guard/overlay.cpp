@@ -17,7 +17,7 @@ double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
-Overlay::Overlay(const Triangle& below) : origin_(below[0]) {
+Overlay::Overlay(const Triangle& below, double reach2) : origin_(below[0]), reach2_(reach2) {
   const dvec3 side = below[1] - below[0], up = glm::cross(side, below[2] - below[0]);
   area2_ = glm::length(up);
   if (!(area2_ > 0)) return;
@@ -60,6 +60,7 @@ double Overlay::lay(const Triangle& t) {
     area2 += cross(dvec2(p) - first, dvec2(polygon.corners[(i + 1) % polygon.size]) - first);
     height2 = std::max(height2, p.z * p.z);
   }
+  if (height2 > reach2_) return -1;
   laid2_ += std::abs(area2);
   return height2;
 }

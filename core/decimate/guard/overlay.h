@@ -12,14 +12,14 @@
 namespace aomd {
 
 /// Triangles laid over another one along its normal, as the faces of a surface that passes over or
-/// below it at some height. Heights are linear over each, so that those at the corners of what they
-/// have in common bound all.
+/// below it at some height, within reach. Heights are linear over each, so that those at the
+/// corners of what they have in common bound all.
 class Overlay {
  public:
-  explicit Overlay(const Triangle& below);
+  Overlay(const Triangle& below, double reach2);
 
-  /// The largest squared height of what `t` has over the triangle; negative where that is nothing.
-  /// About 50 ns.
+  /// The largest squared height of what `t` has over the triangle; negative where that is nothing,
+  /// or out of reach: then it counts for nothing. About 50 ns.
   double lay(const Triangle& t);
   /// What was laid is over all of the triangle, once: as areas tell, up to rounding. Never so for a
   /// triangle without area.
@@ -36,6 +36,7 @@ class Overlay {
 
   glm::dvec3 origin_, along_{0.0}, across_{0.0}, normal_{0.0};
   std::array<glm::dvec2, 3> corners_{};
+  double reach2_;
   double area2_ = 0, laid2_ = 0;  ///< twice the areas
 };
 
