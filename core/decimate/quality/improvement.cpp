@@ -99,6 +99,7 @@ bool QualityLoop::try_smooth(Vertex v) {
   if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, star, target).accepted())
     return false;
   if (!guards_.judge(mesh_, plan_.change, v, star, target).accepted()) return false;
+  if (values_) values_->move(v, star, target);
   apply_smooth(mesh_, v, target);
   made(StepKind::Smooth, v, plan_.change);
   return true;

@@ -5,6 +5,7 @@
 // effect).
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -108,6 +109,7 @@ class QualityLoop final : public Loop {
 
   OriginalSurface original_;
   OriginalCurves curves_;
+  std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts
   Collapser collapser_;
   Fitter fitter_;
   CollapseRules rules_;

@@ -68,6 +68,11 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
       collapser_(mesh),
       fitter_(mesh, original_, curves_),
       queue_(mesh, original_, curves_, options_) {
+  if (options.values) {
+    values_ = std::make_unique<AttributeFit>(mesh, original_, *options.values);
+    queue_.count(values_->original());
+    fitter_.count(*values_);
+  }
   start(options);
 }
 
@@ -162,6 +167,7 @@ void QualityLoop::begin_improvement() {
 void QualityLoop::locate() {
   original_.locate(mesh_, options_.threads);
   curves_.locate(mesh_);
+  if (values_) values_->locate();
 }
 
 void QualityLoop::measure_energy() {
