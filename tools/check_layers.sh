@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
