@@ -388,7 +388,7 @@ class Run {
     if (listener_ == nullptr) {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
-      files.add(path, std::move(encoded.bytes));
+      io::add_mesh(files, path, encoded);
     }
     if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
     lap("write");
