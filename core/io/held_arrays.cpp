@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/medit_solution.h"
 #include "core/io/stl_marks.h"
 
 namespace aomd::io::detail {
@@ -101,7 +102,8 @@ StlArrays stl_arrays(const MeshData& mesh) {
   return found;
 }
 
-std::vector<const Attribute*> held_arrays(Format format, bool binary, const MeshData& mesh) {
+std::vector<const Attribute*> held_arrays(Format format, bool binary, bool beside,
+                                          const MeshData& mesh) {
   std::vector<const Attribute*> held;
   const auto all = [&] {
     for (const Attribute& a : mesh.attributes) held.push_back(&a);
@@ -127,6 +129,7 @@ std::vector<const Attribute*> held_arrays(Format format, bool binary, const Mesh
   if (format == Format::Ply) held.push_back(ply_texture(mesh));
   if (format == Format::Msh)
     for (const Attribute* const a : msh_corners(mesh)) held.push_back(a);
+  if (format == Format::Medit && beside) held = solution_arrays(mesh);
   if (format == Format::Medit)
     for (const Attribute& a : mesh.attributes)
       if (a.name.starts_with("medit:")) held.push_back(&a);

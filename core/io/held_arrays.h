@@ -39,8 +39,9 @@ struct StlArrays {
 };
 [[nodiscard]] StlArrays stl_arrays(const MeshData& mesh);
 
-/// The arrays, of corners too, that a file of the format holds.
-[[nodiscard]] std::vector<const Attribute*> held_arrays(Format format, bool binary,
+/// The arrays, of corners too, that a file of the format holds; `beside`: a Medit mesh has its file
+/// of arrays.
+[[nodiscard]] std::vector<const Attribute*> held_arrays(Format format, bool binary, bool beside,
                                                         const MeshData& mesh);
 
 }  // namespace aomd::io::detail

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/error.h"
+#include "core/io/io.h"
 
 namespace aomd::io {
 
@@ -44,6 +44,10 @@ class OutputFiles {
   std::vector<std::unique_ptr<Temporary>> files_;
   std::vector<Stream> streams_;
 };
+
+/// Adds a mesh, and the file of arrays beside it, to what is to be written. Where such a file is
+/// there that does not belong to the mesh, the notes say so.
+void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh& encoded);
 
 /// For a program that a signal ends: waits for a commit that has begun, removes all temporaries of
 /// this process and lets nobody write from then on, since others may still be at work. Returns

@@ -388,8 +388,8 @@ class Run {
     if (listener_ == nullptr) {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
-      files.add(path, encoded.bytes);
-      encoded.bytes = {};
+      io::add_mesh(files, path, encoded);
+      encoded.bytes = {}, encoded.solution = {};
     }
     if (!options_.journal.empty())
       files.add(output_path(options_.journal),
