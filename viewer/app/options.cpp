@@ -119,7 +119,8 @@ void add_options(CLI::App& app, Raw& raw) {
                  "Compare the picture with this one; implies --headless")
       ->type_name("BASELINE.png");
   app.add_option("--threshold", raw.options.threshold,
-                 "Structural similarity that counts as equal; 1 is identical (default 0.99)")
+                 "Structural similarity that each tile of 32x32 pixels must have; 1 is identical "
+                 "(default 0.98)")
       ->check(CLI::Range(0.0, 1.0))
       ->option_text("0..1");
   app.add_flag("--transparent", raw.options.transparent,

@@ -30,7 +30,7 @@ struct Options {
   std::filesystem::path script;
   std::filesystem::path screenshot;
   std::filesystem::path compare;
-  double threshold = 0.99;   ///< structural similarity that counts as equal
+  double threshold = 0.98;   ///< structural similarity that each tile must have
   bool transparent = false;  ///< leaves out what is behind the mesh in these pictures
   std::filesystem::path record;
   std::filesystem::path shaders;
