@@ -3,11 +3,12 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <new>
+#include <string_view>
 
 #include "core/io/png.h"
 #include "core/measure/image_diff.h"
 #include "core/measure/picture_verdict.h"
+#include "viewer/app/test_command.h"
 #include "viewer/app/viewer.h"
 #include "viewer/commands/commands.h"
 
@@ -17,21 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* fallback_picture = "aomd-view.png";
-
-/// The code for an error, or for what caused it where it stands around another one.
-int exit_code_of(const std::exception& error) {
-  try {
-    std::rethrow_if_nested(error);
-  } catch (const std::exception& cause) {
-    return exit_code_of(cause);
-  }
-  if (dynamic_cast<const scene::ExpectationMissed*>(&error) != nullptr) return exit_no;
-  if (dynamic_cast<const scene::CommandError*>(&error) != nullptr) return exit_usage;
-  if (dynamic_cast<const io::WriteError*>(&error) != nullptr) return exit_unwritten;
-  if (dynamic_cast<const io::LimitError*>(&error) != nullptr) return exit_limit;
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return exit_limit;
-  return exit_unreadable;
-}
 
 int compare(const Options& options, const io::Image& result) {
   const io::Image baseline = io::read_png(options.compare);
@@ -111,11 +97,10 @@ int run(Options options) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "test")
+      return aomd::app::test_command(argc - 1, argv + 1);
     const aomd::app::ParsedOptions parsed = aomd::app::parse_options(argc, argv);
     return parsed.options ? aomd::app::run(*parsed.options) : parsed.exit_code;
-  } catch (const aomd::app::WindowError& error) {
-    std::cerr << "aomd-view: " << error.what() << "\n";
-    return aomd::app::exit_limit;
   } catch (const std::exception& error) {
     std::cerr << "aomd-view: " << error.what() << "\n";
     return aomd::app::exit_code_of(error);

@@ -51,7 +51,9 @@ Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
 
 std::string first_command(const Options& options) {
   if (!options.file.empty()) return "open " + scene::in_quotes(options.file.string());
-  return options.script.empty() ? "sample " + std::string(samples().front().name) : "";
+  return options.script.empty() && options.commands.empty()
+             ? "sample " + std::string(samples().front().name)
+             : "";
 }
 
 Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless)
@@ -78,6 +80,7 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   if (!interface_.recent.paths().empty())
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
+  script_.add(options.commands_place, options.commands);
   if (!options.record.empty()) {
     record_.open(options.record);
     if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
@@ -209,6 +212,17 @@ void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& re
                    destination);
 }
 
+measure::PixelArea Viewer::scene_area(glm::ivec2 pixels) const {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ui::Area& area = interface_.layout().viewport;
+  const auto at = [](float v) { return static_cast<int>(std::lround(v)); };
+  const int left = at(area.position.x * scale.x);
+  const int top = at(area.position.y * scale.y);
+  const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
+  const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
+  return {left, top, right - left, bottom - top};
+}
+
 void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent) {
   lay_out_frame();
   if (pixels.x < 1 || pixels.y < 1) return;
@@ -218,15 +232,10 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.ClearColor(panel.x, panel.y, panel.z, 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const ui::Area& area = interface_.layout().viewport;
-  const auto at = [](float v) { return static_cast<int>(std::lround(v)); };
-  const int left = at(area.position.x * scale.x);
-  const int top = at(area.position.y * scale.y);
-  const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
-  const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top},
-             destination, transparent);
+  const measure::PixelArea area = scene_area(pixels);
+  draw_scene(session_.view.camera,
+             {area.x, pixels.y - area.y - area.height, area.width, area.height}, destination,
+             transparent);
   layer_->draw(*ImGui::GetDrawData(), destination);
 }
 

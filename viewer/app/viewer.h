@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/measure/picture_verdict.h"
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
 #include "viewer/commands/script.h"
@@ -43,6 +44,8 @@ class Viewer {
   [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false);
   /// The scene alone, whatever panels there are. What they show goes on as it was.
   [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false);
+  /// Where the scene stands in a picture of so many pixels, with the panels as they were last.
+  [[nodiscard]] measure::PixelArea scene_area(glm::ivec2 pixels) const;
 
  private:
   struct ImGuiScope {
