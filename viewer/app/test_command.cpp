@@ -92,6 +92,7 @@ void write_reports(const suite::Suite& suite, const std::vector<Finished>& finis
                    const TestOptions& options) {
   io::OutputFiles files;
   if (!options.junit.empty()) files.add(options.junit, report_junit(suite, finished));
+  if (!options.html.empty()) files.add(options.html, report_page(suite, finished));
   files.commit();
   if (!options.results.empty()) keep_pictures(finished, options.results);
 }
@@ -113,7 +114,8 @@ int test_command(int argc, char** argv) {
   const suite::Suite suite = suite::read_suite(options->suite);
   const auto cases = chosen_cases(suite, options->names);
   if (cases.empty()) return exit_usage;
-  if (!options->junit.empty()) io::OutputFiles::probe(options->junit);
+  for (const fs::path& file : {options->junit, options->html})
+    if (!file.empty()) io::OutputFiles::probe(file);
   const WorkFolder work;
   const std::vector<Finished> finished = carry_out(suite, cases, *options, work.path());
   tell(suite, finished);

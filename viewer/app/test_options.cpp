@@ -36,6 +36,9 @@ void add_options(CLI::App& app, TestOptions& options, std::vector<std::string>& 
       ->type_name("NAME...")
       ->expected(1, 1 << 20);
   app.add_option("--junit", options.junit, "Write the results as JUnit XML")->type_name("FILE");
+  app.add_option("--html", options.html,
+                 "Write a page that shows baseline, result and difference of each case")
+      ->type_name("FILE");
   app.add_option("--results", options.results,
                  "Write what was drawn where it is not as the baseline, and the difference, into "
                  "this folder")
@@ -46,8 +49,8 @@ void add_options(CLI::App& app, TestOptions& options, std::vector<std::string>& 
 /// What is wrong where a file would be written over another one that an option names; else empty.
 std::string clash_of_files(const TestOptions& options) {
   std::map<std::string, std::string> option_of;
-  const std::pair<const char*, std::filesystem::path> files[] = {{"SUITE", options.suite},
-                                                                 {"--junit", options.junit}};
+  const std::pair<const char*, std::filesystem::path> files[] = {
+      {"SUITE", options.suite}, {"--junit", options.junit}, {"--html", options.html}};
   for (const auto& [name, path] : files) {
     if (path.empty()) continue;
     const auto identity = io::detail::output_identity(path);

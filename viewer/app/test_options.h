@@ -13,8 +13,9 @@ struct TestOptions {
   std::size_t jobs = 1;
   bool update = false;
   std::vector<std::string> names;  ///< of the cases that are carried out; empty: all
-  std::filesystem::path junit;     ///< a file that is written; empty: none
-  std::filesystem::path results;   ///< a folder for pictures; empty: none
+  std::filesystem::path junit;     ///< files that are written; empty: none
+  std::filesystem::path html;
+  std::filesystem::path results;  ///< a folder for pictures; empty: none
 };
 
 /// `argv[0]` is "test". None: the program ends with the code (--help, wrong usage: the message is

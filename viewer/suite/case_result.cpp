@@ -27,16 +27,22 @@ PictureLimits with_masks(PictureLimits limits, const std::vector<PixelArea>& mor
 
 json to_json(const Judged& judged) {
   const measure::PictureVerdict& v = judged.verdict;
-  return {{"part", judged.part},        {"same", v.same},
-          {"worst_tile", v.worst_tile}, {"tile", {v.tile.x, v.tile.y, v.tile.width, v.tile.height}},
-          {"largest", v.largest},       {"differing", v.differing},
-          {"judged", v.judged},         {"why", v.why}};
+  return {{"part", judged.part},
+          {"same", v.same},
+          {"same_size", v.same_size},
+          {"worst_tile", v.worst_tile},
+          {"tile", {v.tile.x, v.tile.y, v.tile.width, v.tile.height}},
+          {"largest", v.largest},
+          {"differing", v.differing},
+          {"judged", v.judged},
+          {"why", v.why}};
 }
 
 Judged judged_from(const json& from) {
   Judged judged{from.at("part"), {}};
   measure::PictureVerdict& v = judged.verdict;
   from.at("same").get_to(v.same);
+  from.at("same_size").get_to(v.same_size);
   from.at("worst_tile").get_to(v.worst_tile);
   const auto tile = from.at("tile").get<std::array<int, 4>>();
   v.tile = {tile[0], tile[1], tile[2], tile[3]};

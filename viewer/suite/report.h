@@ -24,4 +24,8 @@ struct Finished {
 /// expectation that is missed are failures, all else that is wrong is an error.
 [[nodiscard]] std::string report_junit(const Suite& suite, const std::vector<Finished>& finished);
 
+/// A page that works from a file alone: baseline, result and difference of each case, side by side,
+/// under a slider or blinking, the worst first, with a choice of outcomes and names.
+[[nodiscard]] std::string report_page(const Suite& suite, const std::vector<Finished>& finished);
+
 }  // namespace aomd::suite
