@@ -153,6 +153,20 @@ TEST_F(SuiteRun, AnExpectationThatIsMissedStillLeavesThePicture) {
   EXPECT_TRUE(fs::exists(at("out/listed.png"))) << "though it is as its baseline";
 }
 
+TEST_F(SuiteRun, ARecordingIsACase) {
+  write("session.aomd", "sample bracket 4\npanel mesh off\norbit 20 10\nselect edge 3\nquit\n");
+  ASSERT_EQ(view("--headless --script session.aomd --theme dark --camera top --size 900x600 "
+                 "--record done.aomd --screenshot shot.png"),
+            0)
+      << said();
+  fs::create_directory(at("baselines"));
+  fs::rename(at("shot.png"), at("baselines/done.png"));
+  write("suite.toml",
+        "[defaults]\nthreshold = 1\npanels = true\nsize = \"900x600\"\n[cases]\ndone = "
+        "\"done.aomd\"\n");
+  EXPECT_EQ(run(), 0) << said() << test::bytes_of(at("done.aomd"));
+}
+
 TEST_F(SuiteRun, PathsAreThoseOfTheSuite) {
   fs::create_directories(at("deep/meshes"));
   write("deep/make.aomd", "sample sphere 8\nsave meshes/ball.ply\nopen meshes/ball.ply\n");

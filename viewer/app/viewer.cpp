@@ -13,6 +13,7 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/lesson_commands.h"
+#include "viewer/commands/look_lines.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {
@@ -81,14 +82,18 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
   script_.add(options.commands_place, options.commands);
-  if (!options.record.empty()) {
-    record_.open(options.record);
-    if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
-    if (const std::string first = first_command(options); !first.empty())
-      record_ << first << std::endl;
-  }
+  if (!options.record.empty()) begin_record();
   window_.poll(ImGui::GetIO());
   lay_out_frame();  // the layout, and so the picture's shape, is known from here on
+}
+
+/// A script begins with the usual look and without a mesh, a window perhaps not.
+void Viewer::begin_record() {
+  record_.open(options_.record);
+  if (!record_) throw io::WriteError(options_.record.string(), {}, "cannot be written");
+  for (const std::string& line : scene::look_lines(session_.view)) record_ << line << std::endl;
+  if (const std::string first = first_command(options_); !first.empty())
+    record_ << first << std::endl;
 }
 
 Viewer::~Viewer() { session_.keep_shape = {}; }

@@ -58,6 +58,7 @@ class Viewer {
   void restore_settings();
   void save_settings();
   void connect_clipboard();
+  void begin_record();
   void ask_to_close();
   void execute(const std::string& line);
   void clear_for_picture(std::string_view line);
