@@ -71,7 +71,7 @@ std::string carry_out(Viewer& viewer, scene::Session& session, const Case& each)
 
 }  // namespace
 
-CaseResult CaseRunner::run(const Case& each) const {
+CaseResult CaseRunner::run(const Case& each) {
   const auto start = std::chrono::steady_clock::now();
   CaseResult result;
   try {
@@ -83,7 +83,15 @@ CaseResult CaseRunner::run(const Case& each) const {
   return result;
 }
 
-CaseResult CaseRunner::draw_and_judge(const Case& each) const {
+void CaseRunner::provide_window(glm::ivec2 size) {
+  if (window_ && window_->size() == size) return;
+  graphics_.reset();
+  window_.reset();
+  window_ = make_headless_window(HeadlessKind::Auto, size);
+  graphics_ = std::make_shared<Graphics>(*window_, fs::path());
+}
+
+CaseResult CaseRunner::draw_and_judge(const Case& each) {
   std::error_code error;
   fs::current_path(each.folder, error);
   if (error) throw io::ReadError(each.folder.string(), {}, error.message());
@@ -91,8 +99,8 @@ CaseResult CaseRunner::draw_and_judge(const Case& each) const {
   scene::Session session;
   if (const std::string first = first_command(options); !first.empty())
     scene::execute(session, first);
-  const auto window = make_headless_window(*options.headless, options.size);
-  Viewer viewer(*window, session, options, true);
+  provide_window(options.size);
+  Viewer viewer(*window_, session, options, true, graphics_);
   Drawn drawn;
   drawn.missed = carry_out(viewer, session, each);
   drawn.picture = viewer.picture(options.size, each.transparent);

@@ -68,7 +68,7 @@ suite::CaseResult result_of(const Piece& piece) {
 std::vector<Finished> carry_out(const suite::Suite& suite,
                                 const std::vector<const suite::Case*>& cases,
                                 const TestOptions& options, const fs::path& work) {
-  const CaseRunner runner(suite, work, options.update);
+  CaseRunner runner(suite, work, options.update);
   const auto pieces = share_among_processes(cases.size(), options.jobs, [&](std::size_t i) {
     return suite::to_json(runner.run(*cases[i]));
   });

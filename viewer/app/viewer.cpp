@@ -28,11 +28,6 @@ constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
 
-std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
-  if (folder.empty()) return {};
-  return folder;
-}
-
 /// Each press and release takes a frame of its own, so that slow drawing would make two clicks of
 /// one double click.
 float double_click_time(std::chrono::microseconds drawing_time) {
@@ -57,16 +52,17 @@ std::string first_command(const Options& options) {
              : "";
 }
 
-Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless)
+Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless,
+               std::shared_ptr<Graphics> graphics)
     : window_(window),
       session_(session),
       options_(options),
       headless_(headless),
-      gl_(render::load_gl(window.get_proc_address())),
+      graphics_(graphics ? std::move(graphics)
+                         : std::make_shared<Graphics>(window, options.shaders)),
+      gl_(graphics_->gl),
       fonts_(ui::load_fonts(1)),
-      layer_(std::make_unique<ui::ImGuiLayer>(
-          gl_, render::load_shader_sources(folder_or_none(options.shaders)))),
-      renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
+      layer_(gl_, graphics_->panels),
       buffers_(gl_),
       original_buffers_(gl_) {
   session_.keep_shape = [this] { update_aspect(); };
@@ -140,7 +136,7 @@ void Viewer::update_look(float scale) {
   if (scale == scale_ && theme_ == session_.view.theme) return;
   if (scale != scale_) {
     fonts_ = ui::load_fonts(scale);
-    layer_->update_fonts();
+    layer_.update_fonts();
   }
   scale_ = scale;
   theme_ = session_.view.theme;
@@ -205,16 +201,16 @@ void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& re
   render::RenderSettings how = settings(transparent);
   if (original == nullptr || !session_.sheet().side_by_side()) {
     if (original != nullptr) how.ghost = &original_buffers_;
-    renderer_.render(buffers_, camera, how, rect, destination);
+    graphics_->renderer.render(buffers_, camera, how, rect, destination);
     return;
   }
   const int half = (rect.width - 1) / 2;
   render::RenderSettings as_loaded = how;
   as_loaded.show_edge_codes = false;  // nothing is said about its edges
-  renderer_.render(original_buffers_, camera, as_loaded, {rect.x, rect.y, half, rect.height},
-                   destination);
-  renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
-                   destination);
+  graphics_->renderer.render(original_buffers_, camera, as_loaded,
+                             {rect.x, rect.y, half, rect.height}, destination);
+  graphics_->renderer.render(buffers_, camera, how,
+                             {rect.x + rect.width - half, rect.y, half, rect.height}, destination);
 }
 
 measure::PixelArea Viewer::scene_area(glm::ivec2 pixels) const {
@@ -241,7 +237,7 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   draw_scene(session_.view.camera,
              {area.x, pixels.y - area.y - area.height, area.width, area.height}, destination,
              transparent);
-  layer_->draw(*ImGui::GetDrawData(), destination);
+  layer_.draw(*ImGui::GetDrawData(), destination);
 }
 
 /// In a window they are shown as errors are; without one they go where errors go, and nothing ends.

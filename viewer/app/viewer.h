@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/measure/picture_verdict.h"
+#include "viewer/app/graphics.h"
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
 #include "viewer/commands/script.h"
-#include "viewer/render/renderer.h"
 #include "viewer/session/session.h"
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/interface.h"
@@ -29,9 +29,10 @@ namespace aomd::app {
 /// Window and headless share everything but how the loop waits.
 class Viewer {
  public:
-  /// Shows `session`, which must outlive it, and may be loading already. Throws render::GlError,
-  /// io::ReadError (a script).
-  Viewer(Window& window, scene::Session& session, const Options& options, bool headless);
+  /// Shows `session`, which must outlive it, and may be loading already. Without `graphics` of the
+  /// window's context it makes its own. Throws render::GlError, io::ReadError (a script).
+  Viewer(Window& window, scene::Session& session, const Options& options, bool headless,
+         std::shared_ptr<Graphics> graphics = nullptr);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
@@ -91,10 +92,10 @@ class Viewer {
   Options options_;
   bool headless_;
   ImGuiScope imgui_;
-  render::Gl gl_;
+  std::shared_ptr<Graphics> graphics_;
+  const render::Gl& gl_;
   ui::Fonts fonts_;
-  std::unique_ptr<ui::ImGuiLayer> layer_;
-  render::Renderer renderer_;
+  ui::ImGuiLayer layer_;
   render::DrawableBuffers buffers_;
   render::DrawableBuffers original_buffers_;  ///< filled where the mesh as loaded is shown
   ui::Interface interface_;
