@@ -17,17 +17,17 @@ constexpr const char* footer =
     "  [cases]\n"
     "  part = \"part.ply\"\n"
     "  part-back = { mesh = \"part.ply\", camera = \"back\", expect = \"faces = 1200\" }\n\n"
-    "Exit codes: 0 all are as their baselines; 1 one is not, or an expectation does not hold; 2 "
-    "wrong "
-    "usage; 3 the suite, a file or a baseline is missing or wrong; 4 a file cannot be written; 5 "
-    "too "
-    "large; 70 an internal fault. The largest counts.";
+    "Exit codes: 0 all are as their baselines; 1 one is not, or an expectation does not hold;\n"
+    "2 wrong usage; 3 the suite, a file or a baseline is missing or wrong; 4 a file cannot be\n"
+    "written; 5 too large; 70 an internal fault. Of several the largest counts.";
 
 void add_options(CLI::App& app, TestOptions& options, std::vector<std::string>& only) {
-  app.add_option("SUITE", options.suite, "The list of pictures, a TOML file")->required();
+  app.add_option("SUITE", options.suite, "The list of pictures, a TOML file")
+      ->required()
+      ->option_text("SUITE.toml");
   app.add_option("--jobs", options.jobs, "How many processes share the work (default 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->check(CLI::Range(1, 256))
+      ->option_text("N");
   app.add_option("--update", options.names,
                  "Make the baselines of these cases, or of all, from what is drawn now")
       ->type_name("NAME...")
