@@ -24,7 +24,7 @@ constexpr const char* footer =
 void add_options(CLI::App& app, TestOptions& options, std::vector<std::string>& only) {
   app.add_option("SUITE", options.suite, "The list of pictures, a TOML file")
       ->required()
-      ->option_text("SUITE.toml");
+      ->option_text("TOML");
   app.add_option("--jobs", options.jobs, "How many processes share the work (default 1)")
       ->check(CLI::Range(1, 256))
       ->option_text("N");
