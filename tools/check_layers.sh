@@ -4,12 +4,13 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/model core/fields core/io core/operators core/decimate/options.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
   [core/base]="core/base"
   [core/mesh]="core/base core/mesh"
+  [core/parts]="core/base core/mesh core/parts"
   [core/model]="core/base core/mesh core/model"
   [core/fields]="core/base core/mesh core/model core/fields"
   [core/io]="core/base core/mesh core/model core/fields core/io"

@@ -122,8 +122,9 @@ Decimation::Stop run_while(Loop& loop, const GoesOn& goes_on,
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   for (int i = 1; !loop.done() && goes_on(); ++i) {
-    loop.advance();
-    if (i % candidates_between_checks != 0) continue;
+    const bool parts = loop.advance_parts(cancelled);
+    if (!parts) loop.advance();
+    if (!parts && i % candidates_between_checks != 0) continue;
     if (cancelled && cancelled()) return Stop::Cancelled;
     if (budget && Clock::now() - start >= *budget) return loop.done() ? Stop::Done : Stop::Budget;
   }

@@ -2,6 +2,7 @@
 // What the strategies of a decimation have in common: a loop that advances by one candidate at a
 // time.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,12 @@ class Loop {
 
   /// Looks at one candidate; true when that led to an operation (last()).
   virtual bool advance() = 0;
+  /// Makes what several threads can make at once before advance() has to go on; false where that is
+  /// nothing. The result is the same without. Stops when `cancelled`, asked every few candidates.
+  virtual bool advance_parts(const std::function<bool()>& cancelled) {
+    (void)cancelled;
+    return false;
+  }
   /// New options, or a mesh that was changed from outside: forgets what it knows and starts again.
   virtual void restart(const DecimationOptions& options) = 0;
   /// One pass of swaps, or of smoothing, now, whatever the phase. Returns how many operations it

@@ -30,6 +30,9 @@ struct OffColumns {
 /// The array on corners that PLY has a place for: two texture coordinates each.
 [[nodiscard]] const Attribute* ply_texture(const MeshData& mesh);
 
+/// The arrays on corners that MSH has a place for: as many values as the faces have corners.
+[[nodiscard]] std::vector<const Attribute*> msh_corners(const MeshData& mesh);
+
 /// What STL has a place for: in binary colours or marks of facets, in text names of solids.
 struct StlArrays {
   const Attribute *colours = nullptr, *marks = nullptr, *solids = nullptr;

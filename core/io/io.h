@@ -84,8 +84,8 @@ struct EncodedMesh {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 /// 6. Periodic links. No other format has them.
-/// 7. docs/ATTRIBUTES.md. PLY and OBJ hold values on corners too. Types come back as well, but from
-///    MSH and from text OBJ and OFF, which are doubles.
+/// 7. docs/ATTRIBUTES.md. PLY, OBJ and MSH hold values on corners too. Types come back as well, but
+///    from MSH and from text OBJ and OFF, which are doubles.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that

@@ -3,6 +3,7 @@
 // early.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ class OutputFiles {
   /// Writes an output beside its target, and removes what killed programs have left there. Throws
   /// WriteError.
   void add(const std::filesystem::path& path, std::string_view bytes);
+  /// The same for bytes that are made piece by piece: what is long need not be there at one time.
+  using Take = std::function<void(std::string_view)>;
+  void add(const std::filesystem::path& path, const std::function<void(const Take&)>& write);
   /// Throws WriteError where an output could not be written: for complaints before the work instead
   /// of after it.
   static void probe(const std::filesystem::path& path);

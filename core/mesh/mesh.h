@@ -256,6 +256,7 @@ class Mesh {
   friend class Journal;
   friend class JournalReplay;
   friend class Request;
+  friend class SharedEdits;
   struct Level {
     IdPool ids;
     std::vector<ModelRef> classes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/assertion.h"
 
@@ -92,13 +93,12 @@ void DownRows::widen(std::uint32_t stride) {
 }
 
 std::size_t UpRows::bytes() const {
-  return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + free_blocks_.capacity() * 4;
+  return heads_.capacity() * sizeof(Head) + pool_.capacity() * 4 + rooms_.capacity() * sizeof(Room);
 }
 
 std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
   release();
   stored_ = true;
-  free_blocks_.assign(block_sizes.size(), no_index);
   heads_.resize(sizes.size());
   std::uint64_t begin = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -108,7 +108,7 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
     heads_[i].size = size;
     heads_[i].block = block;
     begin += block_sizes[block];
-    entries_ += size;
+    own_.entries += size;
   }
   AOMD_CHECK(begin < no_index);
   pool_.resize(begin);
@@ -119,8 +119,8 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
 
 void UpRows::resize(std::uint32_t rows) {
   for (std::size_t i = rows; i < heads_.size(); ++i) {
-    give_block(heads_[i]);
-    entries_ -= heads_[i].size;
+    give_block(heads_[i], own_);
+    own_.entries -= heads_[i].size;
   }
   heads_.resize(rows);
 }
@@ -130,44 +130,72 @@ std::uint32_t UpRows::before(const Head& head) const {
   return is_long(head.block) ? 1 + pool_[head.begin - 1] : 0;
 }
 
-void UpRows::give_block(const Head& head) {
+void UpRows::give_block(const Head& head, Room& room) {
   if (head.block == 0) return;
   const std::uint32_t begin = head.begin - before(head);
-  pool_[begin] = free_blocks_[head.block];
-  free_blocks_[head.block] = begin;
+  pool_[begin] = room.free_blocks[head.block];
+  room.free_blocks[head.block] = begin;
 }
 
-std::uint32_t UpRows::take_block(std::uint32_t block) {
-  std::uint32_t& first = free_blocks_[block];
+// Closing up ends the free blocks and the places of all rooms.
+void UpRows::reserve_places(std::size_t places) {
+  const auto is_full = [&] { return pool_.size() + places > pool_.capacity(); };
+  if (is_full() && pool_.size() > own_.entries / 8 * 11) {
+    close_up(heads_, pool_);
+    own_.free_blocks.fill(no_index);
+    rooms_.assign(rooms_.size(), Room());
+  }
+  if (is_full()) pool_.reserve(std::max(pool_.size() + places, pool_.capacity() / 8 * 9));
+}
+
+std::uint32_t UpRows::new_places(std::uint32_t places) {
+  const std::size_t begin = pool_.size();
+  AOMD_CHECK(begin + places < no_index);
+  pool_.resize(begin + places);
+  return static_cast<std::uint32_t>(begin);
+}
+
+std::uint32_t UpRows::take_block(std::uint32_t block, Room& room) {
+  std::uint32_t& first = room.free_blocks[block];
   if (first != no_index) {
     const std::uint32_t begin = first;
     first = pool_[begin];
     return begin;
   }
-  const auto is_full = [&] { return pool_.size() + block_sizes[block] > pool_.capacity(); };
-  if (is_full() && pool_.size() > entries_ / 8 * 11) {
-    close_up(heads_, pool_);
-    free_blocks_.assign(block_sizes.size(), no_index);
+  const std::uint32_t size = block_sizes[block];
+  if (&room == &own_) {
+    reserve_places(size);
+    return new_places(size);
   }
-  if (is_full())
-    pool_.reserve(std::max(pool_.size() + block_sizes[block], pool_.capacity() / 8 * 9));
-  const std::size_t begin = pool_.size();
-  AOMD_CHECK(begin + block_sizes[block] < no_index);
-  pool_.resize(begin + block_sizes[block]);
-  return static_cast<std::uint32_t>(begin);
+  AOMD_CHECK(room.left() >= size);
+  return std::exchange(room.begin_, room.begin_ + size);
 }
 
-void UpRows::grow(Head& head) {
+void UpRows::lend(std::size_t count, std::uint32_t places) {
+  rooms_.resize(count, Room());
+  reserve_places(count * places);
+  for (Room& room : rooms_) {
+    if (room.left() >= places / 2) continue;
+    room.begin_ = new_places(places);
+    room.end_ = room.begin_ + places;
+  }
+}
+
+void UpRows::settle() {
+  for (Room& room : rooms_) own_.entries += std::exchange(room.entries, 0);
+}
+
+void UpRows::grow(Head& head, Room& room) {
   const std::uint32_t block = block_for(head.size + 1);
-  const std::uint32_t begin = take_block(block) + is_long(block);
+  const std::uint32_t begin = take_block(block, room) + is_long(block);
   std::copy_n(pool_.begin() + head.begin, head.size, pool_.begin() + begin);
-  give_block(head);
+  give_block(head, room);
   head.begin = begin;
   head.block = block;
   if (is_long(block)) pool_[begin - 1] = 0;
 }
 
-bool UpRows::erase_long(Head& head, std::uint32_t value) {
+bool UpRows::erase_long(Head& head, std::uint32_t value, Room& room) {
   const auto row = pool_.begin() + head.begin, end = row + head.size;
   const auto at = std::lower_bound(row, end, value);
   if (at == end || *at != value) return false;
@@ -180,34 +208,34 @@ bool UpRows::erase_long(Head& head, std::uint32_t value) {
     std::copy(at + 1, end, at);
   }
   --head.size;
-  --entries_;
+  --room.entries;
   return true;
 }
 
-void UpRows::insert(std::uint32_t i, std::uint32_t value) {
+void UpRows::insert(std::uint32_t i, std::uint32_t value, Room& room) {
   Head& head = heads_[i];
-  if (head.size + before(head) == block_sizes[head.block]) grow(head);
+  if (head.size + before(head) == block_sizes[head.block]) grow(head, room);
   std::uint32_t* row = pool_.data() + head.begin;
   std::uint32_t k = head.size;
   for (; k > 0 && row[k - 1] > value; --k) row[k] = row[k - 1];
   AOMD_DEBUG_CHECK(k == 0 || row[k - 1] != value);
   row[k] = value;
   ++head.size;
-  ++entries_;
+  ++room.entries;
 }
 
-bool UpRows::erase(std::uint32_t i, std::uint32_t value) {
+bool UpRows::erase(std::uint32_t i, std::uint32_t value, Room& room) {
   Head& head = heads_[i];
-  if (is_long(head.block)) return erase_long(head, value);
+  if (is_long(head.block)) return erase_long(head, value, room);
   std::uint32_t* row = pool_.data() + head.begin;
   std::uint32_t k = head.size;
   while (k > 0 && row[k - 1] > value) --k;
   if (k == 0 || row[k - 1] != value) return false;
   for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
-  --entries_;
+  --room.entries;
   if (head.size == 0 && head.block > 12) {  // its vertex may have gone: others may have the block
-    give_block(head);
+    give_block(head, room);
     head = Head();
   }
   return true;

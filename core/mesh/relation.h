@@ -3,6 +3,8 @@
 // upward rows (I < J) grow and shrink in a pool and are always sorted, so that they depend on the
 // mesh alone, never on the order of the edits that led to it.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -90,7 +92,7 @@ class UpRows {
   }
   [[nodiscard]] std::size_t bytes() const;
   /// Values in all rows together.
-  [[nodiscard]] std::size_t entries() const { return entries_; }
+  [[nodiscard]] std::size_t entries() const { return own_.entries; }
   [[nodiscard]] std::size_t rows() const { return heads_.size(); }
 
   /// Makes rows of the given sizes and returns the pool that holds them, to be filled in ascending
@@ -99,11 +101,36 @@ class UpRows {
   void resize(std::uint32_t rows);
   /// Room for edits to come, so that the first of them does not move all rows. O(entries).
   void make_room() { pool_.reserve(pool_.size() + pool_.size() / 16); }
-  void insert(std::uint32_t i, std::uint32_t value);
+  void insert(std::uint32_t i, std::uint32_t value) { insert(i, value, own_); }
   /// False when the row does not hold the value.
-  bool erase(std::uint32_t i, std::uint32_t value);
+  bool erase(std::uint32_t i, std::uint32_t value) { return erase(i, value, own_); }
   [[nodiscard]] bool contains(std::uint32_t i, std::uint32_t value) const;
   void release() { *this = UpRows(); }
+
+  /// What rows grow into. Each thread that edits at the same time as others has one, and rows of
+  /// its own.
+  class alignas(64) Room {
+   public:
+    /// Places that are left; a row of a vertex that is not crowded takes no more than 2048.
+    [[nodiscard]] std::uint32_t left() const { return end_ - begin_; }
+
+   private:
+    friend class UpRows;
+    static constexpr std::size_t block_kinds = 64;
+    Room() { free_blocks.fill(no_index); }
+    /// By block size: first free block, each holding the next one's place.
+    std::array<std::uint32_t, block_kinds> free_blocks;
+    std::uint32_t begin_ = 0, end_ = 0;  ///< places that nobody has used yet; the own one's: none
+    std::size_t entries = 0;             ///< more than there were, modulo 2^64
+  };
+  /// Makes `count` rooms with at least `places / 2` places each; what those of before still have
+  /// stays theirs. Nobody else may edit meanwhile. O(entries) at times.
+  void lend(std::size_t count, std::uint32_t places);
+  [[nodiscard]] Room& room(std::size_t i) { return rooms_[i]; }
+  /// Counts what was inserted and erased through the rooms. Called by one, before others ask.
+  void settle();
+  void insert(std::uint32_t i, std::uint32_t value, Room& room);
+  bool erase(std::uint32_t i, std::uint32_t value, Room& room);
 
  private:
   struct Head {
@@ -112,16 +139,17 @@ class UpRows {
     std::uint32_t block : 6 = 0;  ///< capacity as an index into the table of block sizes
   };
   [[nodiscard]] std::uint32_t before(const Head& head) const;
-  bool erase_long(Head& head, std::uint32_t value);
-  void grow(Head& head);
-  std::uint32_t take_block(std::uint32_t block);
-  void give_block(const Head& head);
+  bool erase_long(Head& head, std::uint32_t value, Room& room);
+  void grow(Head& head, Room& room);
+  std::uint32_t take_block(std::uint32_t block, Room& room);
+  void give_block(const Head& head, Room& room);
+  void reserve_places(std::size_t places);
+  std::uint32_t new_places(std::uint32_t places);
 
   std::vector<Head> heads_;
   RawVector<std::uint32_t> pool_;
-  std::vector<std::uint32_t>
-      free_blocks_;  ///< by block size: first free block, each holding the next one's place
-  std::size_t entries_ = 0;
+  Room own_;                 ///< of who edits alone; counts all entries
+  std::vector<Room> rooms_;  ///< that are lent
   bool stored_ = false;
 };
 

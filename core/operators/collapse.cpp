@@ -3,6 +3,7 @@
 #include "core/base/assertion.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/journal_scope.h"
+#include "core/mesh/shared_edits.h"
 #include "core/operators/collapse_checks.h"
 
 namespace aomd {
@@ -130,6 +131,17 @@ void Collapser::apply(Mesh& mesh, const CollapsePlan& plan) {
                           plan.edge.valid() ? EntityRef(plan.edge) : EntityRef(c.kept));
   if (c.position != mesh.position(c.kept)) mesh.move(c.kept, c.position);
   make(mesh, c, plan.stars);
+}
+
+void Collapser::apply(const Mesh& mesh, SharedEdits& edits, const CollapsePlan& plan) {
+  AOMD_CHECK(plan.verdict.accepted() && plan.revision == mesh.revision());
+  const Contraction& c = plan.contraction;
+  if (c.position != mesh.position(c.kept)) edits.move(c.kept, c.position);
+  find_edits(mesh, c, plan.stars);
+  for (const StarFace& f : plan.stars[0])
+    if (f.uses(c.kept)) edits.destroy_unused(f.face);
+  edits.rebind(rebindings_);
+  edits.destroy_unused(c.deleted);
 }
 
 void Collapser::make(Mesh& mesh, const Contraction& c, const StarPair& stars) {

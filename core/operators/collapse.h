@@ -27,6 +27,8 @@
 
 namespace aomd {
 
+class SharedEdits;
+
 /// A collapse that was judged: what the verdict says, and what making it needs. Belongs to who
 /// asks, and is reused from one judgement to the next: then it allocates nothing.
 struct CollapsePlan {
@@ -69,6 +71,8 @@ class Collapser {
 
   /// Makes what was accepted. The mesh must not have changed since. One journal step.
   void apply(Mesh& mesh, const CollapsePlan& plan);
+  /// The same for one of several threads that edit at once: no edge at the ends may be an entity.
+  void apply(const Mesh& mesh, SharedEdits& edits, const CollapsePlan& plan);
 
   /// Makes the collapse, whatever a verdict would say, provided the result is a mesh at all: the
   /// faces of the edge go, the others around `deleted` are stretched to the kept end, and edges

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/mesh/journal_scope.h"
+#include "core/mesh/shared_edits.h"
 #include "core/operators/star.h"
 
 namespace aomd {
@@ -29,6 +30,11 @@ bool find_faces(const Mesh& mesh, const Row<2>& faces, EdgePair& pair) {
     (forward ? pair.c : pair.d) = forward ? t[(i + 1) % 3] : t[(i + 2) % 3];
   }
   return pair.f.valid() && pair.g.valid() && pair.c != pair.d;
+}
+
+std::array<Rebinding, 2> face_rebindings(const Mesh& mesh, const EdgePair& pair) {
+  return {{{pair.f, slot_of(mesh.triangle(pair.f), pair.a), pair.a, pair.d},
+           {pair.g, slot_of(mesh.triangle(pair.g), pair.b), pair.b, pair.c}}};
 }
 
 Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit) {
@@ -92,11 +98,9 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
 
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair) {
   const JournalScope step(mesh, StepKind::Swap, edge.valid() ? EntityRef(edge) : EntityRef(pair.f));
+  const auto [f, g] = face_rebindings(mesh, pair);
   const std::array<Rebinding, 4> items{
-      {{edge, 0, pair.a, pair.c},
-       {edge, 1, pair.b, pair.d},
-       {pair.f, slot_of(mesh.triangle(pair.f), pair.a), pair.a, pair.d},
-       {pair.g, slot_of(mesh.triangle(pair.g), pair.b), pair.b, pair.c}}};
+      {{edge, 0, pair.a, pair.c}, {edge, 1, pair.b, pair.d}, f, g}};
   mesh.rebind(std::span(items).subspan(edge.valid() ? 0 : 2));
 }
 
@@ -106,6 +110,10 @@ void apply_swap(Mesh& mesh, const EdgePair& pair) {
   // The ends are named as the edge runs.
   const bool along = !edge.valid() || mesh.edge_vertices(edge)[0] == pair.a;
   apply_swap(mesh, edge, along ? pair : EdgePair{pair.g, pair.f, pair.b, pair.a, pair.d, pair.c});
+}
+
+void apply_swap(SharedEdits& edits, const Mesh& mesh, const EdgePair& pair) {
+  edits.rebind(face_rebindings(mesh, pair));
 }
 
 }  // namespace aomd

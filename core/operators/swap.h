@@ -18,6 +18,8 @@
 
 namespace aomd {
 
+class SharedEdits;
+
 /// The two triangles at an edge, f = (a, b, c) and g = (b, a, d).
 struct EdgePair {
   Face f, g;
@@ -47,6 +49,8 @@ struct EdgePair {
 /// Swaps: both faces keep their ids, and so does the edge where it is an entity. One journal step.
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair);
 void apply_swap(Mesh& mesh, const EdgePair& pair);
+/// The same for one of several threads that edit a mesh at once: the edge must be no entity.
+void apply_swap(SharedEdits& edits, const Mesh& mesh, const EdgePair& pair);
 
 }  // namespace aomd
 

@@ -189,6 +189,13 @@ MeshData for_msh() {
   for (const int dim : {0, 1, 2, 3})
     for (const int n : all_components)
       mesh.attributes.push_back(array(mesh, "c" + std::to_string(n), dim, n, NumberType::Float64));
+  for (const int n : {1, 3}) {
+    const std::size_t numbers = static_cast<std::size_t>(n) * mesh.faces.vertices.size();
+    mesh.corners.push_back(
+        {"at corners " + std::to_string(n), 2, n, false, values_of(NumberType::Float64, numbers)});
+    mesh.corners.back().type = mesh.attributes.back().type;
+    mesh.corners.back().values[1] = std::nan("");
+  }
   return mesh;
 }
 

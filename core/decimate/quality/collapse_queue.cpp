@@ -35,16 +35,27 @@ float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
   if (freedom == Freedom::None) return unlimited;
   EdgeView<float> edge{at_v.quadric.about(-along), along, length2, at_v.area + at_w.area};
   edge.quadric += at_w.quadric;  // all as seen from w
-  glm::vec3 x(0.0f);
-  c = {v, w, to};
+  if (!values_) return cost_at(rules_, edge, place(v, w, freedom, edge, c));
+  const LocalQuadric beside = attributes_.together(v, w, along);
+  EdgeView<float> both = edge;
+  both.quadric += beside;
+  const glm::vec3 x = place(v, w, freedom, both, c);
+  return cost_at(rules_, edge, x) + cost_beside(rules_, beside, x);
+}
+
+// Which end goes where, and that place as seen from w.
+glm::vec3 CollapseQueue::place(Vertex v, Vertex w, Freedom freedom, const EdgeView<float>& edge,
+                               Contraction& c) const {
+  const glm::dvec3 to = mesh_.position(w);
   if (freedom == Freedom::OntoFirst) {
-    c = {w, v, from};
-    x = along;
-  } else if (freedom == Freedom::Any) {
-    x = place_of_least(edge);
-    c.position = to + glm::dvec3(x);
+    c = {w, v, mesh_.position(v)};
+    return edge.along;
   }
-  return cost_at(rules_, edge, x);
+  c = {v, w, to};
+  if (freedom != Freedom::Any) return glm::vec3(0.0f);
+  const glm::vec3 x = place_of_least(edge);
+  c.position = to + glm::dvec3(x);
+  return x;
 }
 
 // Whether a vertex may go anywhere on what it lies on.
@@ -66,6 +77,21 @@ EdgeView<Lanes> CollapseQueue::view_of_four(const State& at_v, const FourStates&
   return edges;
 }
 
+// As costs() would without them, and what they add.
+Lanes CollapseQueue::costs_with_values(Vertex v, std::span<const Vertex> others,
+                                       const EdgeView<Lanes>& edges) const {
+  std::array<LocalQuadric, Lanes::count> each;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    each[i] =
+        attributes_.together(v, others[i], {edges.along.x[i], edges.along.y[i], edges.along.z[i]});
+  const auto beside =
+      QuadricOf<Lanes>::of_each([&](std::size_t i) -> const LocalQuadric& { return each[i]; });
+  EdgeView<Lanes> both = edges;
+  both.quadric += beside;
+  const auto x = place_of_least(both);
+  return cost_at(rules_, edges, x) + cost_beside(rules_, beside, x);
+}
+
 // What cost() says of up to four edges from one vertex: those whose ends may go anywhere are
 // computed together, others one by one.
 CollapseQueue::FourCosts CollapseQueue::costs(Vertex v, std::span<const Vertex> others) const {
@@ -77,7 +103,8 @@ CollapseQueue::FourCosts CollapseQueue::costs(Vertex v, std::span<const Vertex> 
     along[i] = glm::vec3(mesh_.position(v) - mesh_.position(w));
   }
   const EdgeView<Lanes> edges = view_of_four(state_[v], at, along);
-  const Lanes together = cost_at(rules_, edges, place_of_least(edges));
+  const Lanes together =
+      values_ ? costs_with_values(v, others, edges) : cost_at(rules_, edges, place_of_least(edges));
   const bool free = roams(v);
   FourCosts result;
   for (std::size_t i = 0; i < others.size(); ++i) {
@@ -101,13 +128,17 @@ float CollapseQueue::cost_along_curve(Vertex v, Vertex w, Contraction& c) const 
   const glm::vec3 along(from - to);
   LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
   q += at_w.quadric;
+  const LocalQuadric beside = values_ ? attributes_.together(v, w, along) : LocalQuadric();
   c = freedom == Freedom::OntoFirst ? Contraction{w, v, from} : Contraction{v, w, to};
-  if (freedom == Freedom::Any) c.position = least_on_curve(place, Quadric(q), from, to);
+  Quadric all(q);
+  if (values_) all += Quadric(beside);
+  if (freedom == Freedom::Any) c.position = least_on_curve(place, all, from, to);
   const CurveError e = curves_.error(mesh_, place, c.position);
   const float area = at_v.area + at_w.area;
   const float strip = static_cast<float>(e.length * e.length / rules_.unit_area);
   const float squares = static_cast<float>(e.squares * e.length / rules_.unit_area);
-  return price(rules_, q(glm::vec3(c.position - to)) + squares, area + strip) +
+  const glm::vec3 x(c.position - to);
+  return price(rules_, q(x) + squares, area + strip) + cost_beside(rules_, beside, x) +
          rules_.edge_weight * area * glm::dot(along, along) * rules_.scale;
 }
 
@@ -176,26 +207,26 @@ void CollapseQueue::for_costs(Vertex v, Star& star, const Wanted& wanted, Visit&
 
 // All candidates of a vertex, cheapest first. An edge is a candidate of its end with the smaller
 // id.
-void CollapseQueue::find_candidates(Vertex v) {
-  look_around(v, star_, [&](Vertex w) {
+void CollapseQueue::find_candidates(Vertex v, Turn& turn) const {
+  look_around(v, turn.star, [&](Vertex w) {
     if (w < v) return;
     Candidate c;
     c.cost = cost(v, w, c.contraction);
-    if (c.cost < unlimited) found_.push_back(c);
+    if (c.cost < unlimited) turn.found.push_back(c);
   });
-  std::sort(found_.begin(), found_.end(),
+  std::sort(turn.found.begin(), turn.found.end(),
             [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 }
 
 // A candidate that was not there before, or of which nothing better is known.
 void CollapseQueue::dequeue(Vertex v) {
   state_[v].forget();
-  order_.remove(v);
+  order_.remove(v, parts_.part_of(v));
 }
 
 void CollapseQueue::fill() {
-  order_.reset(mesh_.capacity(0));
-  level_ = 0;
+  order_.reset(mesh_.capacity(0), parts_.count());
+  levels_.assign(parts_.count(), 0);
   parallel_for(mesh_.capacity(0), options_.threads, vertices_a_piece,
                [&](std::size_t begin, std::size_t end) {
                  Star star;
@@ -208,7 +239,7 @@ void CollapseQueue::fill() {
                  });
                });
   for (const Vertex v : mesh_.vertices())
-    if (state_[v].partner.valid()) order_.put(v, state_[v].cost);
+    if (state_[v].partner.valid()) put(v, state_[v].cost);
 }
 
 void CollapseQueue::reset(const CostRules& rules) {
@@ -228,6 +259,7 @@ void CollapseQueue::measure(bool by_points) {
     quadrics_of_points();
   else
     quadrics_of_faces();
+  if (values_) add_values(by_points);
   fill();
 }
 
@@ -236,16 +268,20 @@ void CollapseQueue::refill() {
   fill();
 }
 
-Vertex CollapseQueue::pop() {
-  const Vertex v = order_.pop();
-  if (v.valid()) level_ = std::max(level_, state_[v].cost);
+Vertex CollapseQueue::pop(std::size_t part, std::uint32_t last) {
+  const Vertex v = order_.pop(part, last);
+  if (v.valid()) levels_[part] = std::max(levels_[part], state_[v].cost);
   return v;
+}
+
+void CollapseQueue::even_out_levels() {
+  std::fill(levels_.begin(), levels_.end(), *std::max_element(levels_.begin(), levels_.end()));
 }
 
 void CollapseQueue::wait(Vertex v, float cost) {
   State& s = state_[v];
   s.cost = s.second = cost;
-  order_.put(v, cost);
+  put(v, cost);
 }
 
 bool CollapseQueue::cheapest(Vertex v, Candidate& c) const {
@@ -255,74 +291,85 @@ bool CollapseQueue::cheapest(Vertex v, Candidate& c) const {
   return c.cost < unlimited;
 }
 
-const std::vector<CollapseQueue::Candidate>& CollapseQueue::take_all(Vertex v) {
-  known_ = state_[v].cost;
-  found_.clear();
-  if (!crowded(mesh_, v)) find_candidates(v);
+void CollapseQueue::take_all(Vertex v, Turn& turn) {
+  turn.known = state_[v].cost;
+  turn.found.clear();
+  if (!crowded(mesh_, v)) find_candidates(v, turn);
   dequeue(v);
-  return found_;
 }
 
-bool CollapseQueue::put_off(Vertex v, std::size_t i, float bound) {
-  const auto& [c, present] = found_[i];
-  if (!(present > known_) || order_.is_next(present)) return false;
+void CollapseQueue::remember(Vertex v, std::size_t i, float bound, const Turn& turn) {
+  const Contraction& c = turn.found[i].contraction;
   State& s = state_[v];
   s.partner = c.kept == v ? c.deleted : c.kept;
-  s.cost = present;
-  s.second = i + 1 < found_.size() ? std::min(bound, found_[i + 1].cost) : bound;
-  order_.put(v, present);
+  s.cost = turn.found[i].cost;
+  s.second = i + 1 < turn.found.size() ? std::min(bound, turn.found[i + 1].cost) : bound;
+}
+
+bool CollapseQueue::put_off(Vertex v, std::size_t i, float bound, const Turn& turn) {
+  const float present = turn.found[i].cost;
+  if (!(present > turn.known) || order_.is_next(present, parts_.part_of(v))) return false;
+  remember(v, i, bound, turn);
+  put(v, present);
   return true;
 }
 
 void CollapseQueue::merge(const Contraction& c) {
   dequeue(c.deleted);
   State& kept = state_[c.kept];
-  const LocalQuadric stays = kept.quadric.about(glm::vec3(c.position - mesh_.position(c.kept)));
-  kept.quadric = state_[c.deleted].quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
+  const glm::vec3 from_kept(c.position - mesh_.position(c.kept)),
+      from_deleted(c.position - mesh_.position(c.deleted));
+  const LocalQuadric stays = kept.quadric.about(from_kept);
+  kept.quadric = state_[c.deleted].quadric.about(from_deleted);
   kept.quadric += stays;
+  if (values_) attributes_.merge(c.deleted, from_deleted, c.kept, from_kept);
   kept.area += state_[c.deleted].area;
   add_normal(c.kept, normal_[c.deleted]);
 }
 
-void CollapseQueue::forget_lost_edges(const CollapsePlan& made) {
+void CollapseQueue::forget_lost_edges(const CollapsePlan& made, Turn& turn) {
   const Vertex kept = made.contraction.kept;
-  gather(mesh_, kept, star_);
+  gather(mesh_, kept, turn.star);
   for (const StarFace& f : made.around_deleted()) {
     if (!f.uses(kept)) continue;
     const Vertex third = f.third(kept);
     const auto uses_third = [third](const StarFace& g) { return g.uses(third); };
-    if (std::none_of(star_.begin(), star_.end(), uses_third)) update(third, kept, unlimited);
+    if (std::none_of(turn.star.begin(), turn.star.end(), uses_third))
+      update(third, made.contraction, unlimited);
   }
 }
 
-void CollapseQueue::update(Vertex v, Vertex kept, float cost) {
+// The partner that a vertex knows is one of its neighbours, so that only the last collapse can have
+// ended it.
+void CollapseQueue::update(Vertex v, Vertex other, const Contraction& made, float cost) {
   State& s = state_[v];
-  if (!s.update(kept, cost, s.partner.valid() && mesh_.alive(s.partner))) return;
+  if (!s.update(other, cost, s.partner.valid() && s.partner != made.deleted)) return;
   if (s.cost < unlimited)
-    order_.put(v, s.cost);
+    put(v, s.cost);
   else
-    order_.remove(v);
+    order_.remove(v, parts_.part_of(v));
 }
 
-void CollapseQueue::refresh_around(Vertex kept) {
+void CollapseQueue::refresh_around(const Contraction& made, Turn& turn) {
+  const Vertex kept = made.kept;
   dequeue(kept);
   const auto all = [](Vertex) { return true; };
-  for_costs(kept, star_, all, [&](Vertex w, float known) {
+  for_costs(kept, turn.star, all, [&](Vertex w, float known) {
     if (kept < w) state_[kept].offer(w, known);
-    update(w, kept, w < kept ? known : unlimited);
+    update(w, made, w < kept ? known : unlimited);
   });
-  if (state_[kept].partner.valid()) order_.put(kept, state_[kept].cost);
-  if (curves_.inside(kept)) refresh_curve(kept);
+  if (state_[kept].partner.valid()) put(kept, state_[kept].cost);
+  if (curves_.inside(kept)) refresh_curve(made);
 }
 
 // What a collapse along a curve costs depends on where the vertices to either side are.
-void CollapseQueue::refresh_curve(Vertex kept) {
-  for (const Vertex near : curves_.neighbours(kept)) {
+void CollapseQueue::refresh_curve(const Contraction& made) {
+  for (const Vertex near : curves_.neighbours(made.kept)) {
     if (!curves_.inside(near)) continue;
     for (const Vertex far : curves_.neighbours(near)) {
-      if (far == kept) continue;
+      if (far == made.kept) continue;
       Contraction c;
-      update(std::min(near, far), std::max(near, far), cost(near, far, c));
+      update(std::min(near, far), std::max(near, far), made, cost(near, far, c));
     }
   }
 }

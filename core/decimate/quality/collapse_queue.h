@@ -9,19 +9,24 @@
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/options.h"
+#include "core/decimate/quality/attribute_quadrics.h"
 #include "core/decimate/quality/cheapest.h"
 #include "core/decimate/quality/edge_cost.h"
 #include "core/decimate/quality/original_surface.h"
+#include "core/decimate/quality/original_values.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/mesh/column.h"
 #include "core/operators/collapse.h"
 #include "core/operators/star.h"
+#include "core/parts/partition.h"
 
 namespace aomd {
 
-/// Judges nothing but costs: whether a collapse is allowed is for others to say. Mesh, original and
-/// options must outlive it; T(2,0) and T(0,2) must be stored.
+/// Judges nothing but costs: whether a collapse is allowed is for others to say. All that it refers
+/// to must outlive it; T(2,0) and T(0,2) must be stored. Each part has a queue of its vertices.
+/// Several threads may take vertices of different parts at once, each with a Turn of its own, as
+/// long as none looks at a vertex of another part.
 class CollapseQueue {
  public:
   static constexpr float unlimited = Cheapest::unlimited;
@@ -31,9 +36,18 @@ class CollapseQueue {
     float cost = 0;
   };
 
+  /// What a thread knows of the vertex that it has taken.
+  struct Turn {
+    std::vector<Candidate> found;  ///< all its candidates
+    float known = 0;               ///< the cost by which it stood in the queue
+    Star star;                     ///< scratch
+  };
+
   CollapseQueue(const Mesh& mesh, const OriginalSurface& original, const OriginalCurves& curves,
-                const DecimationOptions& options)
-      : mesh_(mesh), original_(original), curves_(curves), options_(options) {}
+                const DecimationOptions& options, const Partition& parts)
+      : mesh_(mesh), original_(original), curves_(curves), options_(options), parts_(parts) {}
+  /// From the next measure() on these numbers count too. They must outlive it.
+  void count(const OriginalValues& values) { values_ = &values; }
 
   /// Knows nothing of any vertex any more.
   void reset(const CostRules& rules);
@@ -54,27 +68,42 @@ class CollapseQueue {
   /// question.
   [[nodiscard]] float cost(Vertex v, Vertex w, Contraction& contraction) const;
 
-  /// The vertex whose cheapest candidate is next, which leaves; an invalid one when there is none.
-  [[nodiscard]] Vertex pop();
-  /// The highest cost at which a vertex has left since the queue was filled.
-  [[nodiscard]] float level() const { return level_; }
+  /// The vertex of a part whose cheapest candidate is next, which leaves; an invalid one when there
+  /// is none up to a bucket.
+  [[nodiscard]] Vertex pop(std::size_t part = 0, std::uint32_t last = VertexQueue::no_bucket);
+  /// The highest cost at which a vertex of a part has left since the queue was filled.
+  [[nodiscard]] float level(std::size_t part) const { return levels_[part]; }
+  /// The level of all parts becomes that of the highest.
+  void even_out_levels();
+  /// The lowest bucket of a part, VertexQueue::no_bucket where it is empty.
+  [[nodiscard]] std::uint32_t lowest(std::size_t part) { return order_.lowest(part); }
+  /// How many vertices of a part wait in a bucket.
+  [[nodiscard]] std::uint32_t waiting(std::size_t part, std::uint32_t bucket) const {
+    return order_.waiting(part, bucket);
+  }
+  /// The next to leave a part is of its lowest bucket.
+  void leave_bucket(std::size_t part) { order_.leave_bucket(part); }
+  /// Whether a vertex waits for its turn.
+  [[nodiscard]] bool holds(Vertex v) const { return order_.holds(v); }
   /// Its cheapest candidate, where that is known and still possible.
   [[nodiscard]] bool cheapest(Vertex v, Candidate& candidate) const;
-  /// All candidates of a vertex, cheapest first, until the next call. The vertex leaves.
-  [[nodiscard]] const std::vector<Candidate>& take_all(Vertex v);
+  /// Finds all candidates of a vertex, cheapest first. The vertex leaves.
+  void take_all(Vertex v, Turn& turn);
   /// Whether the i-th of those has become so dear that others come first: then the vertex is back
   /// in the queue with it. `bound` is one from below for what those before it cost now.
-  [[nodiscard]] bool put_off(Vertex v, std::size_t i, float bound);
+  [[nodiscard]] bool put_off(Vertex v, std::size_t i, float bound, const Turn& turn);
+  /// The vertex is known by the i-th of those again, though it stays out of the queue.
+  void remember(Vertex v, std::size_t i, float bound, const Turn& turn);
   /// A vertex that has left comes back when the level is as high as this.
   void wait(Vertex v, float cost);
 
   /// A collapse is about to be made: the kept vertex takes in what the other one stands for.
   void merge(const Contraction& contraction);
-  /// It has been made: what its edges cost now.
-  void refresh_around(Vertex kept);
+  /// It has been made: what the edges of the kept vertex cost now.
+  void refresh_around(const Contraction& made, Turn& turn);
   /// Without the link condition a third vertex of the faces that went may have no face with the
   /// kept one any more: then their edge is no candidate.
-  void forget_lost_edges(const CollapsePlan& made);
+  void forget_lost_edges(const CollapsePlan& made, Turn& turn);
 
  private:
   static constexpr std::size_t vertices_a_piece = 2048;  ///< where threads share them out
@@ -99,8 +128,12 @@ class CollapseQueue {
   [[nodiscard]] static EdgeView<Lanes> view_of_four(
       const State& at_v, const FourStates& others,
       const std::array<glm::vec3, Lanes::count>& along);
+  [[nodiscard]] Lanes costs_with_values(Vertex v, std::span<const Vertex> others,
+                                        const EdgeView<Lanes>& edges) const;
+  [[nodiscard]] glm::vec3 place(Vertex v, Vertex w, Freedom freedom, const EdgeView<float>& edge,
+                                Contraction& contraction) const;
   [[nodiscard]] bool roams(Vertex v) const;
-  void find_candidates(Vertex v);
+  void find_candidates(Vertex v, Turn& turn) const;
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
   [[nodiscard]] Freedom freedom_of(Vertex v, Vertex w) const;
   [[nodiscard]] bool on_curves(Vertex v, Vertex w) const {
@@ -109,8 +142,10 @@ class CollapseQueue {
   [[nodiscard]] float cost_along_curve(Vertex v, Vertex w, Contraction& contraction) const;
   [[nodiscard]] glm::dvec3 least_on_curve(const CurvePlace& place, const Quadric& quadric,
                                           const glm::dvec3& from, const glm::dvec3& to) const;
-  void refresh_curve(Vertex kept);
-  void update(Vertex v, Vertex kept, float cost);
+  void refresh_curve(const Contraction& made);
+  void update(Vertex v, const Contraction& made, float cost) { update(v, made.kept, made, cost); }
+  void update(Vertex v, Vertex other, const Contraction& made, float cost);
+  void put(Vertex v, float cost) { order_.put(v, cost, parts_.part_of(v)); }
   void dequeue(Vertex v);
   void fill();
 
@@ -118,19 +153,22 @@ class CollapseQueue {
   void add_normal(Vertex v, const glm::vec3& normal);
   void quadrics_of_faces();
   void quadrics_of_points();
+  void add_values(bool by_points);
+  void add_values_of_faces();
+  void add_values_of_points();
 
   const Mesh& mesh_;
   const OriginalSurface& original_;
   const OriginalCurves& curves_;
   const DecimationOptions& options_;
+  const Partition& parts_;
+  const OriginalValues* values_ = nullptr;  ///< none: the shape alone counts
   CostRules rules_;
   Column<Vertex, State> state_;
+  AttributeQuadrics attributes_;
   Column<Vertex, glm::vec3> normal_;
   VertexQueue order_;
-  std::vector<Candidate> found_;  ///< of the vertex that was taken last
-  float level_ = 0;               ///< see level()
-  float known_ = 0;               ///< the cost by which that one stood in the queue
-  Star star_;                     ///< scratch
+  std::vector<float> levels_;  ///< see level()
 };
 
 }  // namespace aomd

@@ -10,6 +10,7 @@
 namespace aomd {
 
 bool QualityLoop::advance_swap() {
+  if (part_count_ > 1) return advance_swap_in_turn();
   bool made = false;
   if (!next_swap(swaps_, made)) end_phase();
   return made;
@@ -20,7 +21,7 @@ bool QualityLoop::next_swap(SwapBatch& batch, bool& made) {
   if (batch.turn == batch.faces.size() && !fill(batch)) return false;
   const auto t = mesh_.triangle(batch.faces[batch.turn]);
   const Vertex a = t[batch.corner], b = t[(batch.corner + 1) % 3];
-  made = a < b && !still_refused(batch) && try_swap(a, b);
+  made = a < b && !still_refused(batch) && try_swap(a, b, alone_);
   batch.corner = (batch.corner + 1) % 3;
   batch.turn += batch.corner == 0;
   return true;
@@ -72,40 +73,90 @@ bool QualityLoop::still_refused(const SwapBatch& batch) const {
          swapped_[batch.faces[batch.turn]] != swap_stamp_;
 }
 
-bool QualityLoop::try_swap(Vertex a, Vertex b) {
-  EdgePair& pair = plan_.pair;
-  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || keeps_face_of(pair) ||
-      !guards_.judge(mesh_, plan_.change, pair).accepted())
+bool QualityLoop::advance_swap_in_turn() {
+  if (corner_ == 0) face_ = Face(turns_.next(mesh_, options_.threads));
+  if (!face_.valid()) {
+    end_phase();
     return false;
+  }
+  alone_.within_part = turns_.in_part();
+  alone_.part = turns_.part();
+  const bool made = swap_across(face_, corner_, alone_);
+  corner_ = (corner_ + 1) % 3;
+  return made;
+}
+
+bool QualityLoop::swap_across(Face f, std::uint32_t corner, Hand& hand) {
+  const auto t = mesh_.triangle(f);
+  const Vertex a = t[corner], b = t[(corner + 1) % 3];
+  const Partition& parts = turns_.partition();
+  if (!(a < b)) return false;
+  if (!hand.within_part || !(parts.on_seam(a) || parts.on_seam(b))) return try_swap(a, b, hand);
+  turns_.leave(hand.part, f.index);
+  return false;
+}
+
+bool QualityLoop::try_swap(Vertex a, Vertex b, Hand& hand) {
+  EdgePair& pair = hand.plan.pair;
+  if (!fitter_.judge_swap(a, b, fit_, pair).accepted() || keeps_face_of(pair) ||
+      !guards_.judge(mesh_, hand.plan.change, pair).accepted())
+    return false;
+  if (hand.within_part && (crowded(mesh_, pair.c) || crowded(mesh_, pair.d))) {
+    turns_.leave(hand.part, pair.f.index);  // a part has no room for rows of any length
+    return false;
+  }
   fitter_.swapped(pair);
+  if (hand.edits) {
+    apply_swap(*hand.edits, mesh_, pair);
+    ++hand.made.swaps;
+    return true;
+  }
   apply_swap(mesh_, pair);
-  made(StepKind::Swap, pair.f, plan_.change);
-  for (const Face f : {pair.f, pair.g}) swapped_[f] = swap_stamp_;
+  made(StepKind::Swap, pair.f, hand.plan.change);
+  for (const Face f : {pair.f, pair.g})
+    if (f.index < swapped_.size()) swapped_[f] = swap_stamp_;
   return true;
 }
 
 bool QualityLoop::advance_smooth() {
+  if (part_count_ > 1) return advance_smooth_in_turn();
   const std::uint32_t id = mesh_.ids(0).next_alive(cursor_);
   if (id >= mesh_.capacity(0)) {
     end_phase();
     return false;
   }
   cursor_ = id + 1;
-  return try_smooth(Vertex(id));
+  return try_smooth(Vertex(id), alone_);
 }
 
-bool QualityLoop::try_smooth(Vertex v) {
-  auto& [target, star] = plan_.move;
+bool QualityLoop::advance_smooth_in_turn() {
+  const Vertex v(turns_.next(mesh_, options_.threads));
+  if (!v.valid()) {
+    end_phase();
+    return false;
+  }
+  return try_smooth(v, alone_);
+}
+
+bool QualityLoop::try_smooth(Vertex v, Hand& hand) {
+  auto& [target, star] = hand.plan.move;
   if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, star, target).accepted())
     return false;
-  if (!guards_.judge(mesh_, plan_.change, v, star, target).accepted()) return false;
+  if (!guards_.judge(mesh_, hand.plan.change, v, star, target).accepted()) return false;
+  if (values_) values_->move(v, star, target);
+  if (hand.edits) {
+    hand.edits->move(v, target);
+    ++hand.made.smooths;
+    return true;
+  }
   apply_smooth(mesh_, v, target);
-  made(StepKind::Smooth, v, plan_.change);
+  made(StepKind::Smooth, v, hand.plan.change);
   return true;
 }
 
 std::uint32_t QualityLoop::swap_pass() {
   std::uint32_t count = 0;
+  alone_.within_part = false;
   locate();
   measure_energy();
   SwapBatch batch;
@@ -115,9 +166,10 @@ std::uint32_t QualityLoop::swap_pass() {
 
 std::uint32_t QualityLoop::smooth_pass() {
   std::uint32_t count = 0;
+  alone_.within_part = false;
   locate();
   measure_energy();
-  for (const Vertex v : mesh_.vertices()) count += try_smooth(v);
+  for (const Vertex v : mesh_.vertices()) count += try_smooth(v, alone_);
   return pass_done(count);
 }
 
@@ -125,7 +177,12 @@ std::uint32_t QualityLoop::smooth_pass() {
 // swaps what was judged ahead is out of date.
 std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
   locate();
-  if (made > 0 && phase_ == Phase::Collapse) queue_.measure(true);
+  if (made > 0 && phase_ == Phase::Collapse) {
+    partition_ = Partition(mesh_, part_count_, 0, options_.threads);
+    queue_.measure(true);
+    rounds_.begin(goals_[stage_]);
+  }
+  turns_.give_up_parts();
   std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::array<Face, 3>());
   return made;
 }

@@ -35,7 +35,7 @@ Verdict QualityLoop::judge(Vertex a, Vertex b, CollapseQueue::Candidate& candida
   if (!(candidate.cost < CollapseQueue::unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
   Plan plan;
-  return judge(candidate.contraction, plan);
+  return judge(candidate.contraction, rules_, alone_.collapser, plan);
 }
 
 Limits QualityLoop::limits(const TurnLimit& turn, double least_angle_deg) const {

@@ -5,14 +5,21 @@
 // effect).
 
 #include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/quality/collapse_queue.h"
+#include "core/decimate/quality/collapse_rounds.h"
 #include "core/decimate/quality/original_surface.h"
+#include "core/decimate/quality/pass_turns.h"
 #include "core/decimate/quality/point_fit.h"
+#include "core/mesh/shared_edits.h"
+#include "core/parts/partition.h"
 
 namespace aomd {
 
@@ -25,6 +32,7 @@ class QualityLoop final : public Loop {
   QualityLoop(Mesh& mesh, const DecimationOptions& options);
 
   bool advance() override;
+  bool advance_parts(const std::function<bool()>& cancelled) override;
   void restart(const DecimationOptions& options) override;
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
@@ -39,6 +47,17 @@ class QualityLoop final : public Loop {
 
  private:
   // Collapses (quality_loop.cpp)
+  /// What one thread needs to judge and to make collapses.
+  struct Hand {
+    explicit Hand(const Mesh& mesh) : collapser(mesh) {}
+    Collapser collapser;
+    Plan plan;
+    CollapseQueue::Turn turn;
+    std::size_t part = 0;
+    bool within_part = false;      ///< what touches the seam is left to others
+    SharedEdits* edits = nullptr;  ///< none: nobody else edits, and the mesh follows at once
+    SweepStatistics made;          ///< where there are others
+  };
   bool advance_collapse();
   bool relax();
   /// A candidate that was judged, and what came of it.
@@ -50,16 +69,43 @@ class QualityLoop final : public Loop {
              candidate.contraction.kept == other.contraction.kept;
     }
   };
-  bool try_others(Vertex v, const Trial& cheapest);
+  bool try_vertex(Vertex v, Hand& hand);
+  bool try_others(Vertex v, const Trial& cheapest, Hand& hand);
   /// None where it was made.
-  Reason try_collapse(const CollapseQueue::Candidate& candidate);
-  void collapse(const Contraction& contraction);
-  void refused(const Contraction& contraction, Reason reason);
+  Reason try_collapse(const CollapseQueue::Candidate& candidate, Hand& hand);
+  void collapse(const Contraction& contraction, Hand& hand);
+  void refused(const Contraction& contraction, Reason reason, Hand& hand);
+  void count(const Contraction& contraction, Hand& hand);
   /// Whether others have become so dear that it may leave a sliver.
-  [[nodiscard]] bool pays_for_sliver(const CollapseQueue::Candidate& candidate) const {
-    return sliver_price_ * candidate.cost <= queue_.level();
+  [[nodiscard]] bool pays_for_sliver(const CollapseQueue::Candidate& candidate,
+                                     const Hand& hand) const {
+    return sliver_price_ * candidate.cost <= queue_.level(hand.part);
   }
-  [[nodiscard]] Verdict judge(const Contraction& contraction, Plan& plan);
+  [[nodiscard]] Verdict judge(const Contraction& contraction, const CollapseRules& rules,
+                              Collapser& collapser, Plan& plan);
+
+  // Parts at work at the same time (parts_at_once.cpp)
+  /// Whether a vertex, or a collapse, is for the part alone: away from the seam, and from model
+  /// edges, whose collapses change more than the faces around them.
+  [[nodiscard]] bool is_inside(Vertex v) const {
+    return !partition_.on_seam(v) && mesh_.classification(v).dimension() == 2;
+  }
+  [[nodiscard]] bool must_wait(const Contraction& c, const Hand& hand) const {
+    return hand.within_part && !(is_inside(c.deleted) && is_inside(c.kept));
+  }
+  [[nodiscard]] bool parts_may_share() const;
+  /// What threads share while they take the parts.
+  struct PartsWork {
+    const std::function<bool()>& cancelled;
+    std::atomic<std::size_t> next = 0;  ///< the part that nobody has taken yet
+    std::atomic<bool> wants_room = false, stopped = false;
+  };
+  [[nodiscard]] bool parts_are_ready();
+  void work_on_parts(Hand& hand, bool may_ask, PartsWork& work);
+  /// One candidate of the hand's part; false where it has none any more.
+  bool advance_part(Hand& hand);
+  void end_parts();
+  void take_count(Hand& hand);
 
   // What is said without being done (outlook.cpp)
   /// With what would go where, and at what cost: infinite where it is out of the question.
@@ -103,17 +149,28 @@ class QualityLoop final : public Loop {
   std::uint32_t pass_done(std::uint32_t made);
   bool advance_swap();
   bool advance_smooth();
-  bool try_swap(Vertex a, Vertex b);
-  bool try_smooth(Vertex v);
+  /// The same where there are several parts.
+  bool advance_swap_in_turn();
+  bool advance_smooth_in_turn();
+  bool swap_across(Face f, std::uint32_t corner, Hand& hand);
+  bool try_swap(Vertex a, Vertex b, Hand& hand);
+  bool try_smooth(Vertex v, Hand& hand);
 
   OriginalSurface original_;
   OriginalCurves curves_;
-  Collapser collapser_;
+  std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts
   Fitter fitter_;
   CollapseRules rules_;
+  CollapseRules sliver_rules_;  ///< what binds a collapse that may leave a sliver
   FitRules fit_;
   float sliver_price_ = 1;  ///< how many times dearer others must be before one is made
+  std::size_t part_count_ = 1;
+  Partition partition_;  ///< for the present stage
   CollapseQueue queue_;
+  CollapseRounds rounds_;
+  Hand alone_;                                ///< of who works alone
+  std::vector<std::unique_ptr<Hand>> hands_;  ///< of those who work at the same time
+  std::vector<SharedEdits> edits_;            ///< by part
   Column<Edge, Reason> refusal_;
 
   std::vector<std::uint32_t>
@@ -126,6 +183,9 @@ class QualityLoop final : public Loop {
 
   std::uint32_t cursor_ = 0;             ///< of a pass of smoothing
   SwapBatch swaps_;                      ///< of a pass of swaps
+  PassTurns turns_;                      ///< of either pass, where there are several parts
+  Face face_;                            ///< whose edges have their turn there
+  std::uint32_t corner_ = 0;             ///< of that face
   Column<Face, std::uint32_t> swapped_;  ///< == swap_stamp_: since the last batch was judged
   std::uint32_t swap_stamp_ = 0;
 };

@@ -65,9 +65,15 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
       original_(mesh, sampling(mesh, options)),
       curves_(mesh),
-      collapser_(mesh),
       fitter_(mesh, original_, curves_),
-      queue_(mesh, original_, curves_, options_) {
+      queue_(mesh, original_, curves_, options_, partition_),
+      rounds_(mesh, queue_, partition_),
+      alone_(mesh) {
+  if (options.values) {
+    values_ = std::make_unique<AttributeFit>(mesh, original_, *options.values);
+    queue_.count(values_->original());
+    fitter_.count(*values_);
+  }
   start(options);
 }
 
@@ -80,6 +86,8 @@ void QualityLoop::set_rules() {
   fit_.max_away = TurnLimit(options_.has(Idea::Facing) ? 60 : 179);
   fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
   rules_.least_angle = LeastAngle(options_.min_angle_deg);
+  rules_.least_around = LeastAngle(0);
+  sliver_rules_ = rules_;
   rules_.least_around = LeastAngle(usual_least_deg);
   sliver_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
@@ -142,11 +150,16 @@ void QualityLoop::start(const DecimationOptions& options) {
   queue_.reset(cost_rules());
   fill_spacing();
   stage_ = 0;
+  part_count_ = options_.parts > 0
+                    ? std::min<std::size_t>(std::size_t(options_.parts), Partition::most_parts)
+                    : part_count(mesh_);
   begin_stage();
 }
 
 void QualityLoop::begin_stage() {
+  partition_ = Partition(mesh_, part_count_, 0, options_.threads);
   queue_.measure(stage_ > 0);
+  rounds_.begin(goals_[stage_]);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   round_ = 0;
   phase_ = Phase::Collapse;
@@ -162,6 +175,7 @@ void QualityLoop::begin_improvement() {
 void QualityLoop::locate() {
   original_.locate(mesh_, options_.threads);
   curves_.locate(mesh_);
+  if (values_) values_->locate();
 }
 
 void QualityLoop::measure_energy() {
@@ -175,7 +189,10 @@ void QualityLoop::measure_energy() {
 void QualityLoop::enter(Phase phase) {
   cursor_ = 0;
   swaps_ = {};
+  corner_ = 0;
   phase_ = phase;
+  if (part_count_ > 1)
+    turns_.begin(mesh_, phase == Phase::Swap ? 2 : 0, part_count_, options_.threads);
 }
 
 void QualityLoop::end_phase() {
