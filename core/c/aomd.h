@@ -91,11 +91,13 @@ typedef struct aomd_decimate_options {
   int threads;           // 0: all cores; the result is the same
   aomd_progress progress;
   void* user;
+  int attributes;  // of quality: 1: colours and texture coordinates count beside the shape; 0: not
 } aomd_decimate_options;
 
 // Sets what suits most meshes; `size` is sizeof(aomd_decimate_options).
 aomd_status aomd_decimate_options_init(aomd_decimate_options* options, size_t size);
-// Classifies and decimates; the result is classified. With no options as after init.
+// Classifies and decimates; the result is classified, and has the arrays of the mesh. With no
+// options as after init.
 aomd_status aomd_decimate(const aomd_mesh* mesh, const aomd_decimate_options* options,
                           aomd_mesh** result);
 // Classifies by the angles between faces, where the mesh does not say what it lies on.

@@ -7,8 +7,11 @@
 
 #include "core/base/parallel.h"
 #include "core/c/handles.h"
+#include "core/decimate/counted_values.h"
 #include "core/decimate/decimation.h"
+#include "core/fields/seams.h"
 #include "core/io/error.h"
+#include "core/io/left_out.h"
 #include "core/measure/distance.h"
 #include "core/measure/normals.h"
 #include "core/mesh/verify.h"
@@ -29,6 +32,7 @@ aomd_decimate_options usual_options() {
   options.factor = 4;
   options.regularity = 0.5;
   options.feature_angle = 20;
+  options.attributes = 1;
   return options;
 }
 
@@ -67,8 +71,9 @@ aomd::ClassifyOptions by_angle(double feature_angle) {
   return options;
 }
 
-void classify_for(Mesh& mesh, const aomd_decimate_options& options) {
+void classify_for(Mesh& mesh, const aomd::MeshData& data, const aomd_decimate_options& options) {
   aomd::ClassifyOptions how = by_angle(options.feature_angle);
+  if (data.regions.empty()) how.seams = aomd::fields::seams_of(data);
   how.complete = options.paper != 0;
   classify(mesh, how);
   if (mesh.count(3) > 0) mesh.keep_model_faces_only();
@@ -107,14 +112,19 @@ aomd_status aomd_decimate(const aomd_mesh* mesh, const aomd_decimate_options* op
     Mesh work(mesh->data);
     if (const char* obstacle = aomd::decimation_obstacle(work))
       throw aomd::io::LimitError("mesh", {}, obstacle);
-    classify_for(work, told);
+    classify_for(work, mesh->data, told);
+    aomd::DecimationOptions steps = for_library(told);
+    if (told.attributes && !told.paper && mesh->data.regions.empty())
+      steps.values = counted_values(mesh->data, work, aomd::usual_weights(mesh->data));
     {
-      aomd::Decimation decimation(work, for_library(told));
+      aomd::Decimation decimation(work, steps);
       run(decimation, told);
     }
     if (const auto findings = verify(work); !findings.empty())
       throw aomd::io::ReadError("mesh", {}, "cannot be decimated: " + findings.front().text);
-    *result = mesh_of(work);
+    std::unique_ptr<aomd_mesh> made(mesh_of(work));
+    made->notes = aomd::io::carry_along(mesh->data, made->data, steps.threads).notes;
+    *result = made.release();
   });
 }
 

@@ -74,6 +74,16 @@ std::vector<std::uint32_t> Charts::numbers() const {
   return numbers;
 }
 
+std::vector<double> corner_measures(const MeshData& mesh) {
+  const Cells faces(mesh, 2);
+  std::vector<double> measures;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const std::size_t n = faces.vertices(f).size();
+    measures.insert(measures.end(), n, faces.measure(f) / static_cast<double>(n));
+  }
+  return measures;
+}
+
 std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh) {
   std::vector<std::array<std::uint32_t, 2>> seams;
   if (mesh.corners.empty()) return seams;

@@ -38,6 +38,9 @@ class Charts {
   std::vector<std::array<std::uint32_t, 2>> seams_;
 };
 
+/// What each corner of the faces stands for: its share of their area.
+[[nodiscard]] std::vector<double> corner_measures(const MeshData& mesh);
+
 /// The seams of all arrays on corners but normals, sorted: those of facets are everywhere.
 [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh);
 

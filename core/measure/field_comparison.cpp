@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/fields/seams.h"
 #include "core/fields/tet_tree.h"
 #include "core/measure/surface_places.h"
 #include "core/mesh/split_tets.h"
@@ -157,16 +158,41 @@ Pairs arrays_of_both(const MeshData& original, const MeshData& result, int cells
   return pairs;
 }
 
+/// Those on the corners of faces, with a value for each of these.
+Pairs corners_of_both(const MeshData& original, const MeshData& result) {
+  Pairs pairs;
+  const auto full = [](const Attribute& a, const MeshData& mesh) {
+    return a.values.size() == static_cast<std::size_t>(a.components) * mesh.faces.vertices.size();
+  };
+  for (std::size_t i = 0; i < original.corners.size(); ++i) {
+    const Attribute& a = original.corners[i];
+    const auto found =
+        std::find_if(result.corners.begin(), result.corners.end(), [&](const Attribute& b) {
+          return a.name == b.name && a.components == b.components && full(b, result);
+        });
+    if (found != result.corners.end() && full(a, original))
+      pairs.emplace_back(i, static_cast<std::size_t>(found - result.corners.begin()));
+  }
+  return pairs;
+}
+
+std::vector<double> measures_for(const MeshData& mesh, int dimension, bool corners) {
+  return corners ? fields::corner_measures(mesh) : fields::measures(mesh, dimension);
+}
+
 FieldDifference described(const MeshData& original, const MeshData& result, const Attribute& before,
-                          const Attribute& after) {
+                          const Attribute& after, bool corners = false) {
   FieldDifference d;
   d.name = before.name;
   d.dimension = before.dimension;
   d.components = before.components;
+  d.corners = corners;
   d.label = fields::kind_of(before) == fields::FieldKind::Label &&
             fields::kind_of(after) == fields::FieldKind::Label;
-  d.before = fields::facts_of(before, fields::measures(original, d.dimension));
-  d.after = fields::facts_of(after, fields::measures(result, d.dimension));
+  d.directions = d.components == 3 && fields::kind_of(before) == fields::FieldKind::Unit &&
+                 fields::kind_of(after) == fields::FieldKind::Unit;
+  d.before = fields::facts_of(before, measures_for(original, d.dimension, corners));
+  d.after = fields::facts_of(after, measures_for(result, d.dimension, corners));
   for (const fields::ComponentFacts& c : d.before.components)
     d.range = std::max(d.range, c.high - c.low);
   return d;
@@ -188,16 +214,34 @@ std::vector<FieldDifference> fields_of_volumes(const MeshData& original, const M
   return list;
 }
 
+/// One array of two surfaces.
+FieldDifference difference(const SurfacePlaces& places, const Attribute& before,
+                           const Attribute& after, FieldDifference d) {
+  DifferenceSums sums;
+  places.add_differences(before, after, d.corners, sums);
+  sums.write(d);
+  if (!d.directions) return d;
+  DifferenceSums angles;
+  FieldDifference in_degrees;
+  places.add_angles(before, after, d.corners, angles);
+  angles.write(in_degrees);
+  d.rms_deg = in_degrees.rms;
+  d.largest_deg = in_degrees.largest;
+  return d;
+}
+
 std::vector<FieldDifference> fields_of_surfaces(const MeshData& original, const MeshData& result,
-                                                const Pairs& pairs, int threads) {
+                                                const Pairs& pairs, const Pairs& corners,
+                                                int threads) {
   const SurfacePlaces places(original, result, threads);
   std::vector<FieldDifference> list;
   for (const auto& [i, k] : pairs) {
     const Attribute &a = original.attributes[i], &b = result.attributes[k];
-    list.push_back(described(original, result, a, b));
-    DifferenceSums sums;
-    places.add_differences(a, b, sums);
-    sums.write(list.back());
+    list.push_back(difference(places, a, b, described(original, result, a, b)));
+  }
+  for (const auto& [i, k] : corners) {
+    const Attribute &a = original.corners[i], &b = result.corners[k];
+    list.push_back(difference(places, a, b, described(original, result, a, b, true)));
   }
   return list;
 }
@@ -231,9 +275,10 @@ std::vector<FieldDifference> compare_fields(const MeshData& original, const Mesh
   const bool volumes = !original.regions.empty() && !result.regions.empty();
   if (!volumes && (original.faces.empty() || result.faces.empty())) return {};
   const Pairs pairs = arrays_of_both(original, result, volumes ? 3 : 2);
-  if (pairs.empty()) return {};
+  const Pairs corners = volumes ? Pairs() : corners_of_both(original, result);
+  if (pairs.empty() && corners.empty()) return {};
   return volumes ? fields_of_volumes(original, result, pairs, threads)
-                 : fields_of_surfaces(original, result, pairs, threads);
+                 : fields_of_surfaces(original, result, pairs, corners, threads);
 }
 
 }  // namespace aomd::measure

@@ -191,6 +191,61 @@ TEST_F(FieldsCommand, CompareSaysWhatArraysOfSurfacesDifferBy) {
   EXPECT_NE(out.find("% of area"), std::string::npos) << out;
 }
 
+/// A square of two triangles, whose texture coordinates jump across the diagonal.
+MeshData with_corners(double shift, double tilt_deg) {
+  MeshData mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh.faces.add(Shape::Triangle, {0, 1, 2});
+  mesh.faces.add(Shape::Triangle, {0, 2, 3});
+  Attribute uv{"uv", 2, 2, false, {}}, normal{"normal", 0, 3, false, {}};
+  uv.meaning = Meaning::Texture;
+  normal.meaning = Meaning::Normal;
+  for (std::size_t c = 0; c < 6; ++c) {
+    const glm::dvec3& p = mesh.positions[mesh.faces.vertices[c]];
+    uv.values.insert(uv.values.end(), {p.x + shift + (c < 3 ? 0 : 10), p.y});
+  }
+  const double tilt = tilt_deg * std::acos(-1.0) / 180;
+  for (std::size_t v = 0; v < 4; ++v)
+    normal.values.insert(normal.values.end(), {std::sin(tilt), 0, std::cos(tilt)});
+  mesh.attributes = {normal};
+  mesh.corners = {uv};
+  return mesh;
+}
+
+TEST_F(FieldsCommand, CornersAreComparedAndNormalsByTheirAngle) {
+  io::write(at("a.obj"), with_corners(0, 0));
+  io::write(at("b.obj"), with_corners(0.25, 30));
+  const auto list = nlohmann::json::parse(aomd("compare a.obj b.obj --json").out)["fields"];
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0]["name"], "normal");
+  EXPECT_NEAR(list[0]["rms_deg"], 30, 1e-9);
+  EXPECT_NEAR(list[0]["largest_deg"], 30, 1e-9);
+  EXPECT_EQ(list[1]["name"], "uv");
+  EXPECT_EQ(list[1]["on"], "corners");
+  EXPECT_TRUE(list[1]["rms_deg"].is_null());
+  EXPECT_NEAR(list[1]["rms"], 0.25, 1e-12);
+  EXPECT_NEAR(list[1]["largest"], 0.25, 1e-12);
+  EXPECT_NEAR(list[1]["rms_pct"], 100 * 0.25 / 11, 1e-9);
+  EXPECT_EQ(list[1]["original"]["max"], nlohmann::json::array({11, 1}));
+  const std::string out = aomd("compare a.obj b.obj").out;
+  EXPECT_NE(out.find("\n    \"normal\" on vertices, deg"), std::string::npos) << out;
+  EXPECT_NE(out.find("\n    \"uv\" on corners "), std::string::npos) << out;
+}
+
+TEST_F(FieldsCommand, InfoTellsOfCornersAndTheirSeams) {
+  io::write(at("a.obj"), with_corners(0, 0));
+  const std::string out = aomd("info a.obj").out;
+  EXPECT_NE(out.find("  \"uv\" on corners, 2 real numbers: 0 to 11; it jumps across 1 edge\n"),
+            std::string::npos)
+      << out;
+  const auto uv = nlohmann::json::parse(aomd("info a.obj --json").out)["fields"][1];
+  EXPECT_EQ(uv["name"], "uv");
+  EXPECT_EQ(uv["on"], "corners");
+  EXPECT_EQ(uv["seams"], 1);
+  EXPECT_EQ(uv["kind"], "interpolated");
+  EXPECT_EQ(uv["max"], nlohmann::json::array({11, 1}));
+}
+
 TEST_F(FieldsCommand, WhereNothingMovesAllArraysStay) {
   const MeshData mesh = surface();
   io::write(at("in.vtu"), mesh);

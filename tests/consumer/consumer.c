@@ -120,6 +120,61 @@ static void test_decimate(void) {
   aomd_mesh_free(ball);
 }
 
+// A square of cells by cells, red on one side of a line and blue on the other.
+static aomd_mesh* two_colours(const char* folder) {
+  enum { cells = 24 };
+  aomd_mesh* mesh = NULL;
+  char file[1024];
+  FILE* out = NULL;
+  int i, j;
+  snprintf(file, sizeof file, "%s/colours.ply", folder);
+  out = fopen(file, "w");
+  EXPECT(out != NULL);
+  fprintf(out, "ply\nformat ascii 1.0\nelement vertex %d\n", (cells + 1) * (cells + 1));
+  fprintf(out, "property double x\nproperty double y\nproperty double z\nproperty uchar red\n");
+  fprintf(out, "property uchar green\nproperty uchar blue\nelement face %d\n", 2 * cells * cells);
+  fprintf(out, "property list uchar int vertex_indices\nend_header\n");
+  for (i = 0; i <= cells; ++i)
+    for (j = 0; j <= cells; ++j)
+      fprintf(out, "%d %d 0 %s\n", i, j, 3 * i > cells + j ? "255 0 0" : "0 0 255");
+  for (i = 0; i < cells; ++i)
+    for (j = 0; j < cells; ++j) {
+      const int v = i * (cells + 1) + j;
+      fprintf(out, "3 %d %d %d\n", v, v + cells + 1, v + cells + 2);
+      fprintf(out, "3 %d %d %d\n", v, v + cells + 2, v + 1);
+    }
+  EXPECT(fclose(out) == 0);
+  DONE(aomd_mesh_read(file, &mesh));
+  return mesh;
+}
+
+// The result has colours; where they count it is another one.
+static void test_attributes(const char* folder) {
+  aomd_mesh *mesh = two_colours(folder), *shape = NULL, *both = NULL;
+  aomd_decimate_options options;
+  char file[1024], line[16];
+  FILE* written = NULL;
+  size_t size = 0;
+  DONE(aomd_decimate_options_init(&options, sizeof options));
+  EXPECT(options.attributes == 1);
+  options.target = 150;
+  DONE(aomd_decimate(mesh, &options, &both));
+  options.attributes = 0;
+  DONE(aomd_decimate(mesh, &options, &shape));
+  size = 3 * sizeof(double) * aomd_mesh_count(both, 0);
+  EXPECT(aomd_mesh_count(shape, 0) != aomd_mesh_count(both, 0) ||
+         memcmp(aomd_mesh_positions(shape), aomd_mesh_positions(both), size) != 0);
+  snprintf(file, sizeof file, "%s/colours.off", folder);
+  DONE(aomd_mesh_write(both, file));
+  written = fopen(file, "r");
+  EXPECT(written != NULL && fgets(line, sizeof line, written) != NULL);
+  EXPECT(strcmp(line, "COFF\n") == 0 && aomd_mesh_note_count(both) == 0);
+  fclose(written);
+  aomd_mesh_free(mesh);
+  aomd_mesh_free(shape);
+  aomd_mesh_free(both);
+}
+
 // A program that was compiled when there was nothing behind `target`.
 static void test_older_options(void) {
   aomd_mesh *ball = NULL, *coarse = NULL;
@@ -218,6 +273,7 @@ int main(int argc, char** argv) {
   test_refusals();
   test_files(argv[1]);
   test_decimate();
+  test_attributes(argv[1]);
   test_older_options();
   test_cancel();
   test_volume();

@@ -118,11 +118,11 @@ TEST(AttributeQuadrics, MergingKeepsWhatBothSay) {
   AttributeQuadrics q;
   q.reset(3, 1);
   q.add(Vertex(0), 0, 1, {1, 0, 0}, 2);  // at x = 0: 1 + x
-  q.add(Vertex(1), 0, 2, {0, 0, 0}, 2);  // at x = 2: 2
+  q.add(Vertex(1), 0, 4, {2, 0, 0}, 2);  // at x = 2: 2 x
   q.merge(Vertex(0), {1, 0, 0}, Vertex(1), {-1, 0, 0});
   const LocalQuadric from_middle = q.together(Vertex(1), Vertex(2), {0, 0, 0});
   EXPECT_NEAR(from_middle({0, 0, 0}), 0, 1e-6) << "at x = 1 both say 2";
-  EXPECT_NEAR(from_middle({1, 0, 0}), 1, 1e-6) << "at x = 2 they say 3 and 2: 2 * (1/4 + 1/4)";
+  EXPECT_NEAR(from_middle({1, 0, 0}), 1, 1e-6) << "at x = 2 they say 3 and 4: 2 * (1/4 + 1/4)";
 }
 
 TEST(OriginalValues, AreLinearInFaces) {

@@ -62,6 +62,8 @@ TEST_F(MeditSolution, WhatDoesNotFitIsAnError) {
   const std::string start = "MeshVersionFormatted 2\nDimension 3\n";
   expect_error(start + "SolAtVertices\n5\n1 1\n1 2 3 4 5\nEnd\n",
                "SolAtVertices has values for 5, and the mesh has 4 of these");
+  expect_error(start + "SolAtVertices\n3\n1 1\n1 2 3\nEnd\n",
+               "SolAtVertices has values for 3, and the mesh has 4 of these");
   expect_error(start + "SolAtTetrahedra\n1\n1 1\n1\nEnd\n",
                "SolAtTetrahedra has values for 1, and the mesh has 0 of these");
   expect_error(start + "SolAtVertices\n4\n1 5\n1 2 3 4\nEnd\n", "type 5");

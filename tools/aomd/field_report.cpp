@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/fields/cells.h"
+#include "core/fields/seams.h"
 #include "core/mesh/names.h"
 
 namespace aomd::cli {
@@ -66,6 +67,44 @@ void columns(std::ostream& out, const std::string& label, const Values&... value
   ((out << ' ' << std::setw(15) << values), ...) << '\n';
 }
 
+/// An array on corners, as one on vertices is treated.
+Attribute on_corners(const Attribute& array) {
+  Attribute a = fields::like(array);
+  a.dimension = 0;
+  return a;
+}
+
+template <typename Visit>
+void each_on_corners(const MeshData& mesh, Visit&& visit) {
+  if (mesh.corners.empty()) return;
+  const fields::Cells faces(mesh, 2);
+  const std::vector<double> measures = fields::corner_measures(mesh);
+  for (const Attribute& a : mesh.corners)
+    visit(a, fields::facts_of(a, measures), fields::Charts(faces, a).seams().size());
+}
+
+/// Without what it is called and where it is.
+Json array_json(const Attribute& a, const FieldFacts& facts, fields::FieldKind kind) {
+  Json json{{"components", a.components},
+            {"type", type_name(a)},
+            {"stored", storage_words(a)},
+            {"kind", kind_name(kind)}};
+  json.update(array_facts_json(facts));
+  return json;
+}
+
+std::string array_words(const Attribute& a, const FieldFacts& facts) {
+  std::string text =
+      counted(static_cast<std::uint64_t>(a.components), std::string(type_name(a)) + " number") +
+      ": " + range_words(facts);
+  if (facts.missing > 0) text += ", " + counted(facts.missing, "value") + " no number";
+  return text;
+}
+
+const char* place_name(const measure::FieldDifference& d) {
+  return d.corners ? "corners" : entity_plural(d.dimension);
+}
+
 template <typename Visit>
 void each_array(const MeshData& mesh, Visit&& visit) {
   std::array<std::vector<double>, 4> measures;
@@ -102,13 +141,12 @@ void print_fields(std::ostream& out, const std::vector<CarriedField>& list) {
 Json arrays_json(const MeshData& mesh) {
   Json json = Json::array();
   each_array(mesh, [&](const Attribute& a, const FieldFacts& facts) {
-    json.push_back({{"name", a.name},
-                    {"on", entity_plural(a.dimension)},
-                    {"components", a.components},
-                    {"type", type_name(a)},
-                    {"stored", storage_words(a)},
-                    {"kind", kind_name(fields::kind_of(a))}});
-    json.back().update(array_facts_json(facts));
+    json.push_back({{"name", a.name}, {"on", entity_plural(a.dimension)}});
+    json.back().update(array_json(a, facts, fields::kind_of(a)));
+  });
+  each_on_corners(mesh, [&](const Attribute& a, const FieldFacts& facts, std::size_t seams) {
+    json.push_back({{"name", a.name}, {"on", "corners"}, {"seams", seams}});
+    json.back().update(array_json(a, facts, fields::kind_of(on_corners(a))));
   });
   return json;
 }
@@ -118,10 +156,12 @@ void print_arrays(std::ostream& out, const MeshData& mesh) {
   each_array(mesh, [&](const Attribute& a, const FieldFacts& facts) {
     if (++lines > most_arrays) return;
     out << "  " << shown(a.name) << " on " << entity_plural(a.dimension) << ", "
-        << counted(static_cast<std::uint64_t>(a.components), std::string(type_name(a)) + " number")
-        << ": " << range_words(facts);
-    if (facts.missing > 0) out << ", " << counted(facts.missing, "value") << " no number";
-    out << '\n';
+        << array_words(a, facts) << '\n';
+  });
+  each_on_corners(mesh, [&](const Attribute& a, const FieldFacts& facts, std::size_t seams) {
+    if (++lines > most_arrays) return;
+    out << "  " << shown(a.name) << " on corners, " << array_words(a, facts) << "; it jumps across "
+        << counted(seams, "edge") << '\n';
   });
   if (lines > most_arrays) out << "  and " << lines - most_arrays << " more; --json has all\n";
 }
@@ -130,12 +170,14 @@ Json differences_json(const std::vector<measure::FieldDifference>& list) {
   Json json = Json::array();
   for (const measure::FieldDifference& d : list)
     json.push_back({{"name", d.name},
-                    {"on", entity_plural(d.dimension)},
+                    {"on", place_name(d)},
                     {"components", d.components},
                     {"rms", d.label ? Json(nullptr) : Json(d.rms)},
                     {"largest", d.label ? Json(nullptr) : Json(d.largest)},
                     {"rms_pct", d.label ? Json(nullptr) : Json(d.percent(d.rms))},
                     {"largest_pct", d.label ? Json(nullptr) : Json(d.percent(d.largest))},
+                    {"rms_deg", d.directions ? Json(d.rms_deg) : Json(nullptr)},
+                    {"largest_deg", d.directions ? Json(d.largest_deg) : Json(nullptr)},
                     {"differing_pct", d.label ? Json(100 * d.differing) : Json(nullptr)},
                     {"missing", d.missing},
                     {"original", array_facts_json(d.before)},
@@ -151,11 +193,12 @@ void print_differences(std::ostream& out, const std::vector<measure::FieldDiffer
   const std::size_t shown_lines = std::min(list.size(), most_arrays);
   for (std::size_t i = 0; i < shown_lines; ++i) {
     const measure::FieldDifference& d = list[i];
-    const std::string name = "  " + shown(d.name) + " on " + entity_plural(d.dimension);
+    const std::string name = "  " + shown(d.name) + " on " + place_name(d);
     if (d.label)
       columns(out, name, "-", "-", 100 * d.differing);
     else
       columns(out, name, d.percent(d.rms), d.percent(d.largest));
+    if (d.directions) columns(out, name + ", deg", d.rms_deg, d.largest_deg);
   }
   if (shown_lines < list.size())
     out << "  and " << list.size() - shown_lines << " more; --json has all\n";
