@@ -41,6 +41,10 @@ endif()
 
 if(AOMD_BUILD_VIEWER)
   install(TARGETS aomd-view COMPONENT viewer)
+  foreach(font inter jetbrains-mono)  # their licence goes where they go
+    install(FILES /usr/share/doc/fonts-${font}/copyright RENAME fonts-${font}.copyright
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/aomd-view COMPONENT viewer OPTIONAL)
+  endforeach()
   install(FILES assets/desktop/aomd-view.desktop
     DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT viewer)
   install(FILES assets/desktop/aomd-view.svg

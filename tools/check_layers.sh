@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
@@ -35,9 +35,10 @@ declare -A may_include=(
   [viewer/lessons]="core viewer/base viewer/document viewer/drawing viewer/lessons"
   [viewer/session]="core $below_session viewer/session"
   [viewer/commands]="core $below_session viewer/session viewer/commands"
+  [viewer/suite]="core viewer/base viewer/suite"
   [viewer/render]="core viewer/base viewer/document viewer/drawing viewer/render"
   [viewer/ui]="core $scene viewer/render viewer/ui"
-  [viewer/app]="core $scene viewer/render viewer/ui viewer/app"
+  [viewer/app]="core $scene viewer/suite viewer/render viewer/ui viewer/app"
   [tools/aomd]="core tools/aomd"
   [tools/python]="core viewer tools/aomd tools/python"
   [tools/bench]="core viewer tools/bench"

@@ -24,6 +24,8 @@ class Buckets {
   }
 
   [[nodiscard]] std::size_t count() const { return begin_.size() - 2; }
+  /// Of all numbers, one after the other.
+  [[nodiscard]] std::span<const Item> items() const { return items_; }
   [[nodiscard]] std::span<Item> operator[](std::size_t number) {
     return std::span(items_).subspan(begin_[number], begin_[number + 1] - begin_[number]);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/decimate/counted_values.h"
 #include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
@@ -81,6 +82,9 @@ struct DecimationOptions {
   /// Vertices (nonzero) that stay where they are, and so do faces between three of them; none: all
   /// may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
+  /// Quality, of a surface: numbers on its vertices, as it is when the decimation is made, that
+  /// the result is to keep beside its shape; none: the shape alone counts.
+  std::shared_ptr<const CountedValues> values = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
   /// mesh lies on (check_against) and outlive the decimation.
   const Model* model = nullptr;

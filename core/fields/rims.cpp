@@ -1,13 +1,34 @@
 #include "core/fields/rims.h"
 
 #include <algorithm>
-#include <tuple>
+#include <compare>
+#include <span>
+
+#include "core/base/buckets.h"
 
 namespace aomd::fields {
 namespace {
 
-RimSide side_of(std::uint32_t a, std::uint32_t b, std::uint32_t face) {
-  return {{std::min(a, b), std::max(a, b)}, face};
+std::array<std::uint32_t, 2> ends_of(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// A side of a face, filed under the smaller one of its ends.
+struct FiledSide {
+  std::uint32_t larger = 0, face = 0;
+  friend auto operator<=>(const FiledSide&, const FiledSide&) = default;
+};
+
+Buckets<FiledSide> sides_of(const Cells& faces) {
+  return {faces.mesh().positions.size(), [&](auto&& file) {
+            for (std::uint32_t f = 0; f < faces.size(); ++f) {
+              const auto v = faces.vertices(f);
+              for (std::size_t k = 0; k < v.size(); ++k) {
+                const auto ends = ends_of(v[k], v[k + 1 < v.size() ? k + 1 : 0]);
+                file(ends[0], FiledSide{ends[1], f});
+              }
+            }
+          }};
 }
 
 /// The listed edges on model edges, sorted.
@@ -15,7 +36,7 @@ std::vector<std::array<std::uint32_t, 2>> listed_curves(const MeshData& mesh) {
   std::vector<std::array<std::uint32_t, 2>> curves;
   for (std::size_t e = 0; e < mesh.edges.classes.size(); ++e)
     if (mesh.edges.classes[e].dimension() == 1)
-      curves.push_back(side_of(mesh.edges.vertices[2 * e], mesh.edges.vertices[2 * e + 1], 0).ends);
+      curves.push_back(ends_of(mesh.edges.vertices[2 * e], mesh.edges.vertices[2 * e + 1]));
   std::sort(curves.begin(), curves.end());
   return curves;
 }
@@ -23,26 +44,20 @@ std::vector<std::array<std::uint32_t, 2>> listed_curves(const MeshData& mesh) {
 }  // namespace
 
 std::vector<RimSide> rims_of(const Cells& faces) {
-  std::vector<RimSide> sides;
-  sides.reserve(faces.mesh().faces.vertices.size());
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    const auto v = faces.vertices(f);
-    for (std::size_t k = 0; k < v.size(); ++k)
-      sides.push_back(side_of(v[k], v[(k + 1) % v.size()], f));
-  }
-  std::sort(sides.begin(), sides.end(), [](const RimSide& a, const RimSide& b) {
-    return std::tie(a.ends, a.face) < std::tie(b.ends, b.face);
-  });
+  Buckets<FiledSide> filed = sides_of(faces);
   const auto curves = listed_curves(faces.mesh());
-  std::size_t kept = 0;
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    while (end < sides.size() && sides[end].ends == sides[i].ends) ++end;
-    const bool rim =
-        end - i != 2 || std::binary_search(curves.begin(), curves.end(), sides[i].ends);
-    for (std::size_t k = i; rim && k < end; ++k) sides[kept++] = sides[k];
+  std::vector<RimSide> rims;
+  for (std::uint32_t v = 0; v < filed.count(); ++v) {
+    const std::span<FiledSide> sides = filed[v];
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      while (end < sides.size() && sides[end].larger == sides[i].larger) ++end;
+      const std::array ends{v, sides[i].larger};
+      if (end - i == 2 && !std::binary_search(curves.begin(), curves.end(), ends)) continue;
+      for (std::size_t k = i; k < end; ++k) rims.push_back({ends, sides[k].face});
+    }
   }
-  sides.resize(kept);
-  return sides;
+  return rims;
 }
 
 }  // namespace aomd::fields

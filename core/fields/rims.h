@@ -16,7 +16,7 @@ struct RimSide {
 };
 
 /// The sides of faces along edges of other than two faces, and along listed edges on model edges,
-/// in ascending order of their vertices, then of their faces. O(n log n).
+/// in ascending order of their vertices, then of their faces. Expected O(n).
 [[nodiscard]] std::vector<RimSide> rims_of(const Cells& faces);
 
 }  // namespace aomd::fields

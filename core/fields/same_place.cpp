@@ -1,7 +1,7 @@
 #include "core/fields/same_place.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 
 #include "core/base/buckets.h"
 
@@ -11,6 +11,26 @@ namespace {
 bool before(const glm::dvec3& a, const glm::dvec3& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }
+
+/// Tells most places that are not among some from those that are.
+class PlaceFilter {
+ public:
+  explicit PlaceFilter(const std::vector<glm::dvec3>& places) : marked_(16 * places.size() + 1) {
+    for (const glm::dvec3& p : places) marked_[slot_of(p)] = true;
+  }
+  [[nodiscard]] bool may_hold(const glm::dvec3& p) const { return marked_[slot_of(p)]; }
+
+ private:
+  // Adding 0 makes both zeros one.
+  [[nodiscard]] std::size_t slot_of(const glm::dvec3& p) const {
+    std::uint64_t mixed = 0;
+    for (const double x : {p.x, p.y, p.z})
+      mixed = (mixed ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15u;
+    return (mixed >> 20) % marked_.size();
+  }
+
+  std::vector<bool> marked_;
+};
 
 using Row = std::vector<std::uint32_t>;
 
@@ -24,10 +44,12 @@ Buckets<std::uint32_t> by_smallest(const Cells& cells) {
 
 }  // namespace
 
-SameVertices::SameVertices(const MeshData& original, const MeshData& result)
-    : sorted_(original.positions.size()) {
+// Most vertices of an original are gone from its result: those are not sorted.
+SameVertices::SameVertices(const MeshData& original, const MeshData& result) {
   const std::vector<glm::dvec3>& places = original.positions;
-  std::iota(sorted_.begin(), sorted_.end(), 0u);
+  const PlaceFilter stays(result.positions);
+  for (std::uint32_t v = 0; v < places.size(); ++v)
+    if (stays.may_hold(places[v])) sorted_.push_back(v);
   std::sort(sorted_.begin(), sorted_.end(), [&](std::uint32_t a, std::uint32_t b) {
     return places[a] == places[b] ? a < b : before(places[a], places[b]);
   });

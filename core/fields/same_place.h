@@ -27,7 +27,7 @@ class SameVertices {
   }
 
  private:
-  std::vector<std::uint32_t> sorted_;         ///< the original's, by place
+  std::vector<std::uint32_t> sorted_;         ///< the original's that may have one there, by place
   std::vector<std::uint32_t> first_, count_;  ///< of each vertex of the result
 };
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace aomd::io::detail {
 
@@ -46,7 +47,7 @@ class ByteWriter {
 
   void reserve(std::size_t n) { bytes_.reserve(n); }
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }
-  [[nodiscard]] std::string take() { return std::move(bytes_); }
+  [[nodiscard]] std::string take() { return std::exchange(bytes_, {}); }
 
  private:
   std::string bytes_;

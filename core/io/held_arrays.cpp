@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/medit_solution.h"
 #include "core/io/stl_marks.h"
 
 namespace aomd::io::detail {
@@ -19,12 +20,16 @@ const Attribute* find_meant(const std::vector<Attribute>& arrays, Meaning meanin
   return found == arrays.end() ? nullptr : &*found;
 }
 
+/// Whether there is a value for each corner of the faces.
+bool fits(const Attribute& corners, const MeshData& mesh) {
+  return corners.values.size() ==
+         static_cast<std::size_t>(corners.components) * mesh.faces.vertices.size();
+}
+
 /// The same on corners, as many as the faces have.
 const Attribute* find_on_corners(const MeshData& mesh, Meaning meaning, int least, int most) {
   const Attribute* const a = find_meant(mesh.corners, meaning, 2, least, most);
-  const bool fits =
-      a && a->values.size() == static_cast<std::size_t>(a->components) * mesh.faces.vertices.size();
-  return fits ? a : nullptr;
+  return a && fits(*a, mesh) ? a : nullptr;
 }
 
 const Attribute* find_smoothing(const MeshData& mesh) {
@@ -79,6 +84,13 @@ const Attribute* ply_texture(const MeshData& mesh) {
   return find_on_corners(mesh, Meaning::Texture, 2, 2);
 }
 
+std::vector<const Attribute*> msh_corners(const MeshData& mesh) {
+  std::vector<const Attribute*> found;
+  for (const Attribute& a : mesh.corners)
+    if (fits(a, mesh)) found.push_back(&a);
+  return found;
+}
+
 StlArrays stl_arrays(const MeshData& mesh) {
   StlArrays found;
   for (const Attribute& a : mesh.attributes)
@@ -90,7 +102,8 @@ StlArrays stl_arrays(const MeshData& mesh) {
   return found;
 }
 
-std::vector<const Attribute*> held_arrays(Format format, bool binary, const MeshData& mesh) {
+std::vector<const Attribute*> held_arrays(Format format, bool binary, bool beside,
+                                          const MeshData& mesh) {
   std::vector<const Attribute*> held;
   const auto all = [&] {
     for (const Attribute& a : mesh.attributes) held.push_back(&a);
@@ -114,6 +127,9 @@ std::vector<const Attribute*> held_arrays(Format format, bool binary, const Mesh
       format == Format::Vtu)
     all();
   if (format == Format::Ply) held.push_back(ply_texture(mesh));
+  if (format == Format::Msh)
+    for (const Attribute* const a : msh_corners(mesh)) held.push_back(a);
+  if (format == Format::Medit && beside) held = solution_arrays(mesh);
   if (format == Format::Medit)
     for (const Attribute& a : mesh.attributes)
       if (a.name.starts_with("medit:")) held.push_back(&a);

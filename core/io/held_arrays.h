@@ -30,14 +30,18 @@ struct OffColumns {
 /// The array on corners that PLY has a place for: two texture coordinates each.
 [[nodiscard]] const Attribute* ply_texture(const MeshData& mesh);
 
+/// The arrays on corners that MSH has a place for: as many values as the faces have corners.
+[[nodiscard]] std::vector<const Attribute*> msh_corners(const MeshData& mesh);
+
 /// What STL has a place for: in binary colours or marks of facets, in text names of solids.
 struct StlArrays {
   const Attribute *colours = nullptr, *marks = nullptr, *solids = nullptr;
 };
 [[nodiscard]] StlArrays stl_arrays(const MeshData& mesh);
 
-/// The arrays, of corners too, that a file of the format holds.
-[[nodiscard]] std::vector<const Attribute*> held_arrays(Format format, bool binary,
+/// The arrays, of corners too, that a file of the format holds; `beside`: a Medit mesh has its file
+/// of arrays.
+[[nodiscard]] std::vector<const Attribute*> held_arrays(Format format, bool binary, bool beside,
                                                         const MeshData& mesh);
 
 }  // namespace aomd::io::detail

@@ -12,7 +12,9 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/losses.h"
+#include "core/io/medit_solution.h"
 #include "core/io/notes.h"
+#include "core/io/output_files.h"
 #include "core/io/text_cursor.h"
 #include "core/io/text_file.h"
 
@@ -240,11 +242,45 @@ std::string bytes_of(Format format, bool binary, const MeshData& mesh,
   return detail::write_stl(mesh, binary);
 }
 
+/// The arrays that stand beside a Medit mesh.
+void add_solution(const std::filesystem::path& path, ReadResult& result) {
+  const std::filesystem::path beside = solution_beside(path);
+  std::error_code ignored;
+  if (beside.empty() || !std::filesystem::is_regular_file(beside, ignored)) return;
+  if (!result.whole) {
+    result.notes.push_back(printable(beside.filename().string()) +
+                           " left out: the mesh is not as its file has it");
+    return;
+  }
+  const detail::FileBytes bytes(beside);
+  detail::read_solution({beside.string(), bytes.view()}, result.mesh);
+  detail::rename_repeated(result.mesh.attributes, result.notes);
+}
+
 }  // namespace
 
 ReadResult read(const std::filesystem::path& path) {
   const detail::FileBytes bytes(path);
-  return read_bytes(path.string(), bytes.view());
+  ReadResult result = read_bytes(path.string(), bytes.view());
+  if (result.format == Format::Medit) add_solution(path, result);
+  return result;
+}
+
+std::filesystem::path solution_beside(const std::filesystem::path& mesh) {
+  const std::string extension = lower(mesh.extension().string());
+  if (extension != ".mesh" && extension != ".meshb") return {};
+  return std::filesystem::path(mesh).replace_extension(extension == ".mesh" ? ".sol" : ".solb");
+}
+
+void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh& encoded) {
+  files.add(path, encoded.bytes);
+  const std::filesystem::path beside = solution_beside(path);
+  std::error_code ignored;
+  if (!encoded.solution.empty())
+    files.add(beside, encoded.solution);
+  else if (!beside.empty() && std::filesystem::exists(beside, ignored))
+    encoded.notes.push_back(printable(beside.filename().string()) +
+                            " is there from before, and does not belong to the mesh");
 }
 
 ReadResult read_bytes(const std::string& name, std::string_view bytes) {
@@ -278,17 +314,21 @@ EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const Mes
   const bool rounds = binary && (format == Format::Stl || format == Format::Off);
   check_writable(name, format, mesh, rounds);
   EncodedMesh result;
-  detail::note_losses(format, binary, mesh, result.notes);
+  const bool beside = format == Format::Medit && options.beside && !solution_beside(name).empty();
+  detail::note_losses(format, binary, beside, mesh, result.notes);
   if (rounds) detail::note_rounding(mesh, result.notes);
   result.notes = limited_lines(std::move(result.notes));
   result.bytes = bytes_of(format, binary, mesh, options);
+  if (beside) result.solution = detail::write_solution(mesh, binary);
   return result;
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const MeshData& mesh,
                                const WriteOptions& options) {
   EncodedMesh encoded = to_bytes(path, format_for_writing(path), mesh, options);
-  write_file(path, encoded.bytes);
+  OutputFiles files;
+  add_mesh(files, path, encoded);
+  files.commit();
   return std::move(encoded.notes);
 }
 

@@ -22,6 +22,7 @@ struct ReadResult {
   Format format = Format::Obj;
   /// One line each, printable, at most 20: "12 polygons triangulated", "left out: normals".
   std::vector<std::string> notes;
+  bool whole = true;  ///< Medit: the mesh has all vertices and elements of the file as they are
 };
 
 struct WriteOptions {
@@ -33,11 +34,14 @@ struct WriteOptions {
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
+  /// Medit only: arrays have a file of their own beside the mesh.
+  bool beside = true;
 };
 
 /// A mesh as a file holds it, and what the format could not hold, as notes like those of a reader.
 struct EncodedMesh {
   std::string bytes;
+  std::string solution;  ///< of Medit: the file of arrays beside the mesh; empty: there are none
   std::vector<std::string> notes;
 };
 
@@ -79,13 +83,17 @@ struct EncodedMesh {
 /// 2. A tag is read as one of the element's own dimension, no class as tag 0; tags that are all 0,
 ///    without corners and ridges, as no class. Model vertices are numbered anew; other vertices get
 ///    the class of the lowest element that uses them.
-/// 3. medit:reference, medit:required, medit:ridge, medit:normal and medit:tangent.
+/// 3. medit:reference, medit:required, medit:ridge, medit:normal and medit:tangent. Beside the
+/// mesh,
+///    in .sol or .solb, finite real numbers of 1, 3, 6 or 9 components, without their names; read()
+///    takes them from there, and refuses such a file that has other numbers of vertices or
+///    elements.
 /// 4. Those of vertices first, then those of edges, faces and regions.
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 /// 6. Periodic links. No other format has them.
-/// 7. docs/ATTRIBUTES.md. PLY and OBJ hold values on corners too. Types come back as well, but from
-///    MSH and from text OBJ and OFF, which are doubles.
+/// 7. docs/ATTRIBUTES.md. PLY, OBJ and MSH hold values on corners too. Types come back as well, but
+///    from MSH and from text OBJ and OFF, which are doubles.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that
@@ -98,6 +106,10 @@ std::vector<std::string> write(const std::filesystem::path& path, const MeshData
 /// What write() puts into a file, in a format of the caller's choice. `name` stands in messages.
 [[nodiscard]] EncodedMesh to_bytes(const std::filesystem::path& name, Format format,
                                    const MeshData& mesh, const WriteOptions& options = {});
+
+/// The file of arrays that stands beside a Medit mesh: a.sol beside a.mesh, a.solb beside a.meshb;
+/// empty for other names.
+[[nodiscard]] std::filesystem::path solution_beside(const std::filesystem::path& mesh);
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);

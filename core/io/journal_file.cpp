@@ -17,6 +17,7 @@ namespace {
 constexpr std::string_view magic = "AOMDJRNL";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t checksum_at = 80, header_size = 88, step_size = 16, word_size = 4;
+constexpr std::size_t piece_size = 1 << 16;  // of what is written at a time
 
 enum JournalFlag : std::uint32_t {
   has_feature_angle = 1,
@@ -47,12 +48,26 @@ Value load(std::string_view bytes, std::size_t at) {
   return value;
 }
 
+/// Over the words of a file but the checksum itself, in pieces of whole words.
+class Checksum {
+ public:
+  void add(std::string_view bytes) {
+    for (std::size_t at = 0; at + word_size <= bytes.size();
+         at += word_size, position_ += word_size)
+      if (position_ != checksum_at && position_ != checksum_at + word_size)
+        hash_.add(std::uint64_t{load<std::uint32_t>(bytes, at)});
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  Hash hash_;
+  std::size_t position_ = 0;
+};
+
 std::uint64_t checksum(std::string_view bytes) {
-  Hash hash;
-  for (std::size_t at = 0; at + word_size <= bytes.size(); at += word_size)
-    if (at != checksum_at && at != checksum_at + word_size)
-      hash.add(std::uint64_t{load<std::uint32_t>(bytes, at)});
-  return hash.value();
+  Checksum sum;
+  sum.add(bytes);
+  return sum.value();
 }
 
 std::uint32_t flags_of(const JournalFile& file) {
@@ -62,8 +77,7 @@ std::uint32_t flags_of(const JournalFile& file) {
          (options.keep_present ? keep_present : 0u);
 }
 
-/// The header without its checksum.
-void put_header(detail::ByteWriter& out, const JournalFile& file) {
+void put_header(detail::ByteWriter& out, const JournalFile& file, std::uint64_t sum) {
   const auto put = [&](auto value) { out.raw<std::endian::little>(value); };
   out << magic;
   put(version);
@@ -75,6 +89,31 @@ void put_header(detail::ByteWriter& out, const JournalFile& file) {
   put(file.classify.corner_angle_deg);
   put(std::uint64_t{file.journal.steps().size()});
   put(std::uint64_t{file.journal.words().size()});
+  put(sum);
+}
+
+void put_step(detail::ByteWriter& out, const JournalStep& step) {
+  const std::uint32_t kind = static_cast<std::uint32_t>(step.kind);
+  out.raw<std::endian::little>(kind | std::uint32_t{step.entity.dimension} << 8);
+  out.raw<std::endian::little>(step.entity.index);
+  out.raw<std::endian::little>(step.begin);
+}
+
+void put_pieces(const JournalFile& file, std::uint64_t sum, const OutputFiles::Take& take) {
+  detail::ByteWriter out;
+  const auto hand_over = [&](std::size_t from) {
+    if (out.size() >= from) take(out.take());
+  };
+  put_header(out, file, sum);
+  for (const JournalStep& step : file.journal.steps()) {
+    put_step(out, step);
+    hand_over(piece_size);
+  }
+  for (const std::uint32_t word : file.journal.words()) {
+    out.raw<std::endian::little>(word);
+    hand_over(piece_size);
+  }
+  hand_over(1);
 }
 
 JournalFile parse_header(const detail::Source& source) {
@@ -139,29 +178,16 @@ MeshFingerprint fingerprint(const Mesh& mesh) {
   return print;
 }
 
-std::string to_bytes(const JournalFile& file) {
-  const auto steps = file.journal.steps();
-  const auto words = file.journal.words();
-  detail::ByteWriter out;
-  out.reserve(header_size + steps.size() * step_size + words.size() * word_size);
-  put_header(out, file);
-  out.raw<std::endian::little>(std::uint64_t{0});
-  for (const JournalStep& step : steps) {
-    out.raw<std::endian::little>(static_cast<std::uint32_t>(step.kind) |
-                                 std::uint32_t{step.entity.dimension} << 8);
-    out.raw<std::endian::little>(step.entity.index);
-    out.raw<std::endian::little>(step.begin);
-  }
-  for (const std::uint32_t word : words) out.raw<std::endian::little>(word);
-  std::string bytes = out.take();
-  detail::ByteWriter sum;
-  sum.raw<std::endian::little>(checksum(bytes));
-  bytes.replace(checksum_at, 8, sum.take());
-  return bytes;
+void put_bytes(const JournalFile& file, const OutputFiles::Take& take) {
+  Checksum sum;
+  put_pieces(file, 0, [&](std::string_view bytes) { sum.add(bytes); });
+  put_pieces(file, sum.value(), take);
 }
 
 void write_journal(const std::filesystem::path& path, const JournalFile& file) {
-  write_file(path, to_bytes(file));
+  OutputFiles files;
+  files.add(path, [&](const OutputFiles::Take& take) { put_bytes(file, take); });
+  files.commit();
 }
 
 JournalFile read_journal(const std::filesystem::path& path) {

@@ -17,6 +17,7 @@
 #include <string>
 
 #include "core/io/error.h"
+#include "core/io/output_files.h"
 #include "core/mesh/journal.h"
 #include "core/model/classify.h"
 
@@ -41,8 +42,8 @@ struct JournalFile {
   bool seams = false;  ///< the seams of the mesh were model edges; which these are is not stored
 };
 
-/// The bytes of a journal file.
-[[nodiscard]] std::string to_bytes(const JournalFile& file);
+/// Hands over the bytes of a journal file, piece by piece.
+void put_bytes(const JournalFile& file, const OutputFiles::Take& take);
 
 /// Writes a history with the guarantees of write_file(). Throws WriteError.
 void write_journal(const std::filesystem::path& path, const JournalFile& file);

@@ -1,6 +1,7 @@
 #include "core/io/losses.h"
 
 #include <algorithm>
+#include <array>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -9,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/held_arrays.h"
+#include "core/io/medit_solution.h"
 #include "core/io/notes.h"
 #include "core/mesh/names.h"
 
@@ -99,10 +101,18 @@ std::string lost_remark(Format format, bool binary, const Remark& remark) {
   return format == Format::Ply ? std::string() : "comments";
 }
 
+/// The file beside a Medit mesh numbers its arrays.
+void add_names_of_solution(const MeshData& mesh, ItemList& left_out) {
+  std::array<std::size_t, 4> numbers{};
+  for (const Attribute* const a : solution_arrays(mesh))
+    if (a->name != solution_name(numbers[static_cast<std::size_t>(a->dimension)]++))
+      left_out.add("the name " + shown(a->name));
+}
+
 /// Arrays that the format has no place for, and names of labels. OBJ and STL write names for
 /// labels.
-void add_arrays(Format format, bool binary, const MeshData& mesh, ItemList& left_out) {
-  const std::vector<const Attribute*> held = held_arrays(format, binary, mesh);
+void add_arrays(Format format, bool binary, bool beside, const MeshData& mesh, ItemList& left_out) {
+  const std::vector<const Attribute*> held = held_arrays(format, binary, beside, mesh);
   const auto look = [&](const Attribute& a) {
     if (std::find(held.begin(), held.end(), &a) == held.end())
       left_out.add("attribute " + shown(a.name));
@@ -110,6 +120,7 @@ void add_arrays(Format format, bool binary, const MeshData& mesh, ItemList& left
       left_out.add("names of " + shown(a.name));
   };
   for (const Attribute& a : mesh.attributes) look(a);
+  if (beside) add_names_of_solution(mesh, left_out);
   for (const Attribute& a : mesh.corners) look(a);
   for (const Remark& remark : mesh.remarks)
     if (const std::string lost = lost_remark(format, binary, remark); !lost.empty())
@@ -118,7 +129,7 @@ void add_arrays(Format format, bool binary, const MeshData& mesh, ItemList& left
 
 }  // namespace
 
-void note_losses(Format format, bool binary, const MeshData& mesh,
+void note_losses(Format format, bool binary, bool beside, const MeshData& mesh,
                  std::vector<std::string>& notes) {
   const Holds holds = what_holds(format);
   const bool faces_lose = format == Format::Off || (format == Format::Stl && binary);
@@ -132,7 +143,7 @@ void note_losses(Format format, bool binary, const MeshData& mesh,
   if (!holds.classes && classified(mesh.vertex_classes)) left_out.add("classification of vertices");
   if (!holds.classes && classified(mesh.edges.classes)) left_out.add("classification of edges");
   if (faces_lose && classified(mesh.faces.classes)) left_out.add("classification of faces");
-  add_arrays(format, binary, mesh, left_out);
+  add_arrays(format, binary, beside, mesh, left_out);
   if (!mesh.periodic.empty() && format != Format::Msh) left_out.add("periodic links");
   if (!mesh.model.groups.empty() && format != Format::Msh && format != Format::Su2)
     left_out.add("names of physical groups");

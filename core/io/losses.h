@@ -8,8 +8,10 @@
 
 namespace aomd::io::detail {
 
-/// Names what the mesh has and the format, as text or `binary`, does not hold.
-void note_losses(Format format, bool binary, const MeshData& mesh, std::vector<std::string>& notes);
+/// Names what the mesh has and the format, as text or `binary`, does not hold; `beside`: a Medit
+/// mesh has its file of arrays.
+void note_losses(Format format, bool binary, bool beside, const MeshData& mesh,
+                 std::vector<std::string>& notes);
 
 /// Says what rounding to 32-bit floats does to the mesh.
 void note_rounding(const MeshData& mesh, std::vector<std::string>& notes);

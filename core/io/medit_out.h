@@ -37,6 +37,20 @@ class MeditOut {
     word(static_cast<std::int32_t>(items));
   }
 
+  /// A section of values: of so many types, whose numbers follow, and with so many numbers for each
+  /// item.
+  void begin_values(std::string_view keyword, std::size_t items, std::size_t types,
+                    std::size_t numbers) {
+    if (!binary_) {
+      out_ << keyword << '\n' << items << '\n' << types;
+      line_start_ = false;
+      return;
+    }
+    start(keyword, 8 + 4 * types + items * 8 * numbers);
+    word(static_cast<std::int32_t>(items));
+    word(static_cast<std::int32_t>(types));
+  }
+
   void integer(std::int64_t value) {
     if (binary_) return word(static_cast<std::int32_t>(value));
     blank();

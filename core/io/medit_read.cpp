@@ -46,6 +46,7 @@ class MeditReader {
     classify();
     add_attributes();
     ReadResult result{std::move(mesh_), Format::Medit, {}};
+    result.whole = curved_ == 0 && repeats_.edges + repeats_.faces + repeats_.cut == 0;
     repeats_.note(result.notes);
     if (curved_ > 0) drop_inner_nodes(result);
     if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_.text());

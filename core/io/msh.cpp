@@ -51,6 +51,12 @@ std::optional<MshType> msh_type(std::int64_t number) {
   return {};
 }
 
+bool msh_has_nodes(Shape shape, std::int64_t nodes) {
+  return std::any_of(element_types.begin(), element_types.end(), [&](const Row& row) {
+    return row.type.shape == shape && row.type.nodes == nodes;
+  });
+}
+
 int msh_number(Shape shape) {
   for (const Row& row : element_types)
     if (row.type.shape == shape) return row.number;

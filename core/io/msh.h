@@ -25,6 +25,8 @@ inline constexpr std::size_t max_msh_nodes = 125;
 /// The type of this number; nothing where it is not one that we read. Source: Gmsh reference
 /// manual, "MSH file format"; for orders 3 and 4 what Gmsh 4.8 itself says.
 [[nodiscard]] std::optional<MshType> msh_type(std::int64_t number);
+/// Whether one of the types of a shape has so many nodes.
+[[nodiscard]] bool msh_has_nodes(Shape shape, std::int64_t nodes);
 /// The number of the first-order type of a shape. Throws WriteError for a shape that a program
 /// added.
 [[nodiscard]] int msh_number(Shape shape);

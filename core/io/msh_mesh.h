@@ -121,6 +121,8 @@ class MshMesh {
   /// After finish(). The first element with this tag; index no_index where it was dropped or is a
   /// point.
   [[nodiscard]] Place element(std::uint64_t tag, bool& known) const;
+  /// Whether there are faces without corners that their elements repeat.
+  [[nodiscard]] bool has_cut_faces() const { return repeats_.cut > 0; }
   [[nodiscard]] MeshData& mesh() { return mesh_; }
   [[nodiscard]] std::vector<std::string>& notes() { return notes_; }
 

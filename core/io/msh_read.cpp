@@ -41,7 +41,11 @@ class MshReader {
     MshViews<Body> views(source_, mesh_);
     for (const auto& [name, start] : views_) {
       body_.move_to(start);
-      views.read(name == "NodeData", body_);
+      using On = typename MshViews<Body>::On;
+      views.read(name == "NodeData"      ? On::Nodes
+                 : name == "ElementData" ? On::Elements
+                                         : On::Corners,
+                 body_);
       end_section(name);
     }
     return result(views);
@@ -199,7 +203,7 @@ class MshReader {
     if (at == std::string_view::npos) body_.fail_at(start, "the section has no " + shown(end));
     if (name == elements_name()) {
       early_elements_ = content;
-    } else if (name == "NodeData" || name == "ElementData") {
+    } else if (name == "NodeData" || name == "ElementData" || name == "ElementNodeData") {
       views_.emplace_back(name, content);
     } else if (name == "Periodic" && (text || version_ != MshVersion::V40)) {
       periodic_.push_back(content);

@@ -1,10 +1,12 @@
 #pragma once
-// Views of an MSH file: numbers on nodes and elements ($NodeData, $ElementData).
+// Views of an MSH file: numbers on nodes, on elements and on the nodes of elements ($NodeData,
+// $ElementData, $ElementNodeData).
 
 #include <array>
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/io/msh_mesh.h"
@@ -20,23 +22,27 @@ namespace aomd::io::detail {
 }
 
 /// Turns views into attributes of the mesh: one for vertices, or one for each dimension of which it
-/// has elements. What a view leaves out is NaN. Of several time steps the first is kept.
+/// has elements, or one on the corners of faces. What a view leaves out is NaN. Of several time
+/// steps the first is kept.
 template <class Body>
 class MshViews {
  public:
+  enum class On { Nodes, Elements, Corners };
+
   MshViews(const Source& source, MshMesh& mesh) : source_(source), mesh_(mesh) {}
 
   /// The body stands behind the name of the section, and after the call before its end.
-  void read(bool nodes, Body& body) {
+  void read(On on, Body& body) {
     const std::size_t start = body.text().offset();
     const View view = header(body);
     if (view.components < 1 || view.values < 0)
       body.fail_at(start, "a view without components or values");
-    const auto [first, added] = steps_.try_emplace({nodes, view.name}, view.step);
+    const auto [first, added] = steps_.try_emplace({on, view.name}, view.step);
     const bool kept = first->second == view.step;
     dropped_steps_ += !kept;
     targets_.fill(no_attribute);
-    for (std::int64_t i = 0; i < view.values; ++i) row(nodes, kept, view, body);
+    for (std::int64_t i = 0; i < view.values; ++i)
+      on == On::Corners ? corner_row(kept, view, body) : row(on == On::Nodes, kept, view, body);
   }
 
   void finish() {
@@ -86,17 +92,7 @@ class MshViews {
   }
 
   void row(bool nodes, bool kept, const View& view, Body& body) {
-    const std::int64_t tag = body.integer(nodes ? "a node tag" : "an element tag");
-    bool known = false;
-    MshMesh::Place place;
-    if (nodes) {
-      place.index = mesh_.vertex(static_cast<std::uint64_t>(tag), known);
-    } else {
-      place = mesh_.element(static_cast<std::uint64_t>(tag), known);
-    }
-    if (!known)
-      body.fail("view " + shown(view.name) + " refers to " + (nodes ? "node " : "element ") +
-                std::to_string(tag) + ", which is not there");
+    const MshMesh::Place place = place_of(nodes, view, body);
     const bool used = kept && place.index != no_index;
     dropped_rows_ += kept && !used;
     double* to = used ? values(place, view, body) : nullptr;
@@ -104,6 +100,72 @@ class MshViews {
       const double value = body.value("a value");
       if (to) *to++ = value;
     }
+  }
+
+  MshMesh::Place place_of(bool node, const View& view, Body& body) {
+    const std::int64_t tag = body.integer(node ? "a node tag" : "an element tag");
+    bool known = false;
+    MshMesh::Place place;
+    if (node) {
+      place.index = mesh_.vertex(static_cast<std::uint64_t>(tag), known);
+    } else {
+      place = mesh_.element(static_cast<std::uint64_t>(tag), known);
+    }
+    if (!known)
+      body.fail("view " + shown(view.name) + " refers to " + (node ? "node " : "element ") +
+                std::to_string(tag) + ", which is not there");
+    return place;
+  }
+
+  /// The values of the first nodes are those of the corners. Those of an element that repeats a
+  /// node say nothing of what is left of it.
+  void corner_row(bool kept, const View& view, Body& body) {
+    const MshMesh::Place place = place_of(false, view, body);
+    const std::int64_t nodes = body.integer("the number of nodes of an element");
+    if (nodes < 1) body.fail("view " + shown(view.name) + " has an element without nodes");
+    const bool cut = place.index != no_index && !fits(place, nodes, view, body);
+    const bool used = kept && place.index != no_index && place.dimension == 2 && !cut;
+    dropped_rows_ += kept && !used;
+    double* to = used ? corner_values(place.index, view, body) : nullptr;
+    const std::size_t corners = used ? corners_of(place) : 0;
+    for (std::int64_t node = 0; node < nodes; ++node)
+      for (std::int64_t k = 0; k < view.components; ++k) {
+        const double value = body.value("a value");
+        if (static_cast<std::size_t>(node) < corners) *to++ = value;
+      }
+  }
+
+  [[nodiscard]] std::size_t corners_of(MshMesh::Place place) const {
+    const Shape shape = mesh_.mesh().list(place.dimension).shapes[place.index];
+    return static_cast<std::size_t>(shape_template(shape).vertex_count);
+  }
+
+  /// False where the element may have had more corners in the file.
+  bool fits(MshMesh::Place place, std::int64_t nodes, const View& view, const Body& body) const {
+    const Shape shape = mesh_.mesh().list(place.dimension).shapes[place.index];
+    if (msh_has_nodes(shape, nodes)) return true;
+    if (place.dimension == 2 && mesh_.has_cut_faces()) return false;
+    body.fail("view " + shown(view.name) + " has values at " + std::to_string(nodes) +
+              " nodes of a " + std::string(shape_template(shape).name));
+  }
+
+  /// Where the values at the corners of a face go.
+  double* corner_values(std::uint32_t face, const View& view, const Body& body) {
+    MeshData& mesh = mesh_.mesh();
+    if (first_corner_.empty()) {
+      std::size_t next = 0;
+      for (const Shape shape : mesh.faces.shapes) {
+        first_corner_.push_back(next);
+        next += static_cast<std::size_t>(shape_template(shape).vertex_count);
+      }
+    }
+    std::size_t& target = targets_[2];
+    if (target == no_attribute) {
+      target = mesh.corners.size();
+      mesh.corners.push_back(unknown(2, mesh.faces.vertices.size(), view, body));
+    }
+    return mesh.corners[target].values.data() +
+           static_cast<std::size_t>(view.components) * first_corner_[face];
   }
 
   /// Where the values of this entity go.
@@ -119,22 +181,27 @@ class MshViews {
   std::size_t add_attribute(int dimension, const View& view, const Body& body) {
     MeshData& mesh = mesh_.mesh();
     const std::size_t n = dimension == 0 ? mesh.positions.size() : mesh.list(dimension).size();
+    mesh.attributes.push_back(unknown(dimension, n, view, body));
+    return mesh.attributes.size() - 1;
+  }
+
+  /// So many entities without values.
+  Attribute unknown(int dimension, std::size_t n, const View& view, const Body& body) {
     const std::size_t most = 16 * source_.bytes.size() / sizeof(double);
     const auto components = static_cast<std::uint64_t>(view.components);
     if (components > most / n || components * n > most - held_)
       body.fail("view " + shown(view.name) +
                 " holds too few values for its number of components and entities");
     held_ += components * n;
-    mesh.attributes.push_back(
-        {view.name, dimension, static_cast<int>(components), false,
-         std::vector<double>(components * n, std::numeric_limits<double>::quiet_NaN())});
-    return mesh.attributes.size() - 1;
+    return {view.name, dimension, static_cast<int>(components), false,
+            std::vector<double>(components * n, std::numeric_limits<double>::quiet_NaN())};
   }
 
   const Source& source_;
   MshMesh& mesh_;
-  std::map<std::pair<bool, std::string>, std::int64_t> steps_;  ///< the one that is kept
-  std::array<std::size_t, 4> targets_{};                        ///< attributes of the present view
+  std::map<std::pair<On, std::string>, std::int64_t> steps_;  ///< the one that is kept
+  std::array<std::size_t, 4> targets_{};                      ///< attributes of the present view
+  std::vector<std::size_t> first_corner_;  ///< by face; empty until it is asked for
   std::size_t dropped_steps_ = 0, dropped_rows_ = 0, held_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "core/io/formats.h"
+#include "core/io/held_arrays.h"
 #include "core/io/msh.h"
 #include "core/io/msh_out.h"
 
@@ -85,6 +86,7 @@ class MshWriter {
       if (!mesh_.periodic.empty()) periodic4();
     }
     for (const Attribute& attribute : mesh_.attributes) view(attribute);
+    for (const Attribute* const attribute : msh_corners(mesh_)) corner_view(*attribute);
     return out_.text().take();
   }
 
@@ -347,24 +349,57 @@ class MshWriter {
     };
     std::vector<std::size_t> present;
     for (std::size_t i = 0; i < attribute.values.size() / components; ++i)
-      if (!std::all_of(values(i).begin(), values(i).end(), [](double x) { return std::isnan(x); }))
-        present.push_back(i);
+      if (any_known(values(i))) present.push_back(i);
     const std::string_view section = attribute.dimension == 0 ? "NodeData" : "ElementData";
     const std::uint64_t first =
         attribute.dimension == 0
             ? 1
             : elements_[static_cast<std::size_t>(attribute.dimension)].first_tag;
-    out_.begin(section);
-    out_.text() << "1\n"
-                << quoted(attribute.name) << "\n1\n0\n3\n0\n"
-                << attribute.components << '\n';
-    out_.text() << present.size() << '\n';
+    begin_view(section, attribute, present.size());
     for (const std::size_t i : present) {
       out_.integer(static_cast<std::int64_t>(first + i));
       for (const double value : values(i)) out_.real(value);
       out_.end_line();
     }
     out_.end(section);
+  }
+
+  /// The same of an array on the corners of faces, as far as all values of a face are.
+  void corner_view(const Attribute& attribute) {
+    struct Row {
+      std::size_t face, corners;
+      std::span<const double> values;
+    };
+    std::vector<Row> present;
+    std::size_t next = 0;
+    for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
+      const auto corners =
+          static_cast<std::size_t>(shape_template(mesh_.faces.shapes[f]).vertex_count);
+      const std::size_t n = corners * static_cast<std::size_t>(attribute.components);
+      const auto values = std::span(attribute.values).subspan(next, n);
+      if (any_known(values)) present.push_back({f, corners, values});
+      next += n;
+    }
+    begin_view("ElementNodeData", attribute, present.size());
+    for (const Row& row : present) {
+      out_.integer(static_cast<std::int64_t>(elements_[2].first_tag + row.face));
+      out_.integer(static_cast<std::int64_t>(row.corners));
+      for (const double value : row.values) out_.real(value);
+      out_.end_line();
+    }
+    out_.end("ElementNodeData");
+  }
+
+  [[nodiscard]] static bool any_known(std::span<const double> values) {
+    return !std::all_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+  }
+
+  void begin_view(std::string_view section, const Attribute& attribute, std::size_t rows) {
+    out_.begin(section);
+    out_.text() << "1\n"
+                << quoted(attribute.name) << "\n1\n0\n3\n0\n"
+                << attribute.components << '\n'
+                << rows << '\n';
   }
 
   const MeshData& mesh_;

@@ -102,10 +102,13 @@ class OutputFiles::Temporary {
   [[nodiscard]] const fs::path& shown() const { return shown_; }
   [[nodiscard]] fs::path folder() const { return target_.path.parent_path(); }
 
-  void write(std::string_view bytes) {
-    if ((target_.mode && ::fchmod(file_.fd(), *target_.mode) != 0) ||
-        !detail::write_all(file_.fd(), bytes) || ::fsync(file_.fd()) != 0)
-      detail::fail_to_write(shown_);
+  void write(const std::function<void(const Take&)>& content) {
+    const auto need = [&](bool done) {
+      if (!done) detail::fail_to_write(shown_);
+    };
+    need(!target_.mode || ::fchmod(file_.fd(), *target_.mode) == 0);
+    content([&](std::string_view bytes) { need(detail::write_all(file_.fd(), bytes)); });
+    need(::fsync(file_.fd()) == 0);
   }
 
   /// With the registry locked. What stood there is kept in the temporary's place where others
@@ -188,14 +191,19 @@ OutputFiles::OutputFiles() = default;
 OutputFiles::~OutputFiles() = default;
 
 void OutputFiles::add(const fs::path& path, std::string_view bytes) {
+  add(path, [&](const Take& take) { take(bytes); });
+}
+
+void OutputFiles::add(const fs::path& path, const std::function<void(const Take&)>& write) {
   detail::OutputTarget target = detail::find_output_target(path);
   if (target.kind != detail::OutputTarget::Kind::File) {
-    streams_.push_back({path, std::move(target), std::string(bytes)});
+    streams_.push_back({path, std::move(target), {}});
+    write([&](std::string_view bytes) { streams_.back().bytes += bytes; });
     return;
   }
   remove_stale_temporaries(target.path.parent_path());
   auto file = std::make_unique<Temporary>(path, std::move(target));
-  file->write(bytes);
+  file->write(write);
   files_.push_back(std::move(file));
 }
 

@@ -3,11 +3,12 @@
 // early.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
 
-#include "core/io/error.h"
+#include "core/io/io.h"
 
 namespace aomd::io {
 
@@ -27,6 +28,9 @@ class OutputFiles {
   /// Writes an output beside its target, and removes what killed programs have left there. Throws
   /// WriteError.
   void add(const std::filesystem::path& path, std::string_view bytes);
+  /// The same for bytes that are made piece by piece: what is long need not be there at one time.
+  using Take = std::function<void(std::string_view)>;
+  void add(const std::filesystem::path& path, const std::function<void(const Take&)>& write);
   /// Throws WriteError where an output could not be written: for complaints before the work instead
   /// of after it.
   static void probe(const std::filesystem::path& path);
@@ -40,6 +44,10 @@ class OutputFiles {
   std::vector<std::unique_ptr<Temporary>> files_;
   std::vector<Stream> streams_;
 };
+
+/// Adds a mesh, and the file of arrays beside it, to what is to be written. Where such a file is
+/// there that does not belong to the mesh, the notes say so.
+void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh& encoded);
 
 /// For a program that a signal ends: waits for a commit that has begun, removes all temporaries of
 /// this process and lets nobody write from then on, since others may still be at work. Returns

@@ -1,14 +1,18 @@
 #include "core/measure/hanging_vertices.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "core/base/box_tree.h"
 #include "core/base/parallel.h"
 #include "core/mesh/side_groups.h"
+#include "core/model/tilted_box.h"
 #include "core/model/triangle_tree.h"
 
 namespace aomd::measure {
@@ -18,7 +22,7 @@ constexpr double tolerance = 1e-6;  // of a side's diameter
 
 double distance2(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b); }
 
-/// The sides as triangles, if there are any vertices that may lie on them.
+/// The sides, if there are any vertices that may lie on them.
 class Boundary {
  public:
   Boundary(const Mesh& mesh, Skin skin) : mesh_(mesh), asked_(mesh.capacity(0), 0) {
@@ -30,26 +34,56 @@ class Boundary {
       take_derived();
   }
 
-  [[nodiscard]] std::vector<Triangle> take_triangles() { return std::move(triangles_); }
-  [[nodiscard]] bool asked(Vertex v) const { return asked_[v.index] != 0; }
-  /// The largest of all within which a vertex lies on a side.
-  [[nodiscard]] double reach2() const { return reach2_; }
+  [[nodiscard]] std::size_t size() const { return sides_.size(); }
+  [[nodiscard]] std::vector<Vertex> asked() const {
+    std::vector<Vertex> list;
+    for (const Vertex v : mesh_.vertices())
+      if (asked_[v.index] != 0) list.push_back(v);
+    return list;
+  }
 
-  /// The triangle, and its number in the order of `take_triangles`.
-  [[nodiscard]] bool hangs_on(Vertex v, const Triangle& triangle, std::uint32_t number) const {
-    const SideVertices& side = sides_[side_of_[number]];
+  /// Calls visit(n) for the vertices of a tree, by its order, that hang on a side.
+  template <typename Visit>
+  void hanging_on(std::size_t side, const BoxTree& places, std::span<const Vertex> vertices,
+                  const Visit& visit) const {
+    const SideVertices& corners = sides_[side];
+    const double reach2 = reach2_of(corners), reach = std::sqrt(reach2);
+    Box box;
+    TiltedBox tilted(triangle(corners, 1), places.box());
+    for (std::uint32_t k = 0; k < corners.count; ++k) {
+      box.add(corner(corners, k));
+      tilted.add(corner(corners, k));
+    }
+    box.low -= reach, box.high += reach;
+    places.reached(
+        [&](std::uint32_t node) {
+          const Box& below = places.node(node).box;
+          return below.touches(box) && tilted.may_touch(below, reach);
+        },
+        [&](std::uint32_t n) {
+          if (hangs_on(vertices[places.source(n)], corners, reach2)) visit(n);
+        });
+  }
+
+ private:
+  [[nodiscard]] bool hangs_on(Vertex v, const SideVertices& side, double reach2) const {
     const auto corners = side.span();
     if (std::find(corners.begin(), corners.end(), v.index) != corners.end()) return false;
     const glm::dvec3& p = mesh_.position(v);
-    const double reach2 = reach2_of(side);
-    if (distance2(nearest_point(triangle, p), p) > reach2) return false;
+    double least2 = std::numeric_limits<double>::infinity();
+    for (std::uint32_t k = 1; k + 1 < side.count; ++k)
+      least2 = std::min(least2, distance2(nearest_point(triangle(side, k), p), p));
+    if (least2 > reach2) return false;
     return mesh_.count(3) > 0 ||
            std::none_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
              return distance2(mesh_.position(Vertex(corner)), p) <= reach2;
            });
   }
 
- private:
+  [[nodiscard]] Triangle triangle(const SideVertices& side, std::uint32_t k) const {
+    return {corner(side, 0), corner(side, k), corner(side, k + 1)};
+  }
+
   void take_derived() {
     const SideGroups<2> groups(mesh_);
     groups.each([&](std::span<const SideUse> uses) {
@@ -68,7 +102,7 @@ class Boundary {
 
   void take_skin(const SideVertices& side) {
     for (const std::uint32_t v : side.span()) asked_[v] = 1;
-    add(side);
+    sides_.push_back(side);
   }
 
   void take_surface() {
@@ -83,7 +117,7 @@ class Boundary {
     });
     if (closed) return;
     VertexBuffer buffer;
-    for (const Face f : mesh_.faces()) add(SideVertices(mesh_.vertices_of(f, buffer)));
+    for (const Face f : mesh_.faces()) sides_.emplace_back(mesh_.vertices_of(f, buffer));
   }
 
   [[nodiscard]] glm::dvec3 corner(const SideVertices& side, std::uint32_t k) const {
@@ -98,38 +132,37 @@ class Boundary {
     return tolerance * tolerance * diameter2;
   }
 
-  void add(const SideVertices& side) {
-    for (std::uint32_t k = 1; k + 1 < side.count; ++k) {
-      triangles_.push_back({corner(side, 0), corner(side, k), corner(side, k + 1)});
-      side_of_.push_back(static_cast<std::uint32_t>(sides_.size()));
-    }
-    sides_.push_back(side);
-    reach2_ = std::max(reach2_, reach2_of(side));
-  }
-
   const Mesh& mesh_;
   std::vector<std::uint8_t> asked_;  ///< by vertex
   std::vector<SideVertices> sides_;
-  std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> side_of_;  ///< by triangle
-  double reach2_ = 0;
 };
+
+BoxTree tree_of(const Mesh& mesh, std::span<const Vertex> vertices, int threads) {
+  std::vector<BoxTree::Item> items;
+  items.reserve(vertices.size());
+  for (const Vertex v : vertices)
+    items.push_back({mesh.position(v), static_cast<std::uint32_t>(items.size())});
+  BoxTree tree(items, threads);
+  std::vector<Box> boxes(items.size());
+  for (std::size_t n = 0; n < boxes.size(); ++n)
+    boxes[n].add(mesh.position(vertices[items[n].source]));
+  tree.fit(std::move(boxes));
+  return tree;
+}
 
 }  // namespace
 
 std::vector<Vertex> hanging_vertices(const Mesh& mesh, int threads, Skin skin) {
-  Boundary boundary(mesh, skin);
-  std::vector<Vertex> asked, found;
-  for (const Vertex v : mesh.vertices())
-    if (boundary.asked(v)) asked.push_back(v);
+  const Boundary boundary(mesh, skin);
+  const std::vector<Vertex> asked = boundary.asked();
+  std::vector<Vertex> found;
   if (asked.empty()) return found;
-  const TriangleTree tree(boundary.take_triangles(), threads);
+  const BoxTree places = tree_of(mesh, asked, threads);
   std::vector<std::uint8_t> hangs(asked.size(), 0);
-  parallel_for(asked.size(), threads, 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      tree.within(mesh.position(asked[i]), boundary.reach2(), [&](std::uint32_t n) {
-        if (hangs[i] == 0 && boundary.hangs_on(asked[i], tree.triangle(n), tree.source(n)))
-          hangs[i] = 1;
+  parallel_for(boundary.size(), threads, 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t side = begin; side < end; ++side)
+      boundary.hanging_on(side, places, asked, [&](std::uint32_t n) {
+        std::atomic_ref(hangs[places.source(n)]).store(1, std::memory_order_relaxed);
       });
   });
   for (std::size_t i = 0; i < asked.size(); ++i)

@@ -1,5 +1,6 @@
 #pragma once
-// How far one picture is from another: for baselines, `aomd image-diff` and the viewer's --compare.
+// How far one picture is from another as a whole: for `aomd image-diff`. What is to be the same
+// picture is judged by core/measure/picture_verdict.
 
 #include <cstddef>
 
@@ -19,9 +20,8 @@ struct ImageDifference {
   [[nodiscard]] bool identical() const { return same_size && differing_pixels == 0; }
 };
 
-/// Compares two pictures. SSIM (Wang, Bovik, Sheikh, Simoncelli 2004) over 8x8 windows that step by
-/// 4 pixels, smaller at pictures below 8 pixels; luminance after Rec. 709. Cost: linear in the
-/// pixels. Never throws for content; empty pictures are equal.
+/// Compares two pictures, by the mean of ssim_windows(). Cost: linear in the pixels. Never throws
+/// for content; empty pictures are equal.
 [[nodiscard]] ImageDifference compare_images(const io::Image& a, const io::Image& b);
 
 /// A picture that shows where `b` departs from `a`: `a` in dimmed grey, differences in red,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/assertion.h"
+#include "core/base/buckets.h"
 
 namespace aomd {
 namespace {
@@ -42,17 +43,29 @@ std::uint32_t block_for(std::uint32_t size) {
   return static_cast<std::uint32_t>(it - block_sizes.begin());
 }
 
-// Moves all rows to the front, in their order, each into the smallest block that holds it. That
-// takes away a quarter of the pool or more, and is not needed again before edits have used it up.
+// The rows that have a block, in the order in which the pool holds them.
+template <typename Heads>
+Buckets<std::uint32_t> rows_in_order(const Heads& heads, std::size_t places) {
+  constexpr std::uint32_t part = 16;  // of the pool: two rows or three, which are quickly sorted
+  Buckets<std::uint32_t> rows(places / part + 1, [&](auto&& file) {
+    for (std::uint32_t i = 0; i < heads.size(); ++i)
+      if (heads[i].block != 0) file(heads[i].begin / part, i);
+  });
+  for (std::size_t k = 0; k < rows.count(); ++k)
+    std::ranges::sort(rows[k], {}, [&](std::uint32_t i) { return heads[i].begin; });
+  return rows;
+}
+
+// Moves all rows to the front, in their order, each into the smallest block that holds it; rows
+// without values, as of vertices that are gone, have none any more. That takes away a quarter of
+// the pool or more, and is not needed again before edits have used it up.
 template <typename Heads>
 void close_up(Heads& heads, RawVector<std::uint32_t>& pool) {
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t i = 0; i < heads.size(); ++i)
-    if (heads[i].block != 0) order.push_back(i);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return heads[a].begin < heads[b].begin; });
+  for (auto& head : heads)
+    if (head.size == 0) head = {};
+  const Buckets<std::uint32_t> rows = rows_in_order(heads, pool.size());
   std::uint32_t end = 0;
-  for (const std::uint32_t i : order) {
+  for (const std::uint32_t i : rows.items()) {
     const std::uint32_t size = heads[i].size, block = block_for(size), begin = end + is_long(block);
     std::copy_n(pool.begin() + heads[i].begin, size, pool.begin() + begin);
     if (is_long(block)) pool[begin - 1] = 0;

@@ -58,4 +58,15 @@ void TiltedBox::add(const TiltedBox& other) {
   }
 }
 
+// Looks along its own axes alone.
+bool TiltedBox::may_touch(const Box& other, double reach) const {
+  const dvec3 centre = along(0.5 * other.low + 0.5 * other.high),
+              half = 0.5 * other.high - 0.5 * other.low;
+  for (int k = 0; k < 3; ++k) {
+    const double size = glm::dot(glm::abs(axes_[static_cast<std::size_t>(k)]), half) + reach;
+    if (centre[k] - size > box_.high[k] || centre[k] + size < box_.low[k]) return false;
+  }
+  return true;
+}
+
 }  // namespace aomd

@@ -24,6 +24,8 @@ class TiltedBox {
   void add(const glm::dvec3& p);
   /// All corners of another one.
   void add(const TiltedBox& other);
+  /// False only where one along the axes of space certainly has no point within `reach`.
+  [[nodiscard]] bool may_touch(const Box& other, double reach) const;
   /// Squared distance of a point; 0 inside.
   [[nodiscard]] double distance2(const glm::dvec3& p) const { return box_.distance2(along(p)); }
 

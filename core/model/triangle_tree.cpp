@@ -17,6 +17,26 @@ double half_surface(const Box& box) {
   return box.empty() ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
 }
 
+BoxTree sorted_by_centres(std::span<const Triangle> triangles, int threads) {
+  std::vector<BoxTree::Item> items(triangles.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    const Triangle& t = triangles[i];
+    items[i] = {t[0] + t[1] + t[2], i};
+  }
+  return BoxTree(items, threads);
+}
+
+// `at` gives the triangles in the tree's order.
+template <typename At>
+void fit(BoxTree& tree, int threads, const At& at) {
+  std::vector<Box> boxes(tree.size());
+  parallel_for(boxes.size(), threads, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      for (const glm::dvec3& p : at(static_cast<std::uint32_t>(n))) boxes[n].add(p);
+  });
+  tree.fit(std::move(boxes));
+}
+
 void append(Triangles& all, Face face, std::span<const std::uint32_t> vertices,
             const auto& position) {
   for (std::size_t k = 2; k < vertices.size(); ++k) {
@@ -53,24 +73,16 @@ Triangles triangles_of(const MeshData& data) {
 }
 
 BoxTree boxes_of(std::span<const Triangle> triangles, int threads) {
-  std::vector<BoxTree::Item> items(triangles.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) {
-    const Triangle& t = triangles[i];
-    items[i] = {t[0] + t[1] + t[2], i};
-  }
-  BoxTree tree(items, threads);
-  std::vector<Box> boxes(items.size());
-  parallel_for(boxes.size(), threads, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      for (const glm::dvec3& p : triangles[items[n].source]) boxes[n].add(p);
-  });
-  tree.fit(std::move(boxes));
+  BoxTree tree = sorted_by_centres(triangles, threads);
+  fit(tree, threads, [&](std::uint32_t n) -> const Triangle& { return triangles[tree.source(n)]; });
   return tree;
 }
 
+// Boxes are made of triangles that are in order already: what follows lies next to each other.
 TriangleTree::TriangleTree(std::vector<Triangle> triangles, int threads)
-    : boxes_(boxes_of(triangles, threads)), triangles_(std::move(triangles)) {
+    : boxes_(sorted_by_centres(triangles, threads)), triangles_(std::move(triangles)) {
   put_in_order();
+  fit(boxes_, threads, [this](std::uint32_t n) -> const Triangle& { return triangles_[n]; });
   if (boxes_overlap()) add_tilted_boxes();
 }
 

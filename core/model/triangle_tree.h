@@ -80,6 +80,13 @@ class TriangleTree {
   [[nodiscard]] RayHit first_along(const glm::dvec3& origin, const glm::dvec3& direction,
                                    const std::function<bool(std::uint32_t)>& takes) const;
 
+  /// Calls visit(n) for the triangles, in the tree's order, of every leaf whose box reaches(box)
+  /// accepts; it must accept a box around one that it accepts.
+  template <typename Reaches, typename Visit>
+  void reached(const Reaches& reaches, Visit&& visit) const {
+    boxes_.reached([&](std::uint32_t node) { return reaches(boxes_.node(node).box); }, visit);
+  }
+
   /// Calls visit(n) for every triangle, in the tree's order, whose squared distance to `p` is at
   /// most `distance2`.
   template <typename Visit>

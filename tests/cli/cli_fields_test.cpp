@@ -122,6 +122,57 @@ TEST_F(FieldsCommand, SeamsStayUnlessTheyAreIgnored) {
   expect_failure("decimate in.obj o.obj --factor 2 --seams tear", 2, "--seams");
 }
 
+/// A sphere that is red on one side and blue on the other, with a number and a label beside.
+MeshData two_colours() {
+  MeshData mesh = make_sample("sphere", 30);
+  Attribute colour{"color", 0, 3, true, {}};
+  colour.type = NumberType::UInt8;
+  colour.meaning = Meaning::Colour;
+  Attribute heat{"heat=2", 0, 1, false, {}}, part{"part", 0, 1, true, {}};
+  heat.type = NumberType::Float64;
+  part.type = NumberType::UInt8;
+  for (const glm::dvec3& p : mesh.positions) {
+    const bool red = p.x + 0.3 * std::sin(7 * p.y) > 0;
+    colour.values.insert(colour.values.end(), {red ? 255.0 : 0.0, 0.0, red ? 0.0 : 255.0});
+    heat.values.push_back(p.z > 0 ? 1 : 0);
+    part.values.push_back(red ? 1 : 0);
+  }
+  mesh.attributes = {colour, heat, part};
+  return mesh;
+}
+
+TEST_F(FieldsCommand, AttributesSaysWhatCountsBesideTheShape) {
+  io::write(at("in.ply"), two_colours());
+  const auto run = [&](const std::string& words) {
+    const std::string command = "decimate in.ply out.ply --target-faces 1500 --report r.json ";
+    const auto result = aomd(command + words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return text("out.ply");
+  };
+  const std::string usual = run(""), shape = run("--attributes none");
+  EXPECT_EQ(json("r.json")["options"]["attributes"], nlohmann::json::array({"none"}));
+  EXPECT_NE(usual, shape);
+  EXPECT_EQ(run("--attributes color=0"), shape);
+  EXPECT_EQ(run("--attributes color"), usual);
+  EXPECT_EQ(run("--attributes none,color=1"), usual);
+  EXPECT_NE(run("--attributes heat=2=1"), usual);
+  EXPECT_EQ(run("--attributes none,heat=2"), run("--attributes color=0,heat=2=1"));
+}
+
+TEST_F(FieldsCommand, WhatCannotCountIsAnError) {
+  io::write(at("in.ply"), two_colours());
+  io::write(at("box.msh"), make_sample("tet-box", 3));
+  const std::string start = "decimate in.ply out.ply --factor 2 --attributes ";
+  const std::string there = "; there are: color, heat=2";
+  expect_failure(start + "part=1", 2, "named part" + there);
+  expect_failure(start + "colour", 2, "named colour" + there);
+  expect_failure(start + "color=-1", 2, "between 0 and 1000000, not -1");
+  expect_failure(start + "color=much", 2, "between 0 and 1000000, not much");
+  expect_failure(start + "color --strategy paper", 2, "--attributes is for --strategy quality");
+  expect_failure("decimate box.msh o.msh --factor 2 --attributes none", 2,
+                 "--attributes is for surfaces");
+}
+
 TEST_F(FieldsCommand, CompareSaysWhatArraysOfSurfacesDifferBy) {
   MeshData mesh = surface();
   io::write(at("a.vtu"), mesh);
@@ -168,7 +219,9 @@ TEST_F(FieldsCommand, WhatAFormatDoesNotHoldIsSaid) {
     EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err,
               std::string("aomd: note: ") + name + ": left out: " + fields +
                   "attribute \"medit:reference\", " + others);
-  EXPECT_EQ(aomd("repair in.vtu o.mesh").err, "aomd: note: o.mesh: left out: " + fields + others);
+  EXPECT_EQ(aomd("repair in.vtu o.mesh").err,
+            "aomd: note: o.mesh: left out: attribute \"uv\", attribute \"id\", the name \"x\", the "
+            "name \"stress\"\n");
   for (const char* name : {"o.ply", "o.vtk", "o.vtu", "o.msh"})
     EXPECT_EQ(aomd(std::string("convert in.vtu ") + name).err, "");
 }

@@ -217,6 +217,32 @@ TEST(Coverage, ACornerOfTheOriginalIsNotCutOff) {
   EXPECT_NEAR(enough.judge(back).number(), 0.4, 1e-12);
 }
 
+//   d----c     b and d are 0.1 higher than a and c: with the other diagonal all corners stay where
+//   they |  / |     are, and the middle of a-c is 0.099 from what takes its place a----b
+TEST(Coverage, AllPointsOfAFaceAreCoveredNotItsCornersAlone) {
+  Mesh mesh =
+      prepared(zoo::make({{0, 0, 0}, {1, 0, 0.1}, {1, 1, 0}, {0, 1, 0.1}}, {{0, 1, 2}, {0, 2, 3}}));
+  EdgePair pair;
+  ASSERT_TRUE(find_pair(mesh, Vertex(0), Vertex(2), pair).accepted());
+  Change change;
+  describe(mesh, pair, change);
+  const double middle = 0.1 / std::sqrt(1.02);
+  const Verdict far = Coverage(mesh, 0.99 * middle).judge(change);
+  EXPECT_EQ(far.reason, Reason::Distance);
+  EXPECT_NEAR(far.number(), middle, 0.01 * middle);
+  Coverage enough(mesh, 1.01 * middle);
+  EXPECT_TRUE(enough.judge(change).accepted());
+
+  Coverage restarted(mesh, 0.5 * middle);  // what is off may stay so, and not get further
+  apply_swap(mesh, pair);
+  restarted.restart(mesh);
+  EXPECT_TRUE(restarted.judge(move_of(mesh, Vertex(1), {1, 0, 0.06})).accepted());
+  ASSERT_TRUE(find_pair(mesh, Vertex(1), Vertex(3), pair).accepted());
+  describe(mesh, pair, change);
+  EXPECT_TRUE(restarted.judge(change).accepted());
+  EXPECT_EQ(restarted.judge(move_of(mesh, Vertex(2), {1, 1, 0.3})).reason, Reason::Distance);
+}
+
 // A tetrahedron above a cube, whose tip goes down through either half of the cube's upper side.
 TEST(IntersectionGuard, BothHalvesOfAQuadAreGuarded) {
   for (const glm::dvec2 at : {glm::dvec2(0.75, 0.25), glm::dvec2(0.25, 0.75)}) {

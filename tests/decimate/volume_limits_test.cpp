@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "core/base/text.h"
@@ -11,6 +12,7 @@
 #include "core/decimate/explain/explanation.h"
 #include "core/decimate/explain/stop_words.h"
 #include "core/decimate/spacing/spacing.h"
+#include "core/measure/volume_comparison.h"
 #include "core/mesh/tet_geometry.h"
 #include "tests/support/tet_zoo.h"
 #include "tests/support/volume_bench.h"
@@ -124,6 +126,35 @@ TEST(VolumeLimits, ADistanceIsHeldTheSameWhateverHoldsTheInside) {
   }
   EXPECT_EQ(results[0].positions, results[1].positions);
   EXPECT_EQ(results[0].regions, results[1].regions);
+}
+
+// Two layers of a few large cells with a rough interface, whose faces are larger than the distance.
+MeshData rough_layers(std::uint32_t seed) {
+  MeshData data = zoo::tet_grid({9, 9, 4}, [](const zoo::Cell& c) { return c.z < 2 ? 1 : 2; });
+  std::mt19937 random(seed);
+  for (glm::dvec3& p : data.positions)
+    if (p.z == 2) p.z += 0.5 * (double(random() % 2001) / 1000 - 1);
+  return data;
+}
+
+// Between the vertices too, and both ways.
+TEST(VolumeLimits, ADistanceHoldsForAllPointsOfAnInterface) {
+  std::size_t decided = 0;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    const Mesh original(rough_layers(seed));
+    VolumeBench b(to_data(original), Levels::Listed, smooth_skin);
+    DecimationOptions options = quality(b.mesh, 0.05);
+    options.max_distance = 0.35;
+    Decimation decimation(b.mesh, options);
+    decimation.run();
+    decided += decimation.edges_left()[static_cast<std::size_t>(Reason::Distance)];
+    const Mesh result(to_data(b.mesh));
+    const measure::VolumeComparison c =
+        compare_volumes(measure::Volume(original), measure::Volume(result), 20'000);
+    for (const measure::InterfaceChange& surface : c.surfaces())
+      EXPECT_LE(surface.distance().max, options.max_distance) << seed;
+  }
+  EXPECT_GT(decided, 0u);
 }
 
 TEST(VolumeLimits, FreeVolumesChangeAndKeptOnesDoNot) {

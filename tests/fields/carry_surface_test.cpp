@@ -81,6 +81,20 @@ TEST(CarrySurface, VerticesThatStayKeepTheirBits) {
   EXPECT_GT(same, 100u);
 }
 
+/// A vertex without faces has no place but its own, which a writer may have rounded to -0.
+TEST(CarrySurface, BothZerosAreOnePlace) {
+  MeshData mesh;
+  add_sheet(mesh, 4, 0, true);
+  mesh.positions.emplace_back(0.0, 7, 0.0);
+  mesh.attributes = {field(mesh, "u", 0, [](const glm::dvec3& p) { return 1 + p.y; })};
+  MeshData result = mesh;
+  result.positions.front().z = 0.1;
+  result.positions.back().x = -0.0;
+  result.attributes.clear();
+  (void)io::carry_along(mesh, result);
+  EXPECT_EQ(find(result, "u", 0)->values.back(), 8);
+}
+
 /// What a vertex gets is the value at the nearest point of the original, to what the function and
 /// the surface bend between two vertices.
 TEST(CarrySurface, ValuesAreThoseOfTheNearestPlace) {

@@ -47,7 +47,7 @@ expect "sphere" aomd sample sph
 
 command -v help2man >/dev/null || exit 77
 [ "$(find "$work/usr/share/man/man1" -name 'aomd*.1.gz' | wc -l)" -eq \
-  $(("$("$work/usr/bin/aomd" --help | sed -n '/^Subcommands:/,/^$/p' | grep -c '^  ')" + 2)) ] ||
+  $(("$("$work/usr/bin/aomd" --help | sed -n '/^Subcommands:/,/^$/p' | grep -c '^  ')" + 3)) ] ||
   fail "not one manual page for each program and command"
 zcat "$work/usr/share/man/man1/aomd-decimate.1.gz" | grep -q '^aomd-decimate \\- Makes a mesh coarser' ||
   fail "aomd-decimate.1 has no name"

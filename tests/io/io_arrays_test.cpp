@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/io/held_arrays.h"
+#include "core/io/medit_solution.h"
 #include "core/io/stored_numbers.h"
 #include "tests/support/volume_helpers.h"
 
@@ -189,6 +190,26 @@ MeshData for_msh() {
   for (const int dim : {0, 1, 2, 3})
     for (const int n : all_components)
       mesh.attributes.push_back(array(mesh, "c" + std::to_string(n), dim, n, NumberType::Float64));
+  for (const int n : {1, 3}) {
+    const std::size_t numbers = static_cast<std::size_t>(n) * mesh.faces.vertices.size();
+    mesh.corners.push_back(
+        {"at corners " + std::to_string(n), 2, n, false, values_of(NumberType::Float64, numbers)});
+    mesh.corners.back().type = mesh.attributes.back().type;
+    mesh.corners.back().values[1] = std::nan("");
+  }
+  return mesh;
+}
+
+/// Numbered as the file beside the mesh has them.
+MeshData for_medit() {
+  MeshData mesh = one_of_each();
+  for (const int dim : {0, 1, 2, 3})
+    for (std::size_t k = 0; k < 4; ++k) {
+      constexpr int components[] = {1, 3, 6, 9};
+      mesh.attributes.push_back(
+          array(mesh, io::detail::solution_name(k), dim, components[k], NumberType::Float64));
+      for (double& x : mesh.attributes.back().values) x = std::isfinite(x) ? x : 0.1;
+    }
   return mesh;
 }
 
@@ -215,6 +236,8 @@ const Case cases[] = {
     {"VtuBinary", "a.vtu", true, for_vtk},
     {"MshText", "a.msh", false, for_msh},
     {"MshBinary", "a.msh", true, for_msh},
+    {"MeditText", "a.mesh", {}, for_medit},
+    {"MeditBinary", "a.meshb", {}, for_medit},
 };
 
 void expect_equal(const Attribute& a, const Attribute& b) {
@@ -262,12 +285,12 @@ TEST_P(RoundTrip, OtherFormatsNameWhatTheyLack) {
        {"o.ply", "o.obj", "o.off", "o.stl", "o.msh", "o.mesh", "o.vtk", "o.vtu"}) {
     const io::Format format = io::format_for_writing(file);
     if (!mesh.regions.empty() && format < io::Format::Msh) continue;
-    const io::EncodedMesh encoded = io::to_bytes(file, format, mesh);
+    const io::EncodedMesh encoded = io::to_bytes(file, format, mesh, {.beside = false});
     std::string notes;
     for (const std::string& note : encoded.notes) notes += note + "; ";
     const bool binary =
         format == io::Format::Ply || (format == io::Format::Stl && mesh.faces.classes.empty());
-    const auto held = io::detail::held_arrays(format, binary, mesh);
+    const auto held = io::detail::held_arrays(format, binary, false, mesh);
     std::size_t lost = 0;
     for (const auto* list : {&mesh.attributes, &mesh.corners})
       for (const Attribute& a : *list)

@@ -133,7 +133,8 @@ Seeds all_seeds() {
       "$Elements\n4 5 1 9\n0 7 15 1\n1 90\n1 2 8 1\n2 1 2 5\n2 3 2 1\n3 90 1 2\n"
       "3 9 4 2\n8 90 1 2 3\n9 3 2 1 90\n$EndElements\n"
       "$NodeData\n1\n\"t\"\n1\n0\n3\n0\n1\n2\n90 1\n2 nan\n$EndNodeData\n"
-      "$ElementData\n1\n\"e\"\n1\n0\n3\n0\n3\n2\n3 1 2 3\n8 4 5 6\n$EndElementData\n");
+      "$ElementData\n1\n\"e\"\n1\n0\n3\n0\n3\n2\n3 1 2 3\n8 4 5 6\n$EndElementData\n"
+      "$ElementNodeData\n1\n\"c\"\n1\n0\n3\n0\n1\n1\n3 3 1 2 3\n$EndElementNodeData\n");
   add(seeds, "msh",
       "$Comments\nc\n$EndComments\n$MeshFormat\n4.1 0 "
       "8\n$EndMeshFormat\n$PartitionedEntities\n2\n1\n7 1\n"

@@ -272,7 +272,8 @@ TEST_P(Render, ImGuiTextIsDrawn) {
   const ui::Fonts fonts = ui::load_fonts(1);
   for (const ui::ThemeKind kind : {ui::ThemeKind::Light, ui::ThemeKind::Dark}) {
     ui::apply_theme(kind, 1);
-    ui::ImGuiLayer layer(stage_->gl, stage_->sources);
+    render::ShaderProgram program(stage_->gl, stage_->sources, "ui");
+    ui::ImGuiLayer layer(stage_->gl, program);
     scene::Drawable nothing;
     const io::Image before = stage_->picture(nothing);
     (void)stage_->window->poll(ImGui::GetIO());

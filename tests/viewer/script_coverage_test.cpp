@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "viewer/commands/commands.h"
+#include "viewer/suite/suite.h"
 
 namespace aomd::scene {
 namespace {
@@ -89,12 +91,31 @@ TEST(ScriptCoverage, EveryPanelAndDialogHasItsPictures) {
       const std::string run = std::string(name) + " " + word;
       EXPECT_TRUE(runs.contains(run)) << "no script in tests/scripts/panels runs " << run;
     }
-  for (const fs::directory_entry& entry : fs::directory_iterator(scripts / "panels"))
-    for (const char* which :
-         {"_light_1280x800", "_dark_1280x800", "_light_1920x1080", "_dark_1920x1080"})
-      EXPECT_TRUE(fs::exists(scripts / "../baselines/panels" /
-                             (entry.path().stem().string() + which + ".png")))
-          << entry.path().stem() << which << ": tools/update_baselines.sh makes it";
+}
+
+/// The scripts of a folder's cases, with how many cases each has.
+std::map<std::string, int> cases_of(const char* file) {
+  std::map<std::string, int> found;
+  for (const suite::Case& each : suite::read_suite(scripts / ".." / file).cases) {
+    EXPECT_EQ(each.problem, "") << each.name;
+    EXPECT_TRUE(each.name.starts_with(fs::path(each.script).stem().string())) << each.name;
+    ++found[fs::path(each.script).filename().string()];
+  }
+  return found;
+}
+
+std::map<std::string, int> scripts_in(const fs::path& folder, int cases) {
+  std::map<std::string, int> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".aomd") found[entry.path().filename().string()] = cases;
+  return found;
+}
+
+TEST(ScriptCoverage, EveryScriptIsACaseOfItsSuite) {
+  EXPECT_EQ(cases_of("pictures.toml"), scripts_in(scripts, 1));
+  std::map<std::string, int> panels = scripts_in(scripts / "panels", 4);
+  panels.erase("dialog_recovery.aomd");  // its work is locked by whoever finds it
+  EXPECT_EQ(cases_of("panels.toml"), panels);
 }
 
 }  // namespace

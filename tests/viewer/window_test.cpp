@@ -190,6 +190,18 @@ TEST_F(ViewerWindow, FollowsItsSizeItsBordersAndTab) {
   expect_headless_picture(larger);
 }
 
+TEST_F(ViewerWindow, RecordsTheLookThatItRemembers) {
+  const std::string mesh = mesh_file("bracket", 5, "bracket.ply");
+  start({mesh});
+  for (const char* line : {"theme dark", "panel adjacency on", "panel timeline off"}) command(line);
+  screen_->ask_to_close();
+  ASSERT_TRUE(ends(0)) << said();
+  start({mesh});
+  EXPECT_EQ(recorded(), (std::vector<std::string>{"theme dark", "panel adjacency on",
+                                                  "panel timeline off", "open \"" + mesh + "\""}));
+  expect_headless_picture();
+}
+
 TEST_F(ViewerWindow, AsksBeforeUnsavedWorkIsLost) {
   start({mesh_file("bracket", 5, "bracket.ply")});
   press("S");

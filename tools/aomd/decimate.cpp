@@ -26,6 +26,7 @@
 #include "core/model/facets.h"
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
+#include "tools/aomd/attribute_weights.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/decimate_input.h"
@@ -298,6 +299,9 @@ class Run {
     steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0)
       note(options_.input, {counted(required, "required vertex") + " kept in place"});
+    if (!volume() && !options_.paper())
+      steps_.values =
+          counted_values(original_, mesh_, attribute_weights(original_, options_.attributes));
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -384,9 +388,12 @@ class Run {
     if (listener_ == nullptr) {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
-      files.add(path, std::move(encoded.bytes));
+      io::add_mesh(files, path, encoded);
+      encoded.bytes = {}, encoded.solution = {};
     }
-    if (!options_.journal.empty()) files.add(output_path(options_.journal), io::to_bytes(record_));
+    if (!options_.journal.empty())
+      files.add(output_path(options_.journal),
+                [&](const io::OutputFiles::Take& take) { put_bytes(record_, take); });
     lap("write");
     did_.seconds["total"] = watch_.total();
     did_.memory["peak"] = peak_bytes();

@@ -131,12 +131,16 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "than half of --target-faces, only from 50 degrees on unless\nit is given");
   features->type_name("DEG|off")->transform(angle_or_off())->capture_default_str();
   features->each([&o](const std::string&) { o.feature_angle_given = true; });
-  command
-      .add_option("--seams", o.seams,
-                  "Whether edges where texture coordinates jump become model edges")
-      ->type_name("keep|ignore")
-      ->transform(one_of({"keep", "ignore"}))
-      ->capture_default_str();
+  CLI::Option* seams = command.add_option(
+      "--seams", o.seams, "Whether edges where texture coordinates jump become model edges");
+  seams->type_name("keep|ignore")->transform(one_of({"keep", "ignore"}))->capture_default_str();
+  CLI::Option* attributes = command.add_option(
+      "--attributes", o.attributes,
+      "For quality: arrays that count beside the shape. At weight 1 a difference\n"
+      "over the whole range counts like 0.1 % of the diagonal, at 0 it does not.\n"
+      "Colours and texture coordinates do by themselves; after none only what\n"
+      "follows");
+  attributes->type_name("NAME[=WEIGHT],...|none")->delimiter(',')->check(not_empty());
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
@@ -166,8 +170,9 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
   without->type_name("IDEA,...")->delimiter(',')->transform(one_of(idea_names()));
-  put_into("How", {strategy, regularity, features, improve, exchange, no_swap, no_smooth, snap,
-                   model, triangulate, repair, weld, without, add_threads(command, o.threads)});
+  put_into("How", {strategy, regularity, features, seams, attributes, improve, exchange, no_swap,
+                   no_smooth, snap, model, triangulate, repair, weld, without,
+                   add_threads(command, o.threads)});
 }
 
 void add_guarantees(CLI::App& command, DecimateOptions& o) {
@@ -263,6 +268,10 @@ void DecimateOptions::check_kind(bool volume) const {
   if (!volume && min_dihedral_given)
     throw UsageError("--min-dihedral is for volumes, and " + input +
                      " has no regions: --min-angle limits the angles of faces");
+  if (!attributes.empty() && volume)
+    throw UsageError("--attributes is for surfaces, and " + input + " has regions");
+  if (!attributes.empty() && paper())
+    throw UsageError("--attributes is for --strategy quality: the printed loop knows no cost");
   if (volume_rule == "keep" && paper())
     throw UsageError("--volume keep is for --strategy quality: the printed loop places no vertex");
   if (volume_rule == "keep" && snaps())
@@ -348,6 +357,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"no_intersections", steps.no_intersections},
       {"feature_angle_deg", or_null(for_classification().feature_angle_deg)},
       {"seams", seams},
+      {"attributes", attributes},
       {"improve", steps.improve_passes},
       {"exchange", steps.exchange},
       {"without", without},

@@ -28,6 +28,7 @@ struct DecimateOptions {
   std::optional<double> gradation;  ///< of the spacing; none: what suits it
   // How
   std::string strategy = "quality", feature_angle = "20", seams = "keep", snap = "none", model;
+  std::vector<std::string> attributes;  ///< what counts beside the shape, as given
   bool feature_angle_given = false, factor_given = false, no_swap = false, no_smooth = false,
        repair = false, triangulate = false;
   WeldOption weld;                   ///< with repair

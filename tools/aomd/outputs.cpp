@@ -80,8 +80,10 @@ io::Format format_of_output(const std::string& given, const std::string& format)
 void write_mesh(const std::string& given, io::Format format, const MeshData& mesh, bool quiet,
                 const io::WriteOptions& how) {
   const fs::path path = output_path(given);
-  const io::EncodedMesh encoded = io::to_bytes(path, format, mesh, how);
-  io::write_file(path, encoded.bytes);
+  io::EncodedMesh encoded = io::to_bytes(path, format, mesh, how);
+  io::OutputFiles files;
+  io::add_mesh(files, path, encoded);
+  files.commit();
   if (!quiet) print_notes(given, encoded.notes);
 }
 

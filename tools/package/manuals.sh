@@ -13,6 +13,7 @@ page() {  # NAME PROGRAM HELP-OPTION DESCRIPTION
 }
 if [ -n "$view" ]; then
   page aomd-view "$view" --help "$("$view" --help | head -1)"
+  page aomd-view-test "$view" "test --help" "$("$view" test --help | head -1)"
 fi
 if [ -n "$aomd" ]; then
   page aomd "$aomd" --help "$("$aomd" --help | head -1)"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/decimate/spacing/spacing.h"
+#include "tools/aomd/attribute_weights.h"
 #include "tools/aomd/keep_file.h"
 #include "tools/python/arrays.h"
 #include "tools/python/listening.h"
@@ -114,6 +115,10 @@ DecimationOptions ToldOptions::for_mesh(const Mesh& mesh, double diagonal) const
   steps.max_distance = options_.max_distance_pct / 100 * diagonal;
   if (!options_.keep.empty()) steps.keep = cli::read_keep_file(options_.keep, mesh);
   if (!options_.only.empty()) steps.keep = cli::read_only_file(options_.only, mesh, steps.keep);
+  if (!volume && !options_.paper()) {
+    const MeshData data = to_data(mesh);
+    steps.values = counted_values(data, mesh, cli::attribute_weights(data, options_.attributes));
+  }
   options_.check_spacing();
   if (const auto source = options_.spacing_source())
     steps.spacing = std::make_shared<Column<Vertex, double>>(evaluate_spacing(mesh, *source));

@@ -154,12 +154,13 @@ std::pair<MeshHandle, std::vector<std::string>> from_bytes(const std::string& by
 
 io::EncodedMesh encoded(const MeshData& mesh, const std::string& format,
                         std::optional<bool> binary) {
-  return io::to_bytes("mesh." + format, wanted_format(format), mesh, {binary, false});
+  return io::to_bytes("mesh." + format, wanted_format(format), mesh,
+                      {.binary = binary, .beside = false});
 }
 
 std::vector<std::string> write_file(const std::filesystem::path& file, const MeshData& mesh,
                                     std::optional<bool> binary, bool msh2) {
-  return io::write(file, mesh, {binary, msh2});
+  return io::write(file, mesh, {.binary = binary, .msh2 = msh2});
 }
 
 MeshHandle sample(const std::string& name, int size) {

@@ -14,6 +14,7 @@ PACKAGE = pathlib.Path(__file__).parent / "package"
 TYPES = {"N": "int", "F": "float", "W": "float", "G": "float", "DEG": "float", "PCT": "float",
          "N|P%": "int | str", "DEG|off": "float | str", "[TOL|P%]": "bool | float | str",
          "FILE": "str | os.PathLike", "IDEA,...": "str | Sequence[str]",
+         "NAME[=WEIGHT],...|none": "str | Sequence[str]",
          "FILE|EXPR|curvature|surface": "str | os.PathLike | np.ndarray"}
 
 

@@ -1,14 +1,13 @@
 #include "viewer/app/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "core/io/output_target.h"
-#include "core/io/png.h"
+#include "viewer/base/picture_size.h"
 #include "viewer/commands/commands.h"
 
 namespace aomd::app {
@@ -30,15 +29,8 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 std::string check_size(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  char rest = 0;
-  const int read = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest);
-  const bool good = read == 2 && width >= 1 && height >= 1 && width <= 16384 && height <= 16384;
-  if (!good) return "'" + text + "' is not a size like 1280x800";
-  const bool small = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) <=
-                     io::max_image_pixels;
-  return small ? "" : "'" + text + "' is too large: 8192x8192 is as many pixels as there may be";
+  glm::ivec2 size;
+  return scene::read_picture_size(text, size);
 }
 
 /// A file that an option names.
@@ -119,7 +111,8 @@ void add_options(CLI::App& app, Raw& raw) {
                  "Compare the picture with this one; implies --headless")
       ->type_name("BASELINE.png");
   app.add_option("--threshold", raw.options.threshold,
-                 "Structural similarity that counts as equal; 1 is identical (default 0.99)")
+                 "Structural similarity that each tile of 32x32 pixels must have; 1 is identical "
+                 "(default 0.98)")
       ->check(CLI::Range(0.0, 1.0))
       ->option_text("0..1");
   app.add_flag("--transparent", raw.options.transparent,
@@ -147,7 +140,10 @@ void add_options(CLI::App& app, Raw& raw) {
   app.add_flag("--no-ui", raw.no_ui, "The mesh alone, without panels");
   app.add_flag("--commands-markdown", raw.markdown, "Print docs/COMMANDS.md and end");
   app.set_version_flag("--version", "aomd-view " AOMD_VERSION);
-  app.footer("\n" + scene::commands_help());
+  app.footer(
+      "\naomd-view test SUITE.toml draws many pictures and compares them (aomd-view test "
+      "--help).\n\n" +
+      scene::commands_help());
 }
 
 }  // namespace
@@ -177,7 +173,7 @@ ParsedOptions parse_options(int argc, char** argv) {
     std::cout << scene::commands_markdown();
     return {{}, exit_done};
   }
-  std::sscanf(raw.size.c_str(), "%dx%d", &raw.options.size.x, &raw.options.size.y);
+  (void)scene::read_picture_size(raw.size, raw.options.size);
   raw.options.interface = !raw.no_ui;
   raw.options.size_given = app.count("--size") > 0;
   if (raw.recovery == "off")

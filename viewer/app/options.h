@@ -1,9 +1,11 @@
 #pragma once
 // The command line of aomd-view.
 
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -20,6 +22,7 @@ enum ExitCode : int {
   exit_unreadable = 3,
   exit_unwritten = 4,
   exit_limit = 5,
+  exit_fault = 70,  ///< an internal one: of a process that drew a case
 };
 
 struct Options {
@@ -28,9 +31,11 @@ struct Options {
   glm::ivec2 size{1280, 800};
   std::filesystem::path model;  ///< empty: none
   std::filesystem::path script;
+  std::vector<std::string> commands;  ///< carried out after the script
+  std::string commands_place;         ///< what errors in them begin with
   std::filesystem::path screenshot;
   std::filesystem::path compare;
-  double threshold = 0.99;   ///< structural similarity that counts as equal
+  double threshold = 0.98;   ///< structural similarity that each tile must have
   bool transparent = false;  ///< leaves out what is behind the mesh in these pictures
   std::filesystem::path record;
   std::filesystem::path shaders;
@@ -43,6 +48,9 @@ struct Options {
   /// or for a script. Empty: nowhere.
   std::optional<std::filesystem::path> recovery;
 };
+
+/// The code for an error, or for what caused it where it stands around another one.
+[[nodiscard]] int exit_code_of(const std::exception& error);
 
 /// Where a picture goes that is not as its baseline, and where the difference goes.
 [[nodiscard]] std::filesystem::path picture_for_comparison(const Options& options);

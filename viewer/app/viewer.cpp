@@ -13,6 +13,7 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/lesson_commands.h"
+#include "viewer/commands/look_lines.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {
@@ -26,11 +27,6 @@ constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
-
-std::optional<std::filesystem::path> folder_or_none(const std::filesystem::path& folder) {
-  if (folder.empty()) return {};
-  return folder;
-}
 
 /// Each press and release takes a frame of its own, so that slow drawing would make two clicks of
 /// one double click.
@@ -51,19 +47,22 @@ Viewer::ImGuiScope::~ImGuiScope() { ImGui::DestroyContext(context); }
 
 std::string first_command(const Options& options) {
   if (!options.file.empty()) return "open " + scene::in_quotes(options.file.string());
-  return options.script.empty() ? "sample " + std::string(samples().front().name) : "";
+  return options.script.empty() && options.commands.empty()
+             ? "sample " + std::string(samples().front().name)
+             : "";
 }
 
-Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless)
+Viewer::Viewer(Window& window, scene::Session& session, const Options& options, bool headless,
+               std::shared_ptr<Graphics> graphics)
     : window_(window),
       session_(session),
       options_(options),
       headless_(headless),
-      gl_(render::load_gl(window.get_proc_address())),
+      graphics_(graphics ? std::move(graphics)
+                         : std::make_shared<Graphics>(window, options.shaders)),
+      gl_(graphics_->gl),
       fonts_(ui::load_fonts(1)),
-      layer_(std::make_unique<ui::ImGuiLayer>(
-          gl_, render::load_shader_sources(folder_or_none(options.shaders)))),
-      renderer_(gl_, render::load_shader_sources(folder_or_none(options.shaders))),
+      layer_(gl_, graphics_->panels),
       buffers_(gl_),
       original_buffers_(gl_) {
   session_.keep_shape = [this] { update_aspect(); };
@@ -78,14 +77,19 @@ Viewer::Viewer(Window& window, scene::Session& session, const Options& options, 
   if (!interface_.recent.paths().empty())
     interface_.remember_folder(interface_.recent.paths().front().parent_path());
   if (!options.script.empty()) script_ = scene::Script(options.script);
-  if (!options.record.empty()) {
-    record_.open(options.record);
-    if (!record_) throw io::WriteError(options.record.string(), {}, "cannot be written");
-    if (const std::string first = first_command(options); !first.empty())
-      record_ << first << std::endl;
-  }
+  script_.add(options.commands_place, options.commands);
+  if (!options.record.empty()) begin_record();
   window_.poll(ImGui::GetIO());
   lay_out_frame();  // the layout, and so the picture's shape, is known from here on
+}
+
+/// A script begins with the usual look and without a mesh, a window perhaps not.
+void Viewer::begin_record() {
+  record_.open(options_.record);
+  if (!record_) throw io::WriteError(options_.record.string(), {}, "cannot be written");
+  for (const std::string& line : scene::look_lines(session_.view)) record_ << line << std::endl;
+  if (const std::string first = first_command(options_); !first.empty())
+    record_ << first << std::endl;
 }
 
 Viewer::~Viewer() { session_.keep_shape = {}; }
@@ -132,7 +136,7 @@ void Viewer::update_look(float scale) {
   if (scale == scale_ && theme_ == session_.view.theme) return;
   if (scale != scale_) {
     fonts_ = ui::load_fonts(scale);
-    layer_->update_fonts();
+    layer_.update_fonts();
   }
   scale_ = scale;
   theme_ = session_.view.theme;
@@ -197,16 +201,27 @@ void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& re
   render::RenderSettings how = settings(transparent);
   if (original == nullptr || !session_.sheet().side_by_side()) {
     if (original != nullptr) how.ghost = &original_buffers_;
-    renderer_.render(buffers_, camera, how, rect, destination);
+    graphics_->renderer.render(buffers_, camera, how, rect, destination);
     return;
   }
   const int half = (rect.width - 1) / 2;
   render::RenderSettings as_loaded = how;
   as_loaded.show_edge_codes = false;  // nothing is said about its edges
-  renderer_.render(original_buffers_, camera, as_loaded, {rect.x, rect.y, half, rect.height},
-                   destination);
-  renderer_.render(buffers_, camera, how, {rect.x + rect.width - half, rect.y, half, rect.height},
-                   destination);
+  graphics_->renderer.render(original_buffers_, camera, as_loaded,
+                             {rect.x, rect.y, half, rect.height}, destination);
+  graphics_->renderer.render(buffers_, camera, how,
+                             {rect.x + rect.width - half, rect.y, half, rect.height}, destination);
+}
+
+measure::PixelArea Viewer::scene_area(glm::ivec2 pixels) const {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const ui::Area& area = interface_.layout().viewport;
+  const auto at = [](float v) { return static_cast<int>(std::lround(v)); };
+  const int left = at(area.position.x * scale.x);
+  const int top = at(area.position.y * scale.y);
+  const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
+  const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
+  return {left, top, right - left, bottom - top};
 }
 
 void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent) {
@@ -218,16 +233,11 @@ void Viewer::draw_frame(glm::ivec2 pixels, GLuint destination, bool transparent)
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.ClearColor(panel.x, panel.y, panel.z, 1);
   gl_.Clear(GL_COLOR_BUFFER_BIT);
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  const ui::Area& area = interface_.layout().viewport;
-  const auto at = [](float v) { return static_cast<int>(std::lround(v)); };
-  const int left = at(area.position.x * scale.x);
-  const int top = at(area.position.y * scale.y);
-  const int right = std::min(pixels.x, at((area.position.x + area.size.x) * scale.x));
-  const int bottom = std::min(pixels.y, at((area.position.y + area.size.y) * scale.y));
-  draw_scene(session_.view.camera, {left, pixels.y - bottom, right - left, bottom - top},
-             destination, transparent);
-  layer_->draw(*ImGui::GetDrawData(), destination);
+  const measure::PixelArea area = scene_area(pixels);
+  draw_scene(session_.view.camera,
+             {area.x, pixels.y - area.y - area.height, area.width, area.height}, destination,
+             transparent);
+  layer_.draw(*ImGui::GetDrawData(), destination);
 }
 
 /// In a window they are shown as errors are; without one they go where errors go, and nothing ends.

@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "core/measure/picture_verdict.h"
+#include "viewer/app/graphics.h"
 #include "viewer/app/options.h"
 #include "viewer/app/window.h"
 #include "viewer/commands/script.h"
-#include "viewer/render/renderer.h"
 #include "viewer/session/session.h"
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/interface.h"
@@ -28,9 +29,10 @@ namespace aomd::app {
 /// Window and headless share everything but how the loop waits.
 class Viewer {
  public:
-  /// Shows `session`, which must outlive it, and may be loading already. Throws render::GlError,
-  /// io::ReadError (a script).
-  Viewer(Window& window, scene::Session& session, const Options& options, bool headless);
+  /// Shows `session`, which must outlive it, and may be loading already. Without `graphics` of the
+  /// window's context it makes its own. Throws render::GlError, io::ReadError (a script).
+  Viewer(Window& window, scene::Session& session, const Options& options, bool headless,
+         std::shared_ptr<Graphics> graphics = nullptr);
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
@@ -43,6 +45,8 @@ class Viewer {
   [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false);
   /// The scene alone, whatever panels there are. What they show goes on as it was.
   [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false);
+  /// Where the scene stands in a picture of so many pixels, with the panels as they were last.
+  [[nodiscard]] measure::PixelArea scene_area(glm::ivec2 pixels) const;
 
  private:
   struct ImGuiScope {
@@ -55,6 +59,7 @@ class Viewer {
   void restore_settings();
   void save_settings();
   void connect_clipboard();
+  void begin_record();
   void ask_to_close();
   void execute(const std::string& line);
   void clear_for_picture(std::string_view line);
@@ -87,10 +92,10 @@ class Viewer {
   Options options_;
   bool headless_;
   ImGuiScope imgui_;
-  render::Gl gl_;
+  std::shared_ptr<Graphics> graphics_;
+  const render::Gl& gl_;
   ui::Fonts fonts_;
-  std::unique_ptr<ui::ImGuiLayer> layer_;
-  render::Renderer renderer_;
+  ui::ImGuiLayer layer_;
   render::DrawableBuffers buffers_;
   render::DrawableBuffers original_buffers_;  ///< filled where the mesh as loaded is shown
   ui::Interface interface_;

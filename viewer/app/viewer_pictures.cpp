@@ -69,7 +69,7 @@ void Viewer::draw_scales(glm::ivec2 size, GLuint destination) {
   ImGui::NewFrame();
   interface_.draw_scales(session_, fonts_);
   ImGui::Render();
-  layer_->draw(*ImGui::GetDrawData(), destination);
+  layer_.draw(*ImGui::GetDrawData(), destination);
   io.DisplaySize = display;
 }
 

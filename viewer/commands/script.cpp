@@ -25,20 +25,26 @@ bool may_interrupt(std::string_view line) {
 
 }  // namespace
 
-Script::Script(const std::filesystem::path& file) : name_(file.string()) {
+Script::Script(const std::filesystem::path& file) {
+  const std::string name = file.string();
   std::ifstream in(file);
-  if (!in) throw io::ReadError(name_, {}, "cannot be read");
-  if (std::filesystem::is_directory(file)) throw io::ReadError(name_, {}, "is a folder");
-  for (std::string line; std::getline(in, line);) lines_.push_back(line);
-  if (in.bad()) throw io::ReadError(name_, {}, "cannot be read to its end");
-  if (!lines_.empty() && lines_.front().rfind(byte_order_mark, 0) == 0)
-    lines_.front().erase(0, byte_order_mark.size());
+  if (!in) throw io::ReadError(name, {}, "cannot be read");
+  if (std::filesystem::is_directory(file)) throw io::ReadError(name, {}, "is a folder");
+  for (std::string line; std::getline(in, line);)
+    lines_.push_back({line, name + ":" + std::to_string(lines_.size() + 1)});
+  if (in.bad()) throw io::ReadError(name, {}, "cannot be read to its end");
+  if (!lines_.empty() && lines_.front().text.rfind(byte_order_mark, 0) == 0)
+    lines_.front().text.erase(0, byte_order_mark.size());
+}
+
+void Script::add(const std::string& place, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) lines_.push_back({line, place});
 }
 
 bool Script::advance(const Session& session,
                      const std::function<void(const std::string&)>& carry_out) {
   if (done()) return false;
-  const std::string& line = lines_[next_];
+  const std::string& line = lines_[next_].text;
   // What fails while it is loaded is the fault of the line that asked for it: wait, unless that is
   // taken back.
   const bool may = may_interrupt(line) && (!session.loading() || name_in(line) == "cancel");
@@ -57,7 +63,7 @@ void Script::fail() const {
   try {
     throw;
   } catch (const std::exception& cause) {
-    std::throw_with_nested(ScriptError(name_ + ":" + std::to_string(next_) + ": " + cause.what()));
+    std::throw_with_nested(ScriptError(lines_[next_ - 1].place + ": " + cause.what()));
   }
 }
 

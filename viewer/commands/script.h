@@ -22,6 +22,9 @@ class Script {
   /// Throws io::ReadError for what is no file or cannot be read to its end.
   explicit Script(const std::filesystem::path& file);
 
+  /// Has lines carried out after all others; `place` is what errors in them begin with.
+  void add(const std::string& place, const std::vector<std::string>& lines);
+
   [[nodiscard]] bool done() const { return next_ >= lines_.size(); }
   /// Has the next line carried out once the session is idle and the pictures that it asked for are
   /// taken; `cancel`, `pause` and `log` do not wait. Returns false where it had to wait. Throws
@@ -31,8 +34,12 @@ class Script {
   [[noreturn]] void fail() const;
 
  private:
-  std::string name_;
-  std::vector<std::string> lines_;
+  struct Line {
+    std::string text;
+    std::string place;  ///< "FILE:LINE"
+  };
+
+  std::vector<Line> lines_;
   std::size_t next_ = 0;
 };
 

@@ -18,8 +18,8 @@ GLuint from_id(ImTextureID id) { return (GLuint)(std::intptr_t)id; }
 
 }  // namespace
 
-ImGuiLayer::ImGuiLayer(const render::Gl& gl, const render::ShaderSources& sources)
-    : gl_(gl), program_(gl, sources, "ui") {
+ImGuiLayer::ImGuiLayer(const render::Gl& gl, render::ShaderProgram& program)
+    : gl_(gl), program_(program) {
   ImGuiIO& io = ImGui::GetIO();
   io.BackendRendererName = "aomd";
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;

@@ -6,17 +6,16 @@
 #include "viewer/render/framebuffer.h"
 #include "viewer/render/gl.h"
 #include "viewer/render/shader_program.h"
-#include "viewer/render/shader_sources.h"
 
 namespace aomd::ui {
 
-/// The back end that draws: program, buffers and the font atlas of the current ImGui context. Both
+/// The back end that draws: buffers and the font atlas of the current ImGui context. Both
 /// contexts must be current whenever a member runs. Works with ImGui 1.86 to 1.91; callbacks in
 /// draw lists are called, ImDrawCallback_ResetRenderState sets our state again.
 class ImGuiLayer {
  public:
-  /// Builds and uploads the font atlas as it is now. Throws render::GlError.
-  ImGuiLayer(const render::Gl& gl, const render::ShaderSources& sources);
+  /// Builds and uploads the font atlas as it is now. `program` is that of the shader "ui".
+  ImGuiLayer(const render::Gl& gl, render::ShaderProgram& program);
   ~ImGuiLayer();
   ImGuiLayer(const ImGuiLayer&) = delete;
   ImGuiLayer& operator=(const ImGuiLayer&) = delete;
@@ -33,7 +32,7 @@ class ImGuiLayer {
   void draw_command(const ImDrawCmd& command, const ImDrawData& data) const;
 
   const render::Gl& gl_;
-  render::ShaderProgram program_;
+  render::ShaderProgram& program_;
   GLuint vertex_array_ = 0;
   GLuint vertices_ = 0;
   GLuint indices_ = 0;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <string_view>
+
+#include "viewer/ui/embedded_fonts.h"
 
 namespace aomd::ui {
 namespace {
@@ -39,12 +42,20 @@ constexpr std::array<ImWchar, 17> glyph_ranges = {0x0020, 0x00ff, 0x0394, 0x0394
                                                   0x2010, 0x2026, 0x2070, 0x2089, 0x2190, 0x2193,
                                                   0x2212, 0x2212, 0x2248, 0x2265, 0};
 
+/// The font that is part of the program, else the first file that is there, else ImGui's own.
 template <std::size_t N>
-ImFont* add_font(ImFontAtlas& atlas, const std::array<const char*, N>& files, float size_px) {
+ImFont* add_font(ImFontAtlas& atlas, std::string_view name, const std::array<const char*, N>& files,
+                 float size_px) {
   ImFontConfig config;
   config.OversampleH = 2;
   config.OversampleV = 1;
   config.PixelSnapH = false;
+  if (const auto bytes = embedded_font(name); !bytes.empty()) {
+    config.FontDataOwnedByAtlas = false;
+    void* data = const_cast<unsigned char*>(bytes.data());  // ImGui reads it only
+    return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config,
+                                      glyph_ranges.data());
+  }
   std::error_code ignored;
   for (const char* file : files)
     if (std::filesystem::is_regular_file(file, ignored))
@@ -190,10 +201,11 @@ Fonts load_fonts(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   Fonts fonts;
-  fonts.text = add_font(atlas, text_files, std::round(text_px * scale * 2.0f) / 2.0f);
-  fonts.heading = add_font(atlas, heading_files, std::round(heading_px * scale * 2.0f) / 2.0f);
-  fonts.mono = add_font(atlas, mono_files, std::round(mono_px * scale * 2.0f) / 2.0f);
-  fonts.small = add_font(atlas, text_files, std::round(small_px * scale * 2.0f) / 2.0f);
+  fonts.text = add_font(atlas, "text", text_files, std::round(text_px * scale * 2.0f) / 2.0f);
+  fonts.heading =
+      add_font(atlas, "heading", heading_files, std::round(heading_px * scale * 2.0f) / 2.0f);
+  fonts.mono = add_font(atlas, "mono", mono_files, std::round(mono_px * scale * 2.0f) / 2.0f);
+  fonts.small = add_font(atlas, "text", text_files, std::round(small_px * scale * 2.0f) / 2.0f);
   ImGui::GetIO().FontDefault = fonts.text;
   return fonts;
 }

@@ -29,9 +29,9 @@ struct ThemeColors {
   ImVec4 bad;      ///< a refusal, an error
 };
 
-/// Replaces the fonts of the current ImGui context: the first found of Inter, Open Sans and DejaVu
-/// Sans, else ImGui's own. `scale` is the window's content scale. Call it before the frame, then
-/// ImGuiLayer::update_fonts().
+/// Replaces the fonts of the current ImGui context: by those that are part of the program, else the
+/// first found of Inter, Open Sans and DejaVu Sans, else ImGui's own. `scale` is the window's
+/// content scale. Call it before the frame, then ImGuiLayer::update_fonts().
 Fonts load_fonts(float scale);
 
 /// Sets the style of the current ImGui context: colours, and sizes times `scale`.

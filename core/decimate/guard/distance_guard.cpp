@@ -74,11 +74,26 @@ std::uint32_t& DistanceGuard::hint(Vertex v, const Part& part) {
 
 Verdict DistanceGuard::judge(const Change& change) {
   if (const Verdict v = judge_curves(change); !v.accepted()) return v;
+  if (const Verdict v = judge_middles(change); !v.accepted()) return v;
+  for (const NewFace& f : change.created) {
+    Part* part = surface_of(f);
+    const Envelope::Answer answer = part->near.contains(f.corners, hint(f.vertices[0], *part));
+    if (!answer.inside) return {Reason::Distance, f.face, answer.distance};
+  }
+  return {};
+}
+
+// Most that is too far is so in the middle of a new face or edge: to look there first saves going
+// over faces that are near.
+Verdict DistanceGuard::judge_middles(const Change& change) {
   for (const NewFace& f : change.created) {
     Part* part = surface_of(f);
     if (!part) return {Reason::Distance, f.face, std::numeric_limits<double>::infinity()};
-    const Envelope::Answer answer = part->near.contains(f.corners, hint(f.vertices[0], *part));
-    if (!answer.inside) return {Reason::Distance, f.face, answer.distance};
+    const auto& [a, b, c] = f.corners;
+    for (const glm::dvec3& p : {(a + b + c) / 3.0, 0.5 * (a + b)}) {
+      const Envelope::Answer answer = part->near.contains(p, hint(f.vertices[0], *part));
+      if (!answer.inside) return {Reason::Distance, f.face, answer.distance};
+    }
   }
   return {};
 }

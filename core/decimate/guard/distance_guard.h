@@ -44,6 +44,7 @@ class DistanceGuard {
   };
   [[nodiscard]] static Part* find(std::vector<Part>& parts, ModelRef model);
   [[nodiscard]] Part* surface_of(const NewFace& f);
+  [[nodiscard]] Verdict judge_middles(const Change& change);
   [[nodiscard]] Verdict judge_curves(const Change& change);
   [[nodiscard]] std::uint32_t& hint(Vertex v, const Part& part);
 

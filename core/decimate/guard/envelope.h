@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/decimate/guard/patches.h"
+#include "core/decimate/guard/triangle_cuts.h"
 #include "core/model/triangle_tree.h"
 
 namespace aomd {
@@ -27,9 +28,12 @@ class Envelope {
     bool inside = false;
     double distance = 0;  ///< where not inside: of a point outside, or of one that may be near such
   };
+  /// Whether a point lies within the distance. `hint` as below. About 0.3 us.
+  [[nodiscard]] Answer contains(const glm::dvec3& p, std::uint32_t& hint) const;
   /// Whether every point of `t` certainly lies within the distance. What has its corners in one
-  /// convex set of near points, around one triangle or over a patch, lies in it altogether; what
-  /// has not is cut along the sides of the nearest triangle, or in halves, until each part does.
+  /// convex set of near points, around one triangle or over a patch, lies in it altogether, and so
+  /// does what has near triangles over all of it along its normal; what has not is cut along the
+  /// sides of the nearest triangle, or in halves, until each part does.
   /// Says no at the first point outside, for parts smaller than 1/16 of the distance, and where it
   /// would take more than 4096 parts. `hint` is a triangle of the tree that may be near, or
   /// no_index; it receives the last one found. About 0.1 us where the first set holds `t`, else 0.3
@@ -42,10 +46,11 @@ class Envelope {
     std::uint32_t hint;
   };
   [[nodiscard]] bool near(const Triangle& t, std::uint32_t n);
+  [[nodiscard]] bool small_patch(std::uint32_t n);
+  [[nodiscard]] bool laid_over(const Triangle& t) const;
   [[nodiscard]] double locate(const glm::dvec3& p, bool surely, std::uint32_t& near) const;
-  void bisect(const Part& part);
-  void cut(const Part& part, const glm::dvec3& beyond);
-  [[nodiscard]] bool cut_along_sides(const Part& part, double distance2);
+  [[nodiscard]] TriangleParts cut(const Triangle& t, std::uint32_t nearest, double distance2,
+                                  double longest2);
 
   TriangleTree tree_;
   double distance_, reach_, reach2_;  ///< reach: the distance less what rounding may lose

@@ -35,16 +35,27 @@ float CollapseQueue::cost(Vertex v, Vertex w, Contraction& c) const {
   if (freedom == Freedom::None) return unlimited;
   EdgeView<float> edge{at_v.quadric.about(-along), along, length2, at_v.area + at_w.area};
   edge.quadric += at_w.quadric;  // all as seen from w
-  glm::vec3 x(0.0f);
-  c = {v, w, to};
+  if (!values_) return cost_at(rules_, edge, place(v, w, freedom, edge, c));
+  const LocalQuadric beside = attributes_.together(v, w, along);
+  EdgeView<float> both = edge;
+  both.quadric += beside;
+  const glm::vec3 x = place(v, w, freedom, both, c);
+  return cost_at(rules_, edge, x) + cost_beside(rules_, beside, x);
+}
+
+// Which end goes where, and that place as seen from w.
+glm::vec3 CollapseQueue::place(Vertex v, Vertex w, Freedom freedom, const EdgeView<float>& edge,
+                               Contraction& c) const {
+  const glm::dvec3 to = mesh_.position(w);
   if (freedom == Freedom::OntoFirst) {
-    c = {w, v, from};
-    x = along;
-  } else if (freedom == Freedom::Any) {
-    x = place_of_least(edge);
-    c.position = to + glm::dvec3(x);
+    c = {w, v, mesh_.position(v)};
+    return edge.along;
   }
-  return cost_at(rules_, edge, x);
+  c = {v, w, to};
+  if (freedom != Freedom::Any) return glm::vec3(0.0f);
+  const glm::vec3 x = place_of_least(edge);
+  c.position = to + glm::dvec3(x);
+  return x;
 }
 
 // Whether a vertex may go anywhere on what it lies on.
@@ -66,6 +77,21 @@ EdgeView<Lanes> CollapseQueue::view_of_four(const State& at_v, const FourStates&
   return edges;
 }
 
+// As costs() would without them, and what they add.
+Lanes CollapseQueue::costs_with_values(Vertex v, std::span<const Vertex> others,
+                                       const EdgeView<Lanes>& edges) const {
+  std::array<LocalQuadric, Lanes::count> each;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    each[i] =
+        attributes_.together(v, others[i], {edges.along.x[i], edges.along.y[i], edges.along.z[i]});
+  const auto beside =
+      QuadricOf<Lanes>::of_each([&](std::size_t i) -> const LocalQuadric& { return each[i]; });
+  EdgeView<Lanes> both = edges;
+  both.quadric += beside;
+  const auto x = place_of_least(both);
+  return cost_at(rules_, edges, x) + cost_beside(rules_, beside, x);
+}
+
 // What cost() says of up to four edges from one vertex: those whose ends may go anywhere are
 // computed together, others one by one.
 CollapseQueue::FourCosts CollapseQueue::costs(Vertex v, std::span<const Vertex> others) const {
@@ -77,7 +103,8 @@ CollapseQueue::FourCosts CollapseQueue::costs(Vertex v, std::span<const Vertex> 
     along[i] = glm::vec3(mesh_.position(v) - mesh_.position(w));
   }
   const EdgeView<Lanes> edges = view_of_four(state_[v], at, along);
-  const Lanes together = cost_at(rules_, edges, place_of_least(edges));
+  const Lanes together =
+      values_ ? costs_with_values(v, others, edges) : cost_at(rules_, edges, place_of_least(edges));
   const bool free = roams(v);
   FourCosts result;
   for (std::size_t i = 0; i < others.size(); ++i) {
@@ -101,13 +128,17 @@ float CollapseQueue::cost_along_curve(Vertex v, Vertex w, Contraction& c) const 
   const glm::vec3 along(from - to);
   LocalQuadric q = at_v.quadric.about(-along);  // all as seen from w
   q += at_w.quadric;
+  const LocalQuadric beside = values_ ? attributes_.together(v, w, along) : LocalQuadric();
   c = freedom == Freedom::OntoFirst ? Contraction{w, v, from} : Contraction{v, w, to};
-  if (freedom == Freedom::Any) c.position = least_on_curve(place, Quadric(q), from, to);
+  Quadric all(q);
+  if (values_) all += Quadric(beside);
+  if (freedom == Freedom::Any) c.position = least_on_curve(place, all, from, to);
   const CurveError e = curves_.error(mesh_, place, c.position);
   const float area = at_v.area + at_w.area;
   const float strip = static_cast<float>(e.length * e.length / rules_.unit_area);
   const float squares = static_cast<float>(e.squares * e.length / rules_.unit_area);
-  return price(rules_, q(glm::vec3(c.position - to)) + squares, area + strip) +
+  const glm::vec3 x(c.position - to);
+  return price(rules_, q(x) + squares, area + strip) + cost_beside(rules_, beside, x) +
          rules_.edge_weight * area * glm::dot(along, along) * rules_.scale;
 }
 
@@ -228,6 +259,7 @@ void CollapseQueue::measure(bool by_points) {
     quadrics_of_points();
   else
     quadrics_of_faces();
+  if (values_) add_values(by_points);
   fill();
 }
 
@@ -285,9 +317,12 @@ bool CollapseQueue::put_off(Vertex v, std::size_t i, float bound, const Turn& tu
 void CollapseQueue::merge(const Contraction& c) {
   dequeue(c.deleted);
   State& kept = state_[c.kept];
-  const LocalQuadric stays = kept.quadric.about(glm::vec3(c.position - mesh_.position(c.kept)));
-  kept.quadric = state_[c.deleted].quadric.about(glm::vec3(c.position - mesh_.position(c.deleted)));
+  const glm::vec3 from_kept(c.position - mesh_.position(c.kept)),
+      from_deleted(c.position - mesh_.position(c.deleted));
+  const LocalQuadric stays = kept.quadric.about(from_kept);
+  kept.quadric = state_[c.deleted].quadric.about(from_deleted);
   kept.quadric += stays;
+  if (values_) attributes_.merge(c.deleted, from_deleted, c.kept, from_kept);
   kept.area += state_[c.deleted].area;
   add_normal(c.kept, normal_[c.deleted]);
 }

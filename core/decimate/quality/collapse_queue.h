@@ -9,9 +9,11 @@
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/options.h"
+#include "core/decimate/quality/attribute_quadrics.h"
 #include "core/decimate/quality/cheapest.h"
 #include "core/decimate/quality/edge_cost.h"
 #include "core/decimate/quality/original_surface.h"
+#include "core/decimate/quality/original_values.h"
 #include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/mesh/column.h"
@@ -44,6 +46,8 @@ class CollapseQueue {
   CollapseQueue(const Mesh& mesh, const OriginalSurface& original, const OriginalCurves& curves,
                 const DecimationOptions& options, const Partition& parts)
       : mesh_(mesh), original_(original), curves_(curves), options_(options), parts_(parts) {}
+  /// From the next measure() on these numbers count too. They must outlive it.
+  void count(const OriginalValues& values) { values_ = &values; }
 
   /// Knows nothing of any vertex any more.
   void reset(const CostRules& rules);
@@ -124,6 +128,10 @@ class CollapseQueue {
   [[nodiscard]] static EdgeView<Lanes> view_of_four(
       const State& at_v, const FourStates& others,
       const std::array<glm::vec3, Lanes::count>& along);
+  [[nodiscard]] Lanes costs_with_values(Vertex v, std::span<const Vertex> others,
+                                        const EdgeView<Lanes>& edges) const;
+  [[nodiscard]] glm::vec3 place(Vertex v, Vertex w, Freedom freedom, const EdgeView<float>& edge,
+                                Contraction& contraction) const;
   [[nodiscard]] bool roams(Vertex v) const;
   void find_candidates(Vertex v, Turn& turn) const;
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, double length2) const;
@@ -145,14 +153,19 @@ class CollapseQueue {
   void add_normal(Vertex v, const glm::vec3& normal);
   void quadrics_of_faces();
   void quadrics_of_points();
+  void add_values(bool by_points);
+  void add_values_of_faces();
+  void add_values_of_points();
 
   const Mesh& mesh_;
   const OriginalSurface& original_;
   const OriginalCurves& curves_;
   const DecimationOptions& options_;
   const Partition& parts_;
+  const OriginalValues* values_ = nullptr;  ///< none: the shape alone counts
   CostRules rules_;
   Column<Vertex, State> state_;
+  AttributeQuadrics attributes_;
   Column<Vertex, glm::vec3> normal_;
   VertexQueue order_;
   std::vector<float> levels_;  ///< see level()

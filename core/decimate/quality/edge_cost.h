@@ -62,4 +62,13 @@ template <typename Number>
          Number(rules.edge_weight) * edge.area * edge.length2 * Number(rules.scale);
 }
 
+/// What the numbers beside the shape add. No third power: an error of theirs is at most their
+/// range.
+template <typename Number>
+[[nodiscard]] Number cost_beside(const CostRules& rules, const QuadricOf<Number>& quadric,
+                                 const glm::vec<3, Number>& x) {
+  const Number zero(0.0f), squares = quadric(x);
+  return Number(rules.scale) * select(zero < squares, squares, zero);
+}
+
 }  // namespace aomd

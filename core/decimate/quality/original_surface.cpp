@@ -113,7 +113,8 @@ Vertex OriginalSurface::taken_by(Vertex v) {
 // the nearest place may lie inside, no walk leads back. Two faces at a time.
 void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex v) {
   const Row<2> faces = mesh.row<2>(v);
-  const TwoPoints position(p.position);
+  const TwoPoints position(p.position), own_normal{glm::dvec3(p.normal)};
+  const DoubleLanes zero(0.0);
   double best = std::numeric_limits<double>::infinity();
   bool faces_it = false;
   p.face = no_index;
@@ -123,10 +124,12 @@ void OriginalSurface::start_at_vertex(const Mesh& mesh, OriginalPoint& p, Vertex
     const auto corner = [&](std::size_t k) {
       return two_points(mesh.position(f[k]), mesh.position(g[k]));
     };
+    const TwoPoints a = corner(0), b = corner(1), c = corner(2);
+    const auto alike = glm::dot(area_normal(a, b, c), own_normal) > zero;
     TwoPoints at;
-    const DoubleLanes d = nearest_barycentric(position, corner(0), corner(1), corner(2), at);
+    const DoubleLanes d = nearest_barycentric(position, a, b, c, at);
     for (std::size_t i = 0; i < two.size(); ++i) {
-      const bool now = looks_alike(mesh, two[i], p);
+      const bool now = alike[i] != 0;
       if ((faces_it && !now) || (faces_it == now && d[i] >= best)) continue;
       faces_it = now;
       best = d[i];

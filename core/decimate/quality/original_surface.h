@@ -40,6 +40,9 @@ class OriginalSurface {
   explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices);
 
   [[nodiscard]] const std::vector<OriginalPoint>& points() const { return points_; }
+  /// The vertex that a point was, or a corner of the face that it is inside of: those come after
+  /// all vertices.
+  [[nodiscard]] Vertex vertex_of(std::size_t point) const { return vertex_of_[point]; }
   /// The diagonal of its box, and its area.
   [[nodiscard]] double diagonal() const { return diagonal_; }
   [[nodiscard]] double area() const { return area_; }

@@ -10,7 +10,7 @@ namespace aomd {
 // What else would have to follow each operation at once: then the parts take their turns one by
 // one.
 bool QualityLoop::parts_may_share() const {
-  return options_.threads > 1 && part_count_ > 1 && !guards_.any() && !options_.model &&
+  return options_.threads > 1 && part_count_ > 1 && !guards_.any() && !options_.model && !values_ &&
          options_.topology == TopologyRule::Safe && SharedEdits::possible(mesh_);
 }
 

@@ -156,9 +156,18 @@ Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dve
     if (rules.model) target = rules.model->snap(mesh_.classification(v), target);
     verdict = on_curve && leaves_curve(v, target) ? Verdict(Reason::Quality, v)
                                                   : judge_target(v, star, target, rules);
+    if (values_ && verdict.accepted() && loses_values(v, star, target, rules))
+      verdict = {Reason::Quality, v};
     if (verdict.accepted()) break;
   }
   return verdict;
+}
+
+// What the shape would gain must not cost the numbers beside it much.
+bool Fitter::loses_values(Vertex v, const Star& star, const glm::dvec3& target,
+                          const FitRules& rules) const {
+  constexpr double most = 0.1;  // of the error of an average face
+  return values_->growth(v, star, target) > most * rules.face_energy;
 }
 
 // What the surface beside a curve would gain must not cost the curve much.
@@ -167,6 +176,24 @@ bool Fitter::leaves_curve(Vertex v, const glm::dvec3& target) const {
   const CurvePlace place = curves_.around(v);
   return curves_.error(mesh_, place, target).squares >
          most * curves_.error(mesh_, place, mesh_.position(v)).squares;
+}
+
+double Fitter::error_of_values(const EdgePair& pair) const {
+  double error = 0;
+  for (const Face f : {pair.f, pair.g})
+    original_.for_points(f, [&, t = mesh_.triangle(f)](const OriginalPoint& p) {
+      error += double(p.weight) * values_->error(p, t, p.barycentric);
+    });
+  return error;
+}
+
+// At a point that would lie on one of the two new faces, the first or the second.
+double Fitter::error_of_values(const EdgePair& pair, const OriginalPoint& p, const TwoPoints& at,
+                               std::size_t face) const {
+  using Corners = std::array<Vertex, 3>;
+  const Corners corners =
+      face == 0 ? Corners{pair.d, pair.b, pair.c} : Corners{pair.c, pair.a, pair.d};
+  return values_->error(p, corners, {at.x[face], at.y[face], at.z[face]});
 }
 
 // What the energy falls by. Where that is not enough, something that is not enough either.
@@ -179,6 +206,7 @@ double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules, double eno
   for (const Face f : {pair.f, pair.g})
     original_.for_points(
         f, [&](const OriginalPoint& p) { before += double(p.weight) * double(p.distance2); });
+  if (values_) before += error_of_values(pair);
   double unit = rules.face_energy;
   if (rules.local > 0)
     unit *= std::pow(std::min(1.0, before / (2 * rules.face_energy)), rules.local);
@@ -191,6 +219,8 @@ double Fitter::swap_gain(const EdgePair& pair, const FitRules& rules, double eno
     const DoubleLanes distance2 =
         nearest_barycentric(TwoPoints(p.position), corners[0], corners[1], corners[2], at);
     after += double(p.weight) * std::min(distance2[0], distance2[1]);
+    const std::size_t nearer = distance2[1] < distance2[0] ? 1 : 0;
+    if (values_) after += double(p.weight) * error_of_values(pair, p, at, nearer);
     return gain + before - after > enough;
   };
   if (original_.for_points_while(pair.f, add)) original_.for_points_while(pair.g, add);

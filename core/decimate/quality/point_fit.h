@@ -5,7 +5,9 @@
 
 #include <vector>
 
+#include "core/base/lanes.h"
 #include "core/decimate/curves/original_curves.h"
+#include "core/decimate/quality/attribute_fit.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/model/model.h"
 #include "core/operators/star.h"
@@ -47,6 +49,8 @@ class Fitter {
  public:
   Fitter(const Mesh& mesh, OriginalSurface& original, const OriginalCurves& curves)
       : mesh_(mesh), original_(original), curves_(curves) {}
+  /// From now on these numbers count too. They must outlive it.
+  void count(const AttributeFit& values) { values_ = &values; }
 
   /// Where a vertex inside a model face would go: the least-squares place for the points on the
   /// faces around it, each seen as a plane through its face, pulled along the surface towards the
@@ -76,14 +80,20 @@ class Fitter {
                                             glm::dvec3& target) const;
   /// Adds the points on the faces around a vertex, as seen from it; returns their weight.
   double add_points(Vertex v, const Star& star, Quadric& error) const;
+  [[nodiscard]] bool loses_values(Vertex v, const Star& star, const glm::dvec3& target,
+                                  const FitRules& rules) const;
   [[nodiscard]] bool leaves_curve(Vertex v, const glm::dvec3& target) const;
   [[nodiscard]] static bool looks_away(const glm::dvec3& original, const glm::dvec3& normal,
                                        const FitRules& rules);
+  [[nodiscard]] double error_of_values(const EdgePair& pair) const;
+  [[nodiscard]] double error_of_values(const EdgePair& pair, const OriginalPoint& p,
+                                       const TwoPoints& at, std::size_t face) const;
   [[nodiscard]] double swap_gain(const EdgePair& pair, const FitRules& rules, double enough) const;
 
   const Mesh& mesh_;
   OriginalSurface& original_;
   const OriginalCurves& curves_;
+  const AttributeFit* values_ = nullptr;  ///< none: the shape alone counts
 };
 
 }  // namespace aomd

@@ -158,6 +158,7 @@ class QualityLoop final : public Loop {
 
   OriginalSurface original_;
   OriginalCurves curves_;
+  std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts
   Fitter fitter_;
   CollapseRules rules_;
   CollapseRules sliver_rules_;  ///< what binds a collapse that may leave a sliver

@@ -69,6 +69,11 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
       queue_(mesh, original_, curves_, options_, partition_),
       rounds_(mesh, queue_, partition_),
       alone_(mesh) {
+  if (options.values) {
+    values_ = std::make_unique<AttributeFit>(mesh, original_, *options.values);
+    queue_.count(values_->original());
+    fitter_.count(*values_);
+  }
   start(options);
 }
 
@@ -170,6 +175,7 @@ void QualityLoop::begin_improvement() {
 void QualityLoop::locate() {
   original_.locate(mesh_, options_.threads);
   curves_.locate(mesh_);
+  if (values_) values_->locate();
 }
 
 void QualityLoop::measure_energy() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/mesh/column.h"
@@ -15,40 +16,33 @@ namespace aomd {
 /// A queue in which every vertex stands at most once, at a cost that is not negative. The lowest
 /// bucket leaves in the order of ids, because vertices that follow each other in a file tend to lie
 /// next to each other, in memory too; what arrives in that bucket or below it meanwhile waits until
-/// it is done. put and remove are O(1), a pop O(log n) amortised. Where there are several parts,
-/// each has a queue of its own vertices, and a thread of its own may use it.
+/// it is done. put and remove are O(1), a pop O(log n) amortised. A bucket lists who was put there,
+/// and who has left since is passed over when its turn comes: leaving touches no other vertex.
+/// Where there are several parts, each has a queue of its own vertices, and a thread of its own may
+/// use it.
 class VertexQueue {
  public:
   static constexpr std::uint32_t no_bucket = 1u << 9;  ///< above all of them
 
   void reset(std::size_t vertices, std::size_t parts = 1) {
     parts_.assign(parts, {});
-    links_.assign(vertices, {});
+    bucket_.assign(vertices, absent);
   }
-  [[nodiscard]] bool holds(Vertex v) const { return links_[v].bucket != absent; }
+  [[nodiscard]] bool holds(Vertex v) const { return bucket_[v] != absent; }
   /// Puts a vertex at a cost, or moves it there; always in the same part.
   void put(Vertex v, float cost, std::size_t part = 0) {
+    const std::uint16_t b = bucket_of(cost);
+    if (bucket_[v] == b) return;
     remove(v, part);
     Part& p = parts_[part];
-    const std::uint32_t b = bucket_of(cost);
-    Bucket& bucket = p.buckets[b];
-    links_[v] = {bucket.first, no_index, b};
-    if (bucket.first != no_index) links_[Vertex(bucket.first)].previous = v.index;
-    bucket.first = v.index;
-    ++bucket.count;
-    if (b < p.lowest) p.lowest = b;
+    bucket_[v] = b;
+    p.buckets[b].listed.push_back(v.index);
+    ++p.buckets[b].waiting;
+    p.lowest = std::min(p.lowest, std::uint32_t{b});
   }
   void remove(Vertex v, std::size_t part = 0) {
-    Link& l = links_[v];
-    if (l.bucket == absent) return;
-    Bucket& bucket = parts_[part].buckets[l.bucket];
-    if (l.previous != no_index)
-      links_[Vertex(l.previous)].next = l.next;
-    else
-      bucket.first = l.next;
-    --bucket.count;
-    if (l.next != no_index) links_[Vertex(l.next)].previous = l.previous;
-    l.bucket = absent;
+    const std::uint16_t b = std::exchange(bucket_[v], absent);
+    if (b != absent) --parts_[part].buckets[b].waiting;
   }
   /// The next vertex, which leaves; an invalid one when there is none, or none up to a bucket.
   [[nodiscard]] Vertex pop(std::size_t part = 0, std::uint32_t last = no_bucket) {
@@ -56,7 +50,7 @@ class VertexQueue {
     do {
       while (p.turn < p.batch.size()) {
         const Vertex v(p.batch[p.turn++]);
-        if (links_[v].bucket != p.present) continue;  // it has left, or waits elsewhere
+        if (bucket_[v] != p.present) continue;  // it has left, or waits elsewhere
         remove(v, part);
         return v;
       }
@@ -71,17 +65,20 @@ class VertexQueue {
   [[nodiscard]] std::uint32_t lowest(std::size_t part = 0) { return lowest_of(parts_[part]); }
   /// How many vertices of a part wait in a bucket.
   [[nodiscard]] std::uint32_t waiting(std::size_t part, std::uint32_t bucket) const {
-    return parts_[part].buckets[bucket].count;
+    return parts_[part].buckets[bucket].waiting;
   }
   /// What is left of the bucket that a part works off waits as if it had just arrived.
-  void leave_bucket(std::size_t part) { parts_[part].batch.clear(), parts_[part].turn = 0; }
+  void leave_bucket(std::size_t part) {
+    Part& p = parts_[part];
+    std::vector<std::uint32_t>& listed = p.buckets[p.present].listed;
+    listed.insert(listed.end(), p.batch.begin() + p.turn, p.batch.end());
+    p.batch.clear(), p.turn = 0;
+  }
 
  private:
-  struct Link {
-    std::uint32_t next = no_index, previous = no_index, bucket = absent;
-  };
   struct Bucket {
-    std::uint32_t first = no_index, count = 0;
+    std::vector<std::uint32_t> listed;  ///< who has left since among them, and who came back twice
+    std::uint32_t waiting = 0;
   };
   struct alignas(64) Part {
     std::vector<Bucket> buckets = std::vector<Bucket>(no_bucket);
@@ -90,27 +87,30 @@ class VertexQueue {
     std::uint32_t present = 0, turn = 0;
   };
   // The exponent and the first bit of the mantissa: ordered as the numbers are.
-  static std::uint32_t bucket_of(float cost) { return std::bit_cast<std::uint32_t>(cost) >> 22; }
-  static constexpr std::uint32_t absent = no_index;
+  static std::uint16_t bucket_of(float cost) {
+    return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(cost) >> 22);
+  }
+  static constexpr std::uint16_t absent = no_bucket;
 
   static std::uint32_t lowest_of(Part& p) {
-    while (p.lowest < no_bucket && p.buckets[p.lowest].first == no_index) ++p.lowest;
+    for (; p.lowest < no_bucket && p.buckets[p.lowest].waiting == 0; ++p.lowest)
+      p.buckets[p.lowest].listed.clear();
     return p.lowest;
   }
   bool begin_batch(Part& p, std::uint32_t last) {
     const std::uint32_t lowest = lowest_of(p);
     if (lowest == no_bucket || lowest > last) return false;
-    p.batch.clear();
-    for (std::uint32_t i = p.buckets[lowest].first; i != no_index; i = links_[Vertex(i)].next)
-      p.batch.push_back(i);
+    p.batch = std::exchange(p.buckets[lowest].listed, {});
+    std::erase_if(p.batch, [&](std::uint32_t v) { return bucket_[Vertex(v)] != lowest; });
     std::sort(p.batch.begin(), p.batch.end());
+    p.batch.erase(std::unique(p.batch.begin(), p.batch.end()), p.batch.end());
     p.present = lowest;
     p.turn = 0;
     return true;
   }
 
   std::vector<Part> parts_ = std::vector<Part>(1);
-  Column<Vertex, Link> links_;
+  Column<Vertex, std::uint16_t> bucket_;  ///< where each vertex stands
 };
 
 }  // namespace aomd
