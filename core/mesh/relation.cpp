@@ -185,10 +185,12 @@ std::uint32_t UpRows::take_block(std::uint32_t block, Room& room) {
 }
 
 void UpRows::lend(std::size_t count, std::uint32_t places) {
+  const auto has_enough = [places](const Room& room) { return room.left() >= places / 2; };
   rooms_.resize(count, Room());
+  if (std::all_of(rooms_.begin(), rooms_.end(), has_enough)) return;
   reserve_places(count * places);
   for (Room& room : rooms_) {
-    if (room.left() >= places / 2) continue;
+    if (has_enough(room)) continue;
     room.begin_ = new_places(places);
     room.end_ = room.begin_ + places;
   }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 // Of faces to go, or of vertices that wait, for each part: fewer are not worth sharing out.
-constexpr std::uint64_t few = 32;
+constexpr std::uint64_t few = 8;
 
 }  // namespace
 
