@@ -29,7 +29,6 @@ Options options_of(const Case& each) {
   options.theme = each.dark ? scene::Theme::Dark : scene::Theme::Light;
   options.scale = each.scale;
   options.interface = each.panels;
-  options.headless = HeadlessKind::Auto;
   return options;
 }
 
@@ -46,17 +45,6 @@ int exit_code_of_case(const std::exception& error) {
   return code == exit_usage ? exit_unreadable : code;
 }
 
-}  // namespace
-
-/// What a case led to; `missed` is the expectation that does not hold.
-struct CaseRunner::Drawn {
-  io::Image picture;
-  measure::PixelArea scene;
-  std::string missed;
-};
-
-namespace {
-
 /// Carries out what a case says. Returns the expectation that does not hold, or nothing.
 std::string carry_out(Viewer& viewer, scene::Session& session, const Case& each) {
   try {
@@ -70,6 +58,13 @@ std::string carry_out(Viewer& viewer, scene::Session& session, const Case& each)
 }
 
 }  // namespace
+
+/// What a case led to; `missed` is the expectation that does not hold.
+struct CaseRunner::Drawn {
+  io::Image picture;
+  measure::PixelArea scene;
+  std::string missed;
+};
 
 CaseResult CaseRunner::run(const Case& each) {
   const auto start = std::chrono::steady_clock::now();
