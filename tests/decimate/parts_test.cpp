@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "core/decimate/decimation.h"
+#include "core/decimate/quality/pass_turns.h"
 #include "core/measure/distance.h"
 #include "core/measure/statistics.h"
 #include "core/mesh/journal.h"
@@ -214,6 +216,23 @@ TEST(PartsTest, AsGoodAsOnePart) {
   }
   EXPECT_NEAR(rms[1], rms[0], 0.01 * rms[0]);
   EXPECT_NEAR(angle[1], angle[0], 0.01 * angle[0]);
+}
+
+TEST(PassTurnsTest, EachFaceHasATurnAndWhatIsLeftAnotherOne) {
+  const Mesh mesh = classified(zoo::torus(90, 60), Edges::OnModelEdges);
+  std::vector<int> seen(mesh.capacity(2), 0);
+  PassTurns turns;
+  turns.begin(mesh, 2, 4, 1);
+  int in_parts = 0;
+  for (std::uint32_t id; (id = turns.next(mesh, 1)) != no_index;) {
+    ++seen[id];
+    in_parts += turns.in_part();
+    if (id % 5 == 0 && turns.in_part()) turns.leave(turns.part(), id);
+  }
+  EXPECT_GT(in_parts, int(mesh.count(2)));
+  for (std::uint32_t id = 0; id < seen.size(); ++id)
+    EXPECT_TRUE(id % 5 == 0 ? seen[id] >= 1 : seen[id] == 1) << id;
+  EXPECT_GT(std::count_if(seen.begin(), seen.end(), [](int n) { return n > 1; }), 2000);
 }
 
 }  // namespace
