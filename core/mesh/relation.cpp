@@ -121,7 +121,7 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
     heads_[i].size = size;
     heads_[i].block = block;
     begin += block_sizes[block];
-    own_.entries += size;
+    own_.entries_ += size;
   }
   AOMD_CHECK(begin < no_index);
   pool_.resize(begin);
@@ -133,7 +133,7 @@ std::uint32_t* UpRows::allocate(std::span<std::uint32_t> sizes) {
 void UpRows::resize(std::uint32_t rows) {
   for (std::size_t i = rows; i < heads_.size(); ++i) {
     give_block(heads_[i], own_);
-    own_.entries -= heads_[i].size;
+    own_.entries_ -= heads_[i].size;
   }
   heads_.resize(rows);
 }
@@ -146,16 +146,16 @@ std::uint32_t UpRows::before(const Head& head) const {
 void UpRows::give_block(const Head& head, Room& room) {
   if (head.block == 0) return;
   const std::uint32_t begin = head.begin - before(head);
-  pool_[begin] = room.free_blocks[head.block];
-  room.free_blocks[head.block] = begin;
+  pool_[begin] = room.free_blocks_[head.block];
+  room.free_blocks_[head.block] = begin;
 }
 
 // Closing up ends the free blocks and the places of all rooms.
 void UpRows::reserve_places(std::size_t places) {
   const auto is_full = [&] { return pool_.size() + places > pool_.capacity(); };
-  if (is_full() && pool_.size() > own_.entries / 8 * 11) {
+  if (is_full() && pool_.size() > own_.entries_ / 8 * 11) {
     close_up(heads_, pool_);
-    own_.free_blocks.fill(no_index);
+    own_.free_blocks_.fill(no_index);
     rooms_.assign(rooms_.size(), Room());
   }
   if (is_full()) pool_.reserve(std::max(pool_.size() + places, pool_.capacity() / 8 * 9));
@@ -169,7 +169,7 @@ std::uint32_t UpRows::new_places(std::uint32_t places) {
 }
 
 std::uint32_t UpRows::take_block(std::uint32_t block, Room& room) {
-  std::uint32_t& first = room.free_blocks[block];
+  std::uint32_t& first = room.free_blocks_[block];
   if (first != no_index) {
     const std::uint32_t begin = first;
     first = pool_[begin];
@@ -197,7 +197,7 @@ void UpRows::lend(std::size_t count, std::uint32_t places) {
 }
 
 void UpRows::settle() {
-  for (Room& room : rooms_) own_.entries += std::exchange(room.entries, 0);
+  for (Room& room : rooms_) own_.entries_ += std::exchange(room.entries_, 0);
 }
 
 void UpRows::grow(Head& head, Room& room) {
@@ -223,7 +223,7 @@ bool UpRows::erase_long(Head& head, std::uint32_t value, Room& room) {
     std::copy(at + 1, end, at);
   }
   --head.size;
-  --room.entries;
+  --room.entries_;
   return true;
 }
 
@@ -236,7 +236,7 @@ void UpRows::insert(std::uint32_t i, std::uint32_t value, Room& room) {
   AOMD_DEBUG_CHECK(k == 0 || row[k - 1] != value);
   row[k] = value;
   ++head.size;
-  ++room.entries;
+  ++room.entries_;
 }
 
 bool UpRows::erase(std::uint32_t i, std::uint32_t value, Room& room) {
@@ -248,7 +248,7 @@ bool UpRows::erase(std::uint32_t i, std::uint32_t value, Room& room) {
   if (k == 0 || row[k - 1] != value) return false;
   for (; k < head.size; ++k) row[k - 1] = row[k];
   --head.size;
-  --room.entries;
+  --room.entries_;
   if (head.size == 0 && head.block > 12) {  // its vertex may have gone: others may have the block
     give_block(head, room);
     head = Head();

@@ -92,7 +92,7 @@ class UpRows {
   }
   [[nodiscard]] std::size_t bytes() const;
   /// Values in all rows together.
-  [[nodiscard]] std::size_t entries() const { return own_.entries; }
+  [[nodiscard]] std::size_t entries() const { return own_.entries_; }
   [[nodiscard]] std::size_t rows() const { return heads_.size(); }
 
   /// Makes rows of the given sizes and returns the pool that holds them, to be filled in ascending
@@ -117,11 +117,11 @@ class UpRows {
    private:
     friend class UpRows;
     static constexpr std::size_t block_kinds = 64;
-    Room() { free_blocks.fill(no_index); }
+    Room() { free_blocks_.fill(no_index); }
     /// By block size: first free block, each holding the next one's place.
-    std::array<std::uint32_t, block_kinds> free_blocks;
+    std::array<std::uint32_t, block_kinds> free_blocks_;
     std::uint32_t begin_ = 0, end_ = 0;  ///< places that nobody has used yet; the own one's: none
-    std::size_t entries = 0;             ///< more than there were, modulo 2^64
+    std::size_t entries_ = 0;            ///< more than there were, modulo 2^64
   };
   /// Makes `count` rooms with at least `places / 2` places each; what those of before still have
   /// stays theirs. Nobody else may edit meanwhile. O(entries) at times.

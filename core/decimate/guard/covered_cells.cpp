@@ -13,9 +13,6 @@
 namespace aomd {
 namespace {
 
-constexpr double least_part = 1.0 / 16;  // of the distance
-constexpr int most_parts = 4096;
-
 double distance2(const Triangle& cell, const glm::dvec3& p) {
   const glm::dvec3 d = nearest_point(cell, p) - p;
   return glm::dot(d, d);

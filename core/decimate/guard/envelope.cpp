@@ -15,8 +15,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double least_part = 1.0 / 16;  // of the distance: shorter ones count as outside
-constexpr int most_parts = 4096;
 constexpr double patch_cost = 0.5;  // square of a radius in areas of parallelograms, as measured
 
 double square(const dvec3& v) { return glm::dot(v, v); }

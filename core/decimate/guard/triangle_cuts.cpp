@@ -10,11 +10,12 @@ namespace {
 
 using glm::dvec3;
 
-double square(const dvec3& v) { return glm::dot(v, v); }
+double length2_of(const dvec3& v) { return glm::dot(v, v); }
 
 // The side that starts at the returned corner is the longest.
 std::size_t longest_side(const Triangle& t) {
-  const double a = square(t[1] - t[0]), b = square(t[2] - t[1]), c = square(t[0] - t[2]);
+  const double a = length2_of(t[1] - t[0]), b = length2_of(t[2] - t[1]),
+               c = length2_of(t[0] - t[2]);
   return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
 }
 
@@ -40,7 +41,7 @@ TriangleParts cut(const Triangle& t, const dvec3& beyond) {
 
 double longest_side2(const Triangle& t) {
   const std::size_t k = longest_side(t);
-  return square(t[(k + 1) % 3] - t[k]);
+  return length2_of(t[(k + 1) % 3] - t[k]);
 }
 
 TriangleParts bisected(const Triangle& t) {
@@ -55,7 +56,7 @@ TriangleParts cut_along_sides(const Triangle& t, const Triangle& one, double out
   dvec3 beyond(0.0);
   for (std::size_t k = 0; k < 3; ++k) {
     dvec3 outward = glm::cross(one[(k + 1) % 3] - one[k], normal);
-    const double length2 = square(outward);
+    const double length2 = length2_of(outward);
     if (!(length2 > 0)) return {};
     outward /= std::sqrt(length2);
     dvec3 over(0.0);

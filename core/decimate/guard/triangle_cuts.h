@@ -9,6 +9,11 @@
 
 namespace aomd {
 
+/// Where a distance decides: parts shorter than this share of it are cut no further, nor is what
+/// came to more parts. Nothing is certain of them then.
+inline constexpr double least_part = 1.0 / 16;
+inline constexpr int most_parts = 4096;
+
 /// Parts of a triangle, which together are all of it: none, or two or three.
 struct TriangleParts {
   std::array<Triangle, 3> corners;
