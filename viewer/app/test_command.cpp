@@ -1,8 +1,7 @@
 #include "viewer/app/test_command.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 
 #include "core/base/text.h"

@@ -113,6 +113,7 @@ constexpr std::array<Key, 19> keys = {{
 
 std::vector<std::string_view> key_names() {
   std::vector<std::string_view> names;
+  names.reserve(keys.size());
   for (const Key& each : keys) names.push_back(each.name);
   return names;
 }

@@ -52,7 +52,8 @@ ImFont* add_font(ImFontAtlas& atlas, std::string_view name, const std::array<con
   config.PixelSnapH = false;
   if (const auto bytes = embedded_font(name); !bytes.empty()) {
     config.FontDataOwnedByAtlas = false;
-    void* data = const_cast<unsigned char*>(bytes.data());  // ImGui reads it only
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): ImGui reads it only
+    void* data = const_cast<unsigned char*>(bytes.data());
     return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config,
                                       glyph_ranges.data());
   }
