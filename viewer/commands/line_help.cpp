@@ -8,7 +8,7 @@
 namespace aomd::scene {
 namespace {
 
-constexpr std::array lines = std::to_array<LineHelp>({
+constexpr std::array all_lines = std::to_array<LineHelp>({
     {"dialog open", "Chooses a mesh file to open."},
     {"dialog save", "Chooses where to save the present mesh, with its classification."},
     {"dialog screenshot", "Chooses where to save a picture of the window."},
@@ -210,12 +210,12 @@ std::string_view command_help(std::string_view name) {
 
 }  // namespace
 
-std::span<const LineHelp> helped_lines() { return lines; }
+std::span<const LineHelp> helped_lines() { return all_lines; }
 
 std::string_view own_help(std::string_view line) {
-  const auto known = std::find_if(lines.begin(), lines.end(),
+  const auto known = std::find_if(all_lines.begin(), all_lines.end(),
                                   [&](const LineHelp& each) { return each.line == line; });
-  return known != lines.end() ? known->help : command_help(line);
+  return known != all_lines.end() ? known->help : command_help(line);
 }
 
 std::string_view line_help(std::string_view line) {
