@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/decimate/guard/overlay.h"
 
 namespace aomd {
@@ -51,6 +53,19 @@ TEST(Overlay, TheWayRoundDoesNotMatter) {
   EXPECT_NEAR(overlay.lay({right[0], right[2], right[1]}), 0.01, 1e-15);
   overlay.lay(left);
   EXPECT_TRUE(overlay.complete());
+}
+
+// Their corners stand on one side of what is below or on the other by rounding alone.
+TEST(Overlay, SliversAlongASideCoverNothing) {
+  std::mt19937 random(1);
+  const auto number = [&] { return double(random() % 10'001) / 1e4; };
+  for (int i = 0; i < 20'000; ++i) {
+    const glm::dvec3 a(number(), number(), number()), b(number(), number(), number()), c(3, 4, 5);
+    Overlay overlay({a, b, c}, 1);
+    const auto on_side = [&] { return a + (3 * number() - 1) * (b - a); };
+    for (int k = 0; k < 4; ++k) overlay.lay({on_side(), on_side(), on_side()});
+    EXPECT_FALSE(overlay.complete());
+  }
 }
 
 TEST(Overlay, NothingIsOverWhatHasNoArea) {

@@ -35,7 +35,7 @@ dvec3 Overlay::in_frame(const dvec3& p) const {
 // Leaves what is left of a side (Sutherland and Hodgman 1974).
 void Overlay::clip(std::size_t side, Polygon& polygon) const {
   const dvec2 from = corners_[side], way = corners_[(side + 1) % 3] - from;
-  std::array<double, 6> left;
+  std::array<double, most_corners> left;
   for (std::size_t i = 0; i < polygon.size; ++i)
     left[i] = cross(way, dvec2(polygon.corners[i]) - from);
   const Polygon whole = polygon;

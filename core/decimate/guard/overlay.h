@@ -26,9 +26,12 @@ class Overlay {
   [[nodiscard]] bool complete() const;
 
  private:
+  /// Of a convex one there are at most 6; rounding may put those of slivers in zigzag across a
+  /// side, and a clip adds at most half of them then: 3, 4, 6, 9.
+  static constexpr std::size_t most_corners = 9;
   /// What `t` and the triangle have in common, in the frame: (along, across, height).
   struct Polygon {
-    std::array<glm::dvec3, 6> corners;
+    std::array<glm::dvec3, most_corners> corners;
     std::size_t size = 0;
   };
   [[nodiscard]] glm::dvec3 in_frame(const glm::dvec3& p) const;
