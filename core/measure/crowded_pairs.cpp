@@ -242,9 +242,7 @@ class CrowdedPairs {
       const dvec3 second = direction(points_[a], points_[c]);
       return shared == 1 ? arc_box(first, second) : half_plane_box(first, second);
     }
-    Box box;
-    for (const dvec3& p : triangles_[item.triangle]) box.add(p);
-    return box;
+    return aomd::box_of(triangles_[item.triangle]);
   }
 
   std::span<const Triangle> triangles_;

@@ -1,6 +1,7 @@
 #include "core/measure/hanging_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -48,21 +49,14 @@ class Boundary {
                   const Visit& visit) const {
     const SideVertices& corners = sides_[side];
     const double reach2 = reach2_of(corners), reach = std::sqrt(reach2);
-    Box box;
-    TiltedBox tilted(triangle(corners, 1), places.box());
-    for (std::uint32_t k = 0; k < corners.count; ++k) {
-      box.add(corner(corners, k));
-      tilted.add(corner(corners, k));
-    }
-    box.low -= reach, box.high += reach;
-    places.reached(
-        [&](std::uint32_t node) {
-          const Box& below = places.node(node).box;
-          return below.touches(box) && tilted.may_touch(below, reach);
-        },
-        [&](std::uint32_t n) {
-          if (hangs_on(vertices[places.source(n)], corners, reach2)) visit(n);
-        });
+    std::array<glm::dvec3, 4> points;
+    for (std::uint32_t k = 0; k < corners.count; ++k) points[k] = corner(corners, k);
+    const Surroundings around(std::span<const glm::dvec3>(points).first(corners.count),
+                              places.box(), reach);
+    places.reached([&](std::uint32_t node) { return around.may_touch(places.node(node).box); },
+                   [&](std::uint32_t n) {
+                     if (hangs_on(vertices[places.source(n)], corners, reach2)) visit(n);
+                   });
   }
 
  private:

@@ -23,6 +23,12 @@ namespace aomd {
 /// The corners of a triangle in its own order.
 using Triangle = std::array<glm::dvec3, 3>;
 
+[[nodiscard]] inline Box box_of(const Triangle& t) {
+  Box box;
+  for (const glm::dvec3& p : t) box.add(p);
+  return box;
+}
+
 /// The faces of a mesh as triangles; a quad (a, b, c, d) becomes (a, b, c) and (a, c, d).
 struct Triangles {
   std::vector<Triangle> corners;

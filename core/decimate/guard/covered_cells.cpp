@@ -22,12 +22,6 @@ double distance2(const Triangle& cell, const Triangle& part) {
   return std::max({distance2(cell, part[0]), distance2(cell, part[1]), distance2(cell, part[2])});
 }
 
-Box box_of(const Triangle& t) {
-  Box box;
-  for (const glm::dvec3& p : t) box.add(p);
-  return box;
-}
-
 glm::dvec3 centre(const Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
 /// The cells on each model entity, in a tree.

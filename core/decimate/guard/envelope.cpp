@@ -60,14 +60,8 @@ bool Envelope::small_patch(std::uint32_t n) {
 // By triangles that are over it along its normal, within reach.
 bool Envelope::laid_over(const Triangle& t) const {
   Overlay overlay(t, reach2_);
-  TiltedBox tilted(t, tree_.box());
-  Box box;
-  for (const dvec3& p : t) {
-    box.add(p);
-    tilted.add(p);
-  }
-  box.low -= reach_, box.high += reach_;
-  tree_.reached([&](const Box& b) { return b.touches(box) && tilted.may_touch(b, reach_); },
+  const Surroundings around(t, tree_.box(), reach_);
+  tree_.reached([&](const Box& box) { return around.may_touch(box); },
                 [&](std::uint32_t n) { overlay.lay(tree_.triangle(n)); });
   return overlay.complete();
 }

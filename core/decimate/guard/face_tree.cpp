@@ -25,11 +25,9 @@ FaceTree::Item FaceTree::item_of(const Mesh& mesh, Face f) {
 }
 
 Box FaceTree::box_of(const Item& item) const {
-  Box box;
-  if (without_area(item.corners)) return box;
-  for (const glm::dvec3& p : item.corners) box.add(p);
-  if (item.half != no_index)
-    for (const glm::dvec3& p : halves_[item.half]) box.add(p);
+  if (without_area(item.corners)) return {};
+  Box box = aomd::box_of(item.corners);
+  if (item.half != no_index) box.add(aomd::box_of(halves_[item.half]));
   return box;
 }
 

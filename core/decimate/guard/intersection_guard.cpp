@@ -6,9 +6,7 @@ namespace aomd {
 
 void IntersectionGuard::take(Face face, const Triangle& corners) {
   if (without_area(corners)) return;
-  Box box;
-  for (const glm::dvec3& p : corners) box.add(p);
-  pieces_.push_back({corners, box, face});
+  pieces_.push_back({corners, box_of(corners), face});
 }
 
 void IntersectionGuard::mark(std::span<const Face> faces) {
