@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/base/box.h"
 #include "core/fields/field.h"
+#include "core/mesh/extent.h"
 
 namespace aomd {
 namespace {
@@ -71,12 +71,6 @@ void fill(CountedValues& counted, std::size_t first, const std::vector<double>& 
       const double x = std::isfinite(*next) ? scale * (*next - range.middle) : nothing;
       counted.numbers[counted.components * v.index + first + k] = static_cast<float>(x);
     }
-}
-
-double diagonal_of(const MeshData& mesh) {
-  Box box;
-  for (const std::uint32_t v : mesh.faces.vertices) box.add(mesh.positions[v]);
-  return mesh.faces.empty() ? 0 : box.diagonal();
 }
 
 }  // namespace

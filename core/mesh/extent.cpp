@@ -31,4 +31,11 @@ bool has_usual_extent(const Mesh& mesh) {
   return usual(used);
 }
 
+double diagonal_of(const MeshData& mesh) {
+  Box box;
+  for (const EntityList* list : {&mesh.faces, &mesh.regions})
+    for (const std::uint32_t v : list->vertices) box.add(mesh.positions[v]);
+  return box.diagonal();
+}
+
 }  // namespace aomd

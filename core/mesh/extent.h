@@ -2,6 +2,7 @@
 // How far a mesh reaches, and whether products of its lengths are numbers.
 
 #include "core/mesh/mesh.h"
+#include "core/mesh/mesh_data.h"
 
 namespace aomd {
 
@@ -9,5 +10,8 @@ namespace aomd {
 /// beyond, squared distances times areas are no numbers, some in single precision. Vertices that
 /// nothing uses have no say. O(entities).
 [[nodiscard]] bool has_usual_extent(const Mesh& mesh);
+
+/// The diagonal of the box around what faces and regions use, as a length; 0 where there are none.
+[[nodiscard]] double diagonal_of(const MeshData& mesh);
 
 }  // namespace aomd

@@ -20,6 +20,7 @@
 #include "core/measure/intersections.h"
 #include "core/measure/normals.h"
 #include "core/measure/volume_statistics.h"
+#include "core/mesh/extent.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/model/discrete_model.h"

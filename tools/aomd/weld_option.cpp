@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/box.h"
+#include "core/mesh/extent.h"
 #include "tools/aomd/values.h"
 
 namespace aomd::cli {
@@ -17,13 +17,6 @@ std::optional<double> number_of(std::string text) {
 }
 
 }  // namespace
-
-double diagonal_of(const MeshData& mesh) {
-  Box box;
-  for (const EntityList* list : {&mesh.faces, &mesh.regions})
-    for (const std::uint32_t v : list->vertices) box.add(mesh.positions[v]);
-  return box.diagonal();
-}
 
 void WeldOption::apply(RepairOptions& repair, const MeshData& mesh) const {
   if (!on()) return;

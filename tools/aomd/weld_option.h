@@ -9,9 +9,6 @@
 
 namespace aomd::cli {
 
-/// From corner to corner of the box of what faces and regions use: what percent of lengths are of.
-[[nodiscard]] double diagonal_of(const MeshData& mesh);
-
 /// A tolerance as given: nothing, a length, or percent of the diagonal.
 struct WeldOption {
   std::string text;

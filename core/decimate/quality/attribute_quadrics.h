@@ -20,7 +20,6 @@ class AttributeQuadrics {
  public:
   /// Nothing is known of any vertex.
   void reset(std::size_t vertices, std::size_t components);
-  [[nodiscard]] bool empty() const { return components_ == 0; }
 
   /// A part of the surface says that a component is `value` at the vertex and changes so from
   /// there.

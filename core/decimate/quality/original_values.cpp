@@ -63,7 +63,7 @@ void OriginalValues::at(const glm::dvec3& p, std::size_t i, std::span<float> val
   double best = std::numeric_limits<double>::infinity();
   const Corners* face = nullptr;
   glm::vec3 weights(0.0f);
-  for (const std::uint32_t f : around_[home_[i]]) {
+  for (const std::uint32_t f : faces_at(i)) {
     const auto [a, b, c] = positions(faces_[f]);
     glm::dvec3 place;
     const double distance2 = nearest_barycentric(p, a, b, c, place);
@@ -82,7 +82,7 @@ void OriginalValues::at(const glm::dvec3& p, std::size_t i, std::span<float> val
 void OriginalValues::gradients(std::size_t i, std::span<glm::vec3> gradients) const {
   std::vector<double> areas(components_, 0);
   std::vector<glm::dvec3> sums(components_, glm::dvec3(0.0));
-  for (const std::uint32_t f : around_[home_[i]]) {
+  for (const std::uint32_t f : faces_at(i)) {
     const auto corners = positions(faces_[f]);
     const double area = glm::length(area_normal(corners[0], corners[1], corners[2]));
     for (std::size_t k = 0; k < components_; ++k) {
