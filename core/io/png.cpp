@@ -2,11 +2,10 @@
 
 #include <png.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "core/io/io.h"
+#include "core/io/source.h"
 
 namespace aomd::io {
 namespace {
@@ -21,17 +20,6 @@ class PngControl {
 
   png_image image{};
 };
-
-std::string read_bytes(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw ReadError(path.string(), {}, "is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ReadError(path.string(), {}, "cannot be opened");
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw ReadError(path.string(), {}, "cannot be read");
-  return bytes;
-}
 
 std::string encode(const std::filesystem::path& path, const Image& picture) {
   if (picture.empty()) throw WriteError(path.string(), {}, "the picture is empty");
@@ -53,7 +41,7 @@ std::string encode(const std::filesystem::path& path, const Image& picture) {
 }  // namespace
 
 Image read_png(const std::filesystem::path& path) {
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = detail::read_whole(path);
   PngControl png;
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
     throw ReadError(path.string(), {}, std::string("is not a PNG picture: ") + png.image.message);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <new>
 
 namespace aomd::io::detail {
@@ -53,6 +55,17 @@ Source without_padding(const Source& text) {
   const std::size_t mark =
       text.bytes.find_first_of(padding.substr(0, 3), last == std::string_view::npos ? 0 : last);
   return {text.name, text.bytes.substr(0, mark), text.skipped};
+}
+
+std::string read_whole(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw ReadError(path.string(), {}, "is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ReadError(path.string(), {}, "cannot be opened");
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw ReadError(path.string(), {}, "cannot be read");
+  return bytes;
 }
 
 FileBytes::FileBytes(const std::filesystem::path& path) {

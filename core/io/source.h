@@ -29,6 +29,9 @@ struct Source {
 /// and Ctrl-Z, the end of a file in DOS.
 [[nodiscard]] Source without_padding(const Source& text);
 
+/// The bytes of a file, none too. Throws ReadError for what is missing, a folder or unreadable.
+[[nodiscard]] std::string read_whole(const std::filesystem::path& path);
+
 /// A whole file in memory. It is read, not mapped: a file that shrinks meanwhile must not kill the
 /// program.
 class FileBytes {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/output_target.h"
+#include "viewer/app/named_files.h"
 #include "viewer/base/picture_size.h"
 #include "viewer/commands/commands.h"
 
@@ -33,22 +33,7 @@ std::string check_size(const std::string& text) {
   return scene::read_picture_size(text, size);
 }
 
-/// A file that an option names.
-struct NamedFile {
-  std::string option;
-  std::filesystem::path path;
-};
-
-std::optional<std::string> identity_of(const NamedFile& file) {
-  return file.path.empty() ? std::nullopt : io::detail::output_identity(file.path);
-}
-
-/// What is wrong where a file would be written over another one that an option names; else empty.
 std::string clash_of_files(const Options& options) {
-  const std::vector<NamedFile> read = {{"FILE", options.file},
-                                       {"--model", options.model},
-                                       {"--script", options.script},
-                                       {"--compare", options.compare}};
   std::vector<NamedFile> written = {{"--record", options.record},
                                     {"--screenshot", options.screenshot}};
   if (!options.compare.empty()) {
@@ -56,17 +41,11 @@ std::string clash_of_files(const Options& options) {
       written.push_back({"the picture for --compare", picture_for_comparison(options)});
     written.push_back({"the difference for --compare", picture_of_difference(options)});
   }
-  std::map<std::string, std::string> option_of;  // by what tells one file from another
-  for (const NamedFile& each : read)
-    if (const auto identity = identity_of(each)) option_of.emplace(*identity, each.option);
-  for (const NamedFile& each : written) {
-    const auto identity = identity_of(each);
-    if (!identity) continue;
-    const auto [other, first] = option_of.emplace(*identity, each.option);
-    if (!first)
-      return other->second + " and " + each.option + " are one file, " + each.path.string();
-  }
-  return {};
+  return clash_of_files({{"FILE", options.file},
+                         {"--model", options.model},
+                         {"--script", options.script},
+                         {"--compare", options.compare}},
+                        written);
 }
 
 /// What CLI11 fills in before it becomes Options.

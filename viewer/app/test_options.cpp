@@ -2,9 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <map>
 
-#include "core/io/output_target.h"
+#include "viewer/app/named_files.h"
 #include "viewer/app/options.h"
 
 namespace aomd::app {
@@ -46,21 +45,6 @@ void add_options(CLI::App& app, TestOptions& options, std::vector<std::string>& 
   app.footer(footer);
 }
 
-/// What is wrong where a file would be written over another one that an option names; else empty.
-std::string clash_of_files(const TestOptions& options) {
-  std::map<std::string, std::string> option_of;
-  const std::pair<const char*, std::filesystem::path> files[] = {
-      {"SUITE", options.suite}, {"--junit", options.junit}, {"--html", options.html}};
-  for (const auto& [name, path] : files) {
-    if (path.empty()) continue;
-    const auto identity = io::detail::output_identity(path);
-    if (!identity) continue;
-    const auto [other, first] = option_of.emplace(*identity, name);
-    if (!first) return other->second + " and " + name + " are one file, " + path.string();
-  }
-  return {};
-}
-
 }  // namespace
 
 std::optional<TestOptions> parse_test_options(int argc, char** argv, int& exit_code) {
@@ -75,7 +59,9 @@ std::optional<TestOptions> parse_test_options(int argc, char** argv, int& exit_c
     options.update = app.count("--update") > 0;
     std::erase(options.names, "");  // what CLI11 has for no name at all
     if (options.update && !only.empty()) wrong = "--update names the cases itself, without --only";
-    if (wrong.empty()) wrong = clash_of_files(options);
+    if (wrong.empty())
+      wrong = clash_of_files({{"SUITE", options.suite}},
+                             {{"--junit", options.junit}, {"--html", options.html}});
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
       exit_code = app.exit(error);

@@ -42,17 +42,18 @@ std::vector<std::string> texts_of(std::string_view key, const toml::node& node) 
   return texts;
 }
 
+constexpr const char* form_of_masks = "rectangles of pixels: [[LEFT, TOP, WIDTH, HEIGHT], ...]";
+
 measure::PixelArea mask_of(std::string_view key, const toml::node& node) {
   constexpr int most = 16384;
-  constexpr const char* form = "rectangles of pixels: [[LEFT, TOP, WIDTH, HEIGHT], ...]";
   const toml::array* sides = node.as_array();
-  if (sides == nullptr || sides->size() != 4) wrong(key, node, form);
+  if (sides == nullptr || sides->size() != 4) wrong(key, node, form_of_masks);
   return {whole_of(key, (*sides)[0], 0, most), whole_of(key, (*sides)[1], 0, most),
           whole_of(key, (*sides)[2], 1, most), whole_of(key, (*sides)[3], 1, most)};
 }
 
 std::vector<measure::PixelArea> masks_of(std::string_view key, const toml::node& node) {
-  if (!node.is_array()) wrong(key, node, "rectangles of pixels: [[LEFT, TOP, WIDTH, HEIGHT], ...]");
+  if (!node.is_array()) wrong(key, node, form_of_masks);
   std::vector<measure::PixelArea> masks;
   for (const toml::node& each : *node.as_array()) masks.push_back(mask_of(key, each));
   return masks;

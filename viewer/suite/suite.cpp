@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 
 #include "core/io/error.h"
+#include "core/io/source.h"
 #include "viewer/base/text.h"
 #include "viewer/suite/key_table.h"
 
@@ -14,18 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) throw io::ReadError(file.string(), {}, "is a folder");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw io::ReadError(file.string(), {}, "cannot be opened");
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw io::ReadError(file.string(), {}, "cannot be read");
-  return text;
-}
-
 toml::table parsed(const fs::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = io::detail::read_whole(file);
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
