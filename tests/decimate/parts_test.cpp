@@ -13,14 +13,15 @@
 #include "core/mesh/journal.h"
 #include "core/model/discrete_model.h"
 #include "core/samples/samples.h"
-#include "tests/support/quality_helpers.h"
-#include "tests/support/zoo.h"
+#include "tests/support/thread_runs.h"
 
 namespace aomd {
 namespace {
 
 using test::classified;
 using test::Edges;
+using test::run;
+using test::RunResult;
 
 DecimationOptions in_parts(std::uint32_t target, int parts, int threads, double regularity = 0.5) {
   DecimationOptions options = test::quality(target, regularity);
@@ -29,40 +30,13 @@ DecimationOptions in_parts(std::uint32_t target, int parts, int threads, double 
   return options;
 }
 
-// What a run makes of a mesh: the mesh itself, id stacks included, and what the sweeps did.
-struct Result {
-  std::string mesh;
-  std::vector<SweepStatistics> sweeps;
-  friend bool operator==(const Result&, const Result&) = default;
-};
-
-Result run(const MeshData& data, const DecimationOptions& options) {
-  Mesh mesh = classified(data, Edges::OnModelEdges);
-  Decimation decimation(mesh, options);
-  decimation.run();
-  EXPECT_EQ(test::finding(mesh), "");
-  return {zoo::fingerprint(mesh), decimation.sweeps()};
-}
-
-void expect_the_same(const zoo::Animal& animal, DecimationOptions options) {
-  options.threads = 1;
-  const Result one = run(animal.data, options);
-  for (const int threads : {2, 3, 8}) {
-    options.threads = threads;
-    EXPECT_EQ(run(animal.data, options), one)
-        << animal.name << " to " << options.target_faces << ", " << threads << " threads";
-  }
+void expect_the_same(const zoo::Animal& animal, const DecimationOptions& options) {
+  test::expect_the_same(animal, options, {2, 3, 8});
 }
 
 std::vector<zoo::Animal> samples() {
-  std::vector<zoo::Animal> all;
-  for (const auto& [name, size] : {std::pair{"scan", 9000},
-                                   {"torus", 90},
-                                   {"terrain", 70},
-                                   {"nonmanifold", 40},
-                                   {"bracket", 6}})
-    all.push_back({name, make_sample(name, size)});
-  return all;
+  return test::samples(
+      {{"scan", 9000}, {"torus", 90}, {"terrain", 70}, {"nonmanifold", 40}, {"bracket", 6}});
 }
 
 TEST(PartsThreadsTest, SameBytesOnSamples) {
@@ -106,7 +80,8 @@ TEST(PartsThreadsTest, SameBytesWhereStepsAndThreadsTakeTurns) {
     for (int k = 0; k < 50 + i % 7; ++k) decimation.step();
     (void)decimation.run(std::chrono::microseconds(0));
   }
-  EXPECT_EQ((Result{zoo::fingerprint(mesh), decimation.sweeps()}), run(data, in_parts(1500, 4, 1)));
+  EXPECT_EQ((RunResult{zoo::fingerprint(mesh), decimation.sweeps()}),
+            run(data, in_parts(1500, 4, 1)));
 }
 
 // Only the stack of ids tells in which order parts ended what they did.

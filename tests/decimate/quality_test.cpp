@@ -83,18 +83,15 @@ struct Kept {
 };
 
 std::vector<zoo::Animal> small_samples() {
-  std::vector<zoo::Animal> all;
-  for (const auto& [name, size] : {std::pair{"scan", 3000},
-                                   {"bracket", 2},
-                                   {"plane-hole", 12},
-                                   {"box", 4},
-                                   {"cylinder", 5},
-                                   {"sphere", 6},
-                                   {"torus", 24},
-                                   {"terrain", 20},
-                                   {"nonmanifold", 6}})
-    all.push_back({name, make_sample(name, size)});
-  return all;
+  return test::samples({{"scan", 3000},
+                        {"bracket", 2},
+                        {"plane-hole", 12},
+                        {"box", 4},
+                        {"cylinder", 5},
+                        {"sphere", 6},
+                        {"torus", 24},
+                        {"terrain", 20},
+                        {"nonmanifold", 6}});
 }
 
 void expect_kept(const zoo::Animal& animal, const DecimationOptions& options) {

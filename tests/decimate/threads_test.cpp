@@ -12,14 +12,15 @@
 #include "core/model/discrete_model.h"
 #include "core/operators/swap.h"
 #include "core/samples/samples.h"
-#include "tests/support/quality_helpers.h"
-#include "tests/support/zoo.h"
+#include "tests/support/thread_runs.h"
 
 namespace aomd {
 namespace {
 
 using test::classified;
 using test::Edges;
+using test::run;
+using test::RunResult;
 
 DecimationOptions quality(std::uint32_t target, int threads, double regularity = 0.5) {
   DecimationOptions options = test::quality(target, regularity);
@@ -27,40 +28,14 @@ DecimationOptions quality(std::uint32_t target, int threads, double regularity =
   return options;
 }
 
-// What a run makes of a mesh: the mesh itself and what the sweeps did.
-struct Result {
-  std::string mesh;
-  std::vector<SweepStatistics> sweeps;
-  friend bool operator==(const Result&, const Result&) = default;
-};
-
-Result run(const MeshData& data, const DecimationOptions& options, Edges edges) {
-  Mesh mesh = classified(data, edges);
-  Decimation decimation(mesh, options);
-  decimation.run();
-  return {zoo::fingerprint(mesh), decimation.sweeps()};
-}
-
-void expect_the_same(const zoo::Animal& animal, DecimationOptions options, Edges edges) {
-  options.threads = 1;
-  const Result one = run(animal.data, options, edges);
-  for (const int threads : {2, 3, 7}) {
-    options.threads = threads;
-    EXPECT_EQ(run(animal.data, options, edges), one)
-        << animal.name << ", " << threads << " threads, regularity " << options.regularity;
-  }
+void expect_the_same(const zoo::Animal& animal, const DecimationOptions& options, Edges edges) {
+  test::expect_the_same(animal, options, {2, 3, 7}, edges);
 }
 
 // Large enough that every loop is shared out: pieces have up to 2048 items.
 std::vector<zoo::Animal> samples() {
-  std::vector<zoo::Animal> all;
-  for (const auto& [name, size] : {std::pair{"scan", 9000},
-                                   {"torus", 90},
-                                   {"terrain", 70},
-                                   {"nonmanifold", 24},
-                                   {"bracket", 6}})
-    all.push_back({name, make_sample(name, size)});
-  return all;
+  return test::samples(
+      {{"scan", 9000}, {"torus", 90}, {"terrain", 70}, {"nonmanifold", 24}, {"bracket", 6}});
 }
 
 TEST(ThreadsTest, SameBytesOnSamples) {
@@ -102,7 +77,7 @@ TEST(ThreadsTest, SameBytesOnAModel) {
 TEST(ThreadsTest, SameBytesWithAJournalAndStepByStep) {
   const MeshData data = make_sample("scan", 6000);
   const auto target = static_cast<std::uint32_t>(data.faces.size() / 3);
-  const Result whole = run(data, quality(target, 1), Edges::All);
+  const RunResult whole = run(data, quality(target, 1), Edges::All);
   std::optional<std::size_t> records;
   for (const int threads : {1, 2, 7}) {
     Mesh mesh = classified(data, Edges::All);
@@ -112,7 +87,7 @@ TEST(ThreadsTest, SameBytesWithAJournalAndStepByStep) {
     Decimation decimation(mesh, quality(target, threads));
     while (decimation.step()) {
     }
-    EXPECT_EQ((Result{zoo::fingerprint(mesh), decimation.sweeps()}), whole) << threads;
+    EXPECT_EQ((RunResult{zoo::fingerprint(mesh), decimation.sweeps()}), whole) << threads;
     EXPECT_EQ(journal.size(), records.value_or(journal.size())) << threads;
     records = journal.size();
     journal.seek(mesh, 0);

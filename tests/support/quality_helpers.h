@@ -2,12 +2,17 @@
 // What the tests of the quality strategy share.
 
 #include <bit>
+#include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/decimate/options.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
+#include "core/samples/samples.h"
 #include "tests/support/as_listed.h"
+#include "tests/support/zoo.h"
 
 namespace aomd::test {
 
@@ -26,6 +31,14 @@ inline DecimationOptions quality(std::uint32_t target, double regularity = 0.5) 
           .target_faces = target,
           .angle_deg = 60,
           .regularity = regularity};
+}
+
+/// Samples by their names and sizes.
+inline std::vector<zoo::Animal> samples(
+    std::initializer_list<std::pair<const char*, int>> names_and_sizes) {
+  std::vector<zoo::Animal> all;
+  for (const auto& [name, size] : names_and_sizes) all.push_back({name, make_sample(name, size)});
+  return all;
 }
 
 /// The first thing that verify() finds; "" where there is none.
