@@ -30,6 +30,7 @@
 #include "tools/aomd/attribute_weights.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
+#include "tools/aomd/decimate_batch.h"
 #include "tools/aomd/decimate_input.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
@@ -63,7 +64,8 @@ class Run {
   explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
       : options_(options),
         listener_(listener),
-        progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
+        progress_(listener ? Progress(listener->progress)
+                           : Progress(options.quiet || options.one_of_several)),
         steps_(options.for_library()),
         asked_(options.for_classification()) {}
 
@@ -76,7 +78,7 @@ class Run {
     check();
     write();
     progress_.wipe();
-    if (!options_.quiet) print_summary();
+    print_summary();
     return did_.missed && options_.strict ? says_no : done;
   }
 
@@ -413,8 +415,12 @@ class Run {
   }
 
   void print_summary() const {
-    print_decimation(stream_beside(options_.outputs()), options_, did_);
-    note_target();
+    std::ostream& out = stream_beside(options_.outputs());
+    if (options_.prints_json)
+      out << text_of(report_, options_.one_of_several);
+    else if (!options_.quiet)
+      print_decimation(out, options_, did_);
+    if (!options_.quiet) note_target();
   }
 
   [[nodiscard]] std::string missed_words() const {
@@ -461,8 +467,14 @@ Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener
 void add_decimate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
   const auto o = std::make_shared<DecimateOptions>();
+  const auto batch = std::make_shared<Batch>();
   add_decimate_options(*command, *o);
-  command->callback([&action, o] { action = [o] { return Run(*o).run(); }; });
+  add_batch_options(*command, *batch, *o);
+  command->callback([&action, o, batch] {
+    take_files(*batch, *o);
+    const auto work = [o](const BatchFile& file) { return Run(one_of_batch(*o, file)).run(); };
+    action = writing(batch, work, beside_mesh(o->inputs()));
+  });
 }
 
 }  // namespace aomd::cli

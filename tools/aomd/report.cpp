@@ -63,8 +63,8 @@ std::size_t peak_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+std::string text_of(const Json& json, bool in_one_line) {
+  return json.dump(in_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 double Stopwatch::lap() {
