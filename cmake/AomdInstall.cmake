@@ -38,9 +38,14 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/aomd.pc
 if(TARGET aomd_python)
   set(AOMD_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python packages go, below the prefix")
   install(TARGETS aomd_python LIBRARY DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
-  foreach(file __init__.py __init__.pyi options.py py.typed)
+  foreach(file __init__.py __init__.pyi options.py py.typed pytest_plugin.py)
     install(FILES tools/python/package/${file} DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
   endforeach()
+  get_target_property(interpreter aomd_python AOMD_PYTHON)
+  install(CODE "execute_process(COMMAND \"${interpreter}\" -B
+    \"${PROJECT_SOURCE_DIR}/tools/package/aomd_wheel.py\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${AOMD_PYTHON_DIR}\" COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT python)
 endif()
 
 if(AOMD_BUILD_VIEWER)
