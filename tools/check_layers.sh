@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h core/decimate/quadric.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
@@ -16,7 +16,7 @@ declare -A may_include=(
   [core/io]="core/base core/mesh core/model core/fields core/io"
   [core/operators]="core/base core/mesh core/model core/fields core/io core/operators"
   [core/decimate]="core/base core/mesh core/model core/fields core/io core/operators core/decimate"
-  [core/decimate/curves]="$below_decimate core/decimate/quality/quadric.h core/decimate/curves"
+  [core/decimate/curves]="$below_decimate core/decimate/curves"
   [core/decimate/spacing]="$below_decimate core/decimate/spacing"
   [core/decimate/guard]="$below_decimate core/decimate/guard"
   [core/decimate/explain]="$below_decimate core/decimate/explain"
