@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h core/decimate/quadric.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h core/decimate/quadric.h core/decimate/original_samples.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
@@ -23,6 +23,7 @@ declare -A may_include=(
   [core/decimate/paper]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/paper"
   [core/decimate/quality]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/quality"
   [core/decimate/volume]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/quality core/decimate/volume"
+  [core/blocks]="core/base core/mesh core/parts core/model core/io core/decimate core/operators core/blocks"
   [core/measure]="core/base core/mesh core/model core/fields core/io core/measure"
   [core/repair]="core/base core/mesh core/model core/fields core/io core/repair"
   [core/samples]="core/base core/mesh core/samples"

@@ -28,6 +28,7 @@
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
 #include "tools/aomd/attribute_weights.h"
+#include "tools/aomd/block_input.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/decimate_input.h"
@@ -60,8 +61,9 @@ std::vector<NamedFile> beside_mesh(std::vector<NamedFile> files) {
 class Run {
  public:
   /// With a listener the mesh is in memory.
-  explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
+  Run(const DecimateOptions& options, Exchange& exchange, const Listener* listener = nullptr)
       : options_(options),
+        exchange_(exchange),
         listener_(listener),
         progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
         steps_(options.for_library()),
@@ -100,11 +102,24 @@ class Run {
   }
 
   void read() {
+    if (options_.blocks > 1) return read_blocks();
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
     note(options_.input, read.notes);
     take(std::move(read.mesh));
+  }
+
+  // What is coarser already stands for the file.
+  void read_blocks() {
+    std::optional<BlockInput> input = read_in_blocks(options_, exchange_, progress_);
+    progress_.wipe();
+    note(options_.input, input->notes);
+    steps_.original = std::move(input->coarse.samples);
+    MeshData mesh = std::move(input->coarse.mesh);
+    in_file_ = std::move(input);
+    lap("blocks");
+    take(std::move(mesh));
   }
 
   void take(MeshData mesh) {
@@ -217,7 +232,7 @@ class Run {
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    did_.target = options_.target_count(volume(), cells());
+    did_.target = options_.target_count(volume(), in_file_ ? in_file_->faces : cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
@@ -258,6 +273,10 @@ class Run {
     if (options_.snaps()) steps_.model = model_.get();
     lap("classify");
     did_.input = measure::count_entities(mesh_);
+    if (in_file_) {
+      did_.input.vertices = in_file_->vertices;
+      did_.input.faces = in_file_->faces;
+    }
     volumes_before_ = measure::region_volumes(mesh_);
     if (volume()) faults_.emplace(mesh_, did_.input);
     note(options_.input, what_is_wrong());
@@ -430,13 +449,15 @@ class Run {
   }
 
   const DecimateOptions& options_;
+  Exchange& exchange_;        ///< those who share the blocks
   const Listener* listener_;  ///< null: the mesh comes from a file and goes into one
   Progress progress_;
   io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
   ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
-  MeshData original_;  ///< as read, or as repaired
+  MeshData original_;                  ///< as read, or as repaired
+  std::optional<BlockInput> in_file_;  ///< what was read in blocks
   double diagonal_ = 0;
   bool forgotten_ = false;      ///< the vertices of the regions of `original_`
   bool repeated_ = false;       ///< the attempt is not the first
@@ -455,14 +476,20 @@ class Run {
 }  // namespace
 
 Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener& listener) {
-  return Run(options, &listener).run(std::move(mesh));
+  NoExchange alone;
+  return Run(options, alone, &listener).run(std::move(mesh));
 }
 
 void add_decimate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
   const auto o = std::make_shared<DecimateOptions>();
   add_decimate_options(*command, *o);
-  command->callback([&action, o] { action = [o] { return Run(*o).run(); }; });
+  command->callback([&action, o] {
+    action = [o] {
+      NoExchange alone;
+      return Run(*o, alone).run();
+    };
+  });
 }
 
 }  // namespace aomd::cli
