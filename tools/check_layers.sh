@@ -41,6 +41,7 @@ declare -A may_include=(
   [viewer/ui]="core $scene viewer/render viewer/ui"
   [viewer/app]="core $scene viewer/suite viewer/render viewer/ui viewer/app"
   [tools/aomd]="core tools/aomd"
+  [tools/mpi]="core tools/aomd tools/mpi"
   [tools/python]="core viewer tools/aomd tools/python"
   [tools/bench]="core viewer tools/bench"
 )

@@ -91,7 +91,14 @@ std::uint32_t goal_of(const io::StreamedSurface& surface, std::size_t faces,
                       const BlockRules& rules) {
   const double share = double(faces) / std::max(1u, surface.faces());
   return static_cast<std::uint32_t>(
-      std::ceil(std::max(1.0, rules.above * rules.decimation.target_faces * share)));
+      std::ceil(std::max(1.0, rules.above * rules.target(surface.faces()) * share)));
+}
+
+// More points than a fit can make use of only take memory.
+std::uint32_t every_how_many(const io::StreamedSurface& surface, const BlockRules& rules) {
+  constexpr std::uint64_t enough = 16;  // for each face of the result
+  const std::uint64_t wanted = enough * std::max(1u, rules.target(surface.faces()));
+  return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, surface.vertices() / wanted));
 }
 
 DecimationOptions options_for(const Block& block, std::uint32_t goal, const BlockRules& rules) {
@@ -102,6 +109,7 @@ DecimationOptions options_for(const Block& block, std::uint32_t goal, const Bloc
   for (std::uint32_t v = 0; v < block.ids.size(); ++v)
     (*keep)[Vertex(v)] = block.ids[v] != no_index;
   options.keep = std::move(keep);
+  options.seal_kept = true;
   return options;
 }
 
@@ -157,7 +165,7 @@ Block coarse_block(const io::StreamedSurface& surface, const BlockCut& cut, std:
   keep_edges_for_quality(mesh);
   Decimation decimation(mesh, options);
   decimation.run_phase();
-  OriginalSamples samples = thinned(decimation.original(), rules.every);
+  OriginalSamples samples = thinned(decimation.original(), every_how_many(surface, rules));
   renumber_faces(mesh, samples);
   Block coarse = block_of(mesh, ids);
   coarse.samples = std::move(samples);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,10 +33,11 @@ struct Block {
 
 /// What a block is told.
 struct BlockRules {
-  DecimationOptions decimation;  ///< its target is that of the whole surface
+  DecimationOptions decimation;  ///< but for its target
   ClassifyOptions classify;
-  double above = 4;         ///< blocks end at so many times their share of the target
-  std::uint32_t every = 1;  ///< of so many points of the original one is kept, for all of them
+  /// How many faces a surface with so many is to have in the end.
+  std::function<std::uint32_t(std::uint32_t faces)> target;
+  double above = 4;  ///< blocks end at so many times their share of that
 };
 
 /// Collapses alone, in the order of what they cost; what lies on the seam stays where it is. Twice

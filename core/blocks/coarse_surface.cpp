@@ -1,7 +1,7 @@
 #include "core/blocks/coarse_surface.h"
 
-#include <algorithm>
-#include <array>
+#include <new>
+#include <string>
 #include <utility>
 
 #include "core/blocks/vertex_ranks.h"
@@ -42,8 +42,9 @@ class Glue {
     }
   }
 
-  CoarseSurface finish() {
-    return {std::move(mesh_), std::make_shared<const OriginalSamples>(std::move(samples_))};
+  CoarseSurface finish(const io::StreamedSurface& surface) {
+    return {std::move(mesh_), std::make_shared<const OriginalSamples>(std::move(samples_)),
+            surface.vertices(), surface.faces(), surface.left_out()};
   }
 
  private:
@@ -74,34 +75,77 @@ class Glue {
   OriginalSamples samples_;
 };
 
-// More points than a fit can make use of only take memory.
-std::uint32_t every_how_many(const io::StreamedSurface& surface, std::uint32_t target) {
-  constexpr std::uint64_t enough = 16;  // for each face of the result
-  return static_cast<std::uint32_t>(
-      std::max<std::uint64_t>(1, surface.vertices() / (enough * std::max(1u, target))));
+/// The message of a process that could not do its part begins with what kind of failure it is.
+enum class Part : char { Made = 'm', Failed = 'f', OutOfLimits = 'l' };
+
+std::string message(Part part, const std::string& text) { return static_cast<char>(part) + text; }
+
+// The first process fails as it does alone; what others could not do it says.
+template <typename Make>
+std::string made_or_message(const Exchange& exchange, const Make& make) {
+  if (exchange.rank() == 0) return message(Part::Made, make());
+  try {
+    return message(Part::Made, make());
+  } catch (const std::bad_alloc&) {
+    return message(Part::OutOfLimits, "out of memory");
+  } catch (const io::LimitError& e) {
+    return message(Part::OutOfLimits, e.what());
+  } catch (const std::exception& e) {
+    return message(Part::Failed, e.what());
+  }
+}
+
+/// What all processes make, without the message around it: for the first one. Nothing where this
+/// process could not do its part, and is to do no more.
+template <typename Make>
+std::optional<std::vector<std::string>> share(Exchange& exchange, const Make& make) {
+  std::string mine = made_or_message(exchange, make);
+  const bool made = mine.front() == static_cast<char>(Part::Made);
+  std::vector<std::string> all = exchange.gather(std::move(mine));
+  for (std::size_t rank = 0; rank < all.size(); ++rank) {
+    const auto part = static_cast<Part>(all[rank].front());
+    const std::string process = "process " + std::to_string(rank);
+    all[rank].erase(0, 1);
+    if (part == Part::OutOfLimits) throw io::LimitError(process, {}, all[rank]);
+    if (part == Part::Failed) throw io::ReadError(process, {}, all[rank]);
+  }
+  if (!made) return {};
+  return all;
 }
 
 }  // namespace
 
-std::optional<CoarseSurface> coarsen_in_blocks(const io::StreamedSurface& surface,
-                                               std::size_t blocks, BlockRules rules,
+std::optional<CoarseSurface> coarsen_in_blocks(const std::filesystem::path& path,
+                                               std::size_t blocks, const BlockRules& rules,
                                                Exchange& exchange,
                                                const std::function<void(double)>& done) {
-  rules.every = every_how_many(surface, rules.decimation.target_faces);
-  const BlockCut cut(surface, blocks);
+  std::optional<io::StreamedSurface> surface;
+  std::optional<BlockCut> cut;
+  const auto look = [&] {
+    surface.emplace(path);
+    cut.emplace(*surface, blocks);
+    return std::string();
+  };
+  if (!share(exchange, look)) return {};
   std::optional<Glue> glue;
-  if (exchange.rank() == 0) glue.emplace(surface, cut);
+  if (exchange.rank() == 0) glue.emplace(*surface, *cut);
   for (std::size_t first = 0; first < blocks; first += exchange.ranks()) {
     done(double(first) / double(blocks));
     const std::size_t mine = first + exchange.rank();
-    Block block;
-    if (mine < blocks) block = coarse_block(surface, cut, mine, rules);
-    const auto all = exchange.gather(block.bytes());
-    for (std::size_t k = 0; k < all.size() && first + k < blocks; ++k)
-      glue->add(Block::from(all[k]));
+    const auto make = [&] {
+      return mine < blocks ? coarse_block(*surface, *cut, mine, rules) : Block();
+    };
+    if (exchange.ranks() == 1) {
+      glue->add(make());
+      continue;
+    }
+    const auto all = share(exchange, [&] { return make().bytes(); });
+    if (!all) return {};
+    for (std::size_t k = 0; k < all->size() && first + k < blocks; ++k)
+      glue->add(Block::from((*all)[k]));
   }
   if (!glue) return {};
-  return glue->finish();
+  return glue->finish(*surface);
 }
 
 }  // namespace aomd

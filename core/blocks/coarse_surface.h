@@ -3,9 +3,13 @@
 // from.
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/blocks/block.h"
 #include "core/blocks/exchange.h"
@@ -17,6 +21,8 @@ namespace aomd {
 struct CoarseSurface {
   MeshData mesh;
   std::shared_ptr<const OriginalSamples> samples;  ///< DecimationOptions::original
+  std::uint32_t vertices = 0, faces = 0;           ///< of the file
+  std::vector<std::string> left_out;               ///< what the file has beside them
 };
 
 /// Cuts the surface into so many blocks (1 to BlockCut::most_blocks), makes each coarser than the
@@ -25,9 +31,9 @@ struct CoarseSurface {
 /// the others nothing. The result follows from the surface, the rules and the number of blocks: not
 /// from the numbers of processes and of threads. `done` is told the share that is. In memory at a
 /// time: a block with what its decimation takes, two bytes a vertex of the file, and the result.
-/// Throws ReadError as StreamedSurface does.
+/// Throws ReadError and LimitError as StreamedSurface does; the first process does for the others.
 [[nodiscard]] std::optional<CoarseSurface> coarsen_in_blocks(
-    const io::StreamedSurface& surface, std::size_t blocks, BlockRules rules, Exchange& exchange,
-    const std::function<void(double)>& done);
+    const std::filesystem::path& path, std::size_t blocks, const BlockRules& rules,
+    Exchange& exchange, const std::function<void(double)>& done);
 
 }  // namespace aomd

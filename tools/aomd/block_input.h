@@ -2,7 +2,6 @@
 // An input that is read in blocks, each made coarser at once, since all of it may not fit into
 // memory.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,14 +13,10 @@
 
 namespace aomd::cli {
 
-struct BlockInput {
-  CoarseSurface coarse;
-  std::uint32_t vertices = 0, faces = 0;  ///< of the file
-  std::vector<std::string> notes;
-};
-
-/// Of --blocks N. Shared out among the processes of an exchange, of which the first one gets it.
-[[nodiscard]] std::optional<BlockInput> read_in_blocks(const DecimateOptions& options,
-                                                       Exchange& exchange, Progress& progress);
+/// For --blocks N. Shared out among the processes of an exchange, of which the first one gets it.
+[[nodiscard]] std::optional<CoarseSurface> read_in_blocks(const DecimateOptions& options,
+                                                          Exchange& exchange, Progress& progress);
+/// What it has left behind, as a note.
+[[nodiscard]] std::vector<std::string> notes_of(const CoarseSurface& input);
 
 }  // namespace aomd::cli

@@ -73,6 +73,7 @@ class Run {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
+    if (exchange_.rank() > 0) return help();
     read();
     meet_target();
     check();
@@ -95,6 +96,12 @@ class Run {
   }
 
  private:
+  // Of one that is not the first of those who share the blocks.
+  int help() {
+    if (options_.blocks > 1) static_cast<void>(read_in_blocks(options_, exchange_, progress_));
+    return done;
+  }
+
   // All notes of a run pass here: to whoever listens, else to standard error.
   void print_notes(const std::string& file, const std::vector<std::string>& notes) const {
     if (listener_ == nullptr) return cli::print_notes(file, notes);
@@ -112,11 +119,11 @@ class Run {
 
   // What is coarser already stands for the file.
   void read_blocks() {
-    std::optional<BlockInput> input = read_in_blocks(options_, exchange_, progress_);
+    std::optional<CoarseSurface> input = read_in_blocks(options_, exchange_, progress_);
     progress_.wipe();
-    note(options_.input, input->notes);
-    steps_.original = std::move(input->coarse.samples);
-    MeshData mesh = std::move(input->coarse.mesh);
+    note(options_.input, notes_of(*input));
+    steps_.original = std::move(input->samples);
+    MeshData mesh = std::move(input->mesh);
     in_file_ = std::move(input);
     lap("blocks");
     take(std::move(mesh));
@@ -456,8 +463,8 @@ class Run {
   DecimationOptions steps_;
   ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
-  MeshData original_;                  ///< as read, or as repaired
-  std::optional<BlockInput> in_file_;  ///< what was read in blocks
+  MeshData original_;                     ///< as read, or as repaired
+  std::optional<CoarseSurface> in_file_;  ///< what was read in blocks
   double diagonal_ = 0;
   bool forgotten_ = false;      ///< the vertices of the regions of `original_`
   bool repeated_ = false;       ///< the attempt is not the first
@@ -480,16 +487,17 @@ Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener
   return Run(options, alone, &listener).run(std::move(mesh));
 }
 
-void add_decimate(CLI::App& app, Action& action) {
+void add_shared_decimate(CLI::App& app, Action& action, Exchange& exchange) {
   CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
   const auto o = std::make_shared<DecimateOptions>();
   add_decimate_options(*command, *o);
-  command->callback([&action, o] {
-    action = [o] {
-      NoExchange alone;
-      return Run(*o, alone).run();
-    };
-  });
+  command->callback(
+      [&action, &exchange, o] { action = [&exchange, o] { return Run(*o, exchange).run(); }; });
+}
+
+void add_decimate(CLI::App& app, Action& action) {
+  static NoExchange alone;
+  add_shared_decimate(app, action, alone);
 }
 
 }  // namespace aomd::cli
