@@ -1,7 +1,9 @@
 #include "core/blocks/coarse_surface.h"
 
+#include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/blocks/vertex_ranks.h"
@@ -80,37 +82,47 @@ enum class Part : char { Made = 'm', Failed = 'f', OutOfLimits = 'l' };
 
 std::string message(Part part, const std::string& text) { return static_cast<char>(part) + text; }
 
-// The first process fails as it does alone; what others could not do it says.
+/// What this process made, as a message, or why it could not.
+struct Attempt {
+  std::string message;
+  std::exception_ptr failure;
+};
+
 template <typename Make>
-std::string made_or_message(const Exchange& exchange, const Make& make) {
-  if (exchange.rank() == 0) return message(Part::Made, make());
+Attempt attempt(const Make& make) {
   try {
-    return message(Part::Made, make());
+    return {message(Part::Made, make()), nullptr};
   } catch (const std::bad_alloc&) {
-    return message(Part::OutOfLimits, "out of memory");
+    return {message(Part::OutOfLimits, "out of memory"), std::current_exception()};
   } catch (const io::LimitError& e) {
-    return message(Part::OutOfLimits, e.what());
+    return {message(Part::OutOfLimits, e.what()), std::current_exception()};
   } catch (const std::exception& e) {
-    return message(Part::Failed, e.what());
+    return {message(Part::Failed, e.what()), std::current_exception()};
   }
 }
 
-/// What all processes make, without the message around it: for the first one. Nothing where this
-/// process could not do its part, and is to do no more.
+/// The failure of the first of the others who could not do its part; none where all could.
+std::exception_ptr failure_in(const std::vector<std::string>& all) {
+  for (std::size_t rank = 1; rank < all.size(); ++rank) {
+    const auto part = static_cast<Part>(all[rank].front());
+    const std::string process = "process " + std::to_string(rank), what = all[rank].substr(1);
+    if (part == Part::OutOfLimits)
+      return std::make_exception_ptr(io::LimitError(process, {}, what));
+    if (part == Part::Failed) return std::make_exception_ptr(io::ReadError(process, {}, what));
+  }
+  return nullptr;
+}
+
+/// What all processes make, each behind one byte: for the first one. Nothing where one has failed:
+/// then all end, and the first one throws what it was.
 template <typename Make>
 std::optional<std::vector<std::string>> share(Exchange& exchange, const Make& make) {
-  std::string mine = made_or_message(exchange, make);
-  const bool made = mine.front() == static_cast<char>(Part::Made);
-  std::vector<std::string> all = exchange.gather(std::move(mine));
-  for (std::size_t rank = 0; rank < all.size(); ++rank) {
-    const auto part = static_cast<Part>(all[rank].front());
-    const std::string process = "process " + std::to_string(rank);
-    all[rank].erase(0, 1);
-    if (part == Part::OutOfLimits) throw io::LimitError(process, {}, all[rank]);
-    if (part == Part::Failed) throw io::ReadError(process, {}, all[rank]);
-  }
-  if (!made) return {};
-  return all;
+  Attempt mine = attempt(make);
+  std::vector<std::string> all = exchange.gather(std::move(mine.message));
+  const std::exception_ptr failure = mine.failure ? mine.failure : failure_in(all);
+  if (exchange.told(!failure)) return all;
+  if (exchange.rank() == 0) std::rethrow_exception(failure);
+  return {};
 }
 
 }  // namespace
@@ -142,7 +154,7 @@ std::optional<CoarseSurface> coarsen_in_blocks(const std::filesystem::path& path
     const auto all = share(exchange, [&] { return make().bytes(); });
     if (!all) return {};
     for (std::size_t k = 0; k < all->size() && first + k < blocks; ++k)
-      glue->add(Block::from((*all)[k]));
+      glue->add(Block::from(std::string_view((*all)[k]).substr(1)));
   }
   if (!glue) return {};
   return glue->finish(*surface);

@@ -18,6 +18,8 @@ class Exchange {
   /// Hands over to the first one, who gets what all have handed over, in the order of ranks. The
   /// others get nothing.
   [[nodiscard]] virtual std::vector<std::string> gather(std::string bytes) = 0;
+  /// What the first one says, for all.
+  [[nodiscard]] virtual bool told(bool by_first) = 0;
 };
 
 /// One process, which works alone.
@@ -30,6 +32,7 @@ class NoExchange final : public Exchange {
     all.push_back(std::move(bytes));
     return all;
   }
+  [[nodiscard]] bool told(bool by_first) override { return by_first; }
 };
 
 }  // namespace aomd

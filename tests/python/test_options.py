@@ -23,7 +23,7 @@ def options_of_program():
 
 def test_every_option_of_the_program_is_an_argument():
     names = {option["name"].replace("_", "-") for option in aomd.decimate_options()}
-    assert names == options_of_program() - {"format", "quiet"}
+    assert names == options_of_program() - {"format", "quiet", "blocks"}
 
 
 def test_other_arguments_are_refused():

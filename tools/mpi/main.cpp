@@ -21,7 +21,9 @@ int main(int argc, char** argv) {
   aomd::MpiExchange exchange;
   const bool first = exchange.rank() == 0;
   if (!first) be_silent();
-  const auto add = [&](CLI::App& app, Action& action) { add_shared_decimate(app, action, exchange); };
+  const auto add = [&](CLI::App& app, Action& action) {
+    add_shared_decimate(app, action, exchange);
+  };
   const int code = run_program("aomd-mpi", {add}, argc, argv);
   // What is wrong with options and input all find, and the first one says so.
   return exchange.end(code, first || code >= out_of_limits);

@@ -53,6 +53,12 @@ std::vector<std::string> MpiExchange::gather(std::string bytes) {
   return all;
 }
 
+bool MpiExchange::told(bool by_first) {
+  char said = by_first ? 1 : 0;
+  MPI_Bcast(&said, 1, MPI_CHAR, 0, MPI_COMM_WORLD);
+  return said != 0;
+}
+
 int MpiExchange::end(int code, bool for_all) {
   if (code != 0 && for_all) MPI_Abort(MPI_COMM_WORLD, code);
   MPI_Finalize();

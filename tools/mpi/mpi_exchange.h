@@ -15,6 +15,7 @@ class MpiExchange final : public Exchange {
   [[nodiscard]] std::size_t rank() const override { return rank_; }
   [[nodiscard]] std::size_t ranks() const override { return ranks_; }
   [[nodiscard]] std::vector<std::string> gather(std::string bytes) override;
+  [[nodiscard]] bool told(bool by_first) override;
 
   /// Ends all of them with this process's exit code, which becomes that of mpirun. Who found the
   /// same as the others waits for the first one.
