@@ -141,7 +141,10 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "over the whole range counts like 0.1 % of the diagonal, at 0 it does not.\n"
       "Colours and texture coordinates do by themselves; after none only what\n"
       "follows");
-  attributes->type_name("NAME[=WEIGHT],...|none")->delimiter(',')->check(not_empty());
+  attributes->type_name("NAME[=WEIGHT],...|none")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(not_empty());
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
@@ -170,7 +173,10 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
-  without->type_name("IDEA,...")->delimiter(',')->transform(one_of(idea_names()));
+  without->type_name("IDEA,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->transform(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, seams, attributes, improve, exchange, no_swap,
                    no_smooth, snap, model, triangulate, repair, weld, without,
                    add_threads(command, o.threads)});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -11,8 +10,7 @@
 #endif
 
 #include "core/base/text.h"
-#include "core/io/error.h"
-#include "core/model/model.h"
+#include "tools/aomd/failures.h"
 #include "tools/aomd/signals.h"
 #include "tools/aomd/weld_option.h"
 
@@ -59,34 +57,8 @@ bool has_command(CLI::App& app, const std::string& name) {
                      [&](const CLI::App* c) { return c->check_name(name); });
 }
 
-int run_caught(const Action& action) {
-  try {
-    return action();
-  } catch (const io::ReadError& e) {
-    return fail(e.what(), bad_input);
-  } catch (const ModelError& e) {
-    return fail(e.what(), bad_input);
-  } catch (const io::WriteError& e) {
-    return fail(e.what(), not_written);
-  } catch (const io::LimitError& e) {
-    return fail(e.what(), out_of_limits);
-  } catch (const UsageError& e) {
-    return fail(e.what(), wrong_usage);
-  } catch (const NothingToDo& e) {
-    return fail(e.what(), says_no);
-  } catch (const InternalFault& e) {
-    return fail(e.what(), internal_fault);
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory", out_of_limits);
-  } catch (const std::exception& e) {
-    return fail(fault_words(e.what()), internal_fault);
-  } catch (...) {
-    return fail(fault_words("an exception of unknown kind"), internal_fault);
-  }
-}
-
 int run(const Action& action) {
-  const int code = run_caught(action);
+  const int code = run_caught(action, fail);
   std::cout.flush();
   return std::cout || code > says_no ? code
                                      : fail("standard output: cannot be written", not_written);
@@ -104,7 +76,7 @@ int parse_and_run(const char* name, const std::vector<AddCommand>& commands, int
       "Exit codes: 0 done, 1 the check or comparison says no, 2 wrong usage, 3 input unreadable or "
       "invalid,\n"
       "4 output not written, 5 out of memory or another limit, 70 internal fault, 130 cancelled by "
-      "Ctrl-C\n(143 by SIGTERM, 129 by SIGHUP).\n"
+      "Ctrl-C\n(143 by SIGTERM, 129 by SIGHUP); of several files the largest.\n"
       "`aomd COMMAND --help` lists the options of a command.");
   Action action;
   for (const AddCommand& add : commands) add(app, action);
