@@ -83,9 +83,9 @@ struct DecimationOptions {
   /// Vertices (nonzero) that stay where they are, and so do faces between three of them; none: all
   /// may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
-  /// Quality, of a surface: nothing collapses into vertices that are kept either. Then no edge
-  /// between two of them is new, and pieces of a surface fit together again where they have been
-  /// cut.
+  /// Quality, of a surface: nothing collapses into vertices that are kept either. Without swaps no
+  /// edge between two of them is new then, and pieces of a surface fit together again where they
+  /// have been cut.
   bool seal_kept = false;
   /// Quality, of a surface: numbers on its vertices, as it is when the decimation is made, that
   /// the result is to keep beside its shape; none: the shape alone counts.

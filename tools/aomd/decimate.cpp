@@ -129,7 +129,7 @@ class Run {
     note(options_.input, notes_of(*input));
     steps_.original = std::move(input->samples);
     own_ = std::move(input->mesh);
-    in_file_ = std::move(input);
+    did_.in_blocks = InBlocks{input->vertices, input->faces};
     lap("blocks");
     take(own_);
   }
@@ -253,7 +253,7 @@ class Run {
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    did_.target = options_.target_count(volume(), in_file_ ? in_file_->faces : cells());
+    did_.target = options_.target_count(volume(), did_.in_blocks ? did_.in_blocks->faces : cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
@@ -294,10 +294,6 @@ class Run {
     if (options_.snaps()) steps_.model = model_.get();
     lap("classify");
     did_.input = measure::count_entities(mesh_);
-    if (in_file_) {
-      did_.input.vertices = in_file_->vertices;
-      did_.input.faces = in_file_->faces;
-    }
     volumes_before_ = measure::region_volumes(mesh_);
     if (volume()) faults_.emplace(mesh_, did_.input);
     note(options_.input, what_is_wrong());
@@ -483,7 +479,6 @@ class Run {
   Stopwatch watch_;
   MeshData own_;  ///< as read, or as repaired
   const MeshData* given_ = &own_;
-  std::optional<CoarseSurface> in_file_;  ///< what was read in blocks
   double diagonal_ = 0;
   bool forgotten_ = false;      ///< the vertices of the regions of `own_`
   bool repeated_ = false;       ///< the attempt is not the first
