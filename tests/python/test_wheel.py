@@ -52,9 +52,10 @@ def test_pip_installs_it_and_pytest_finds_the_plugin(wheel, tmp_path):
         [sys.executable, "-c", "import aomd; print(aomd.__file__, aomd.sample('box').count('faces'))"],
         check=True, capture_output=True, text=True, env=place, cwd=tmp_path).stdout
     assert told == f"{tmp_path}/aomd/__init__.py 1200\n"
-    text = subprocess.run([sys.executable, "-m", "pytest", "--help"], check=True,
-                          capture_output=True, text=True, env=place, cwd=tmp_path).stdout
-    assert "--aomd-update" in text
+    for by_name in ([], ["-p", "aomd.pytest_plugin"]):
+        text = subprocess.run([sys.executable, "-m", "pytest", "--help", *by_name], check=True,
+                              capture_output=True, text=True, env=place, cwd=tmp_path).stdout
+        assert "--aomd-update" in text
 
 
 def test_an_archive_of_the_sources_has_what_building_needs(backend, tmp_path):
