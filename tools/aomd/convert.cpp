@@ -55,10 +55,11 @@ void add_convert(CLI::App& app, Action& action) {
       ->required()
       ->check(not_empty());
   command
-      ->add_option("OUT", options->output,
-                   "Where to write it: .obj, .ply, .off, .stl; with regions .msh, .mesh, .vtk, "
-                   ".vtu or .su2; - is "
-                   "standard output")
+      ->add_option(
+          "OUT", options->output,
+          "Where to write it: .obj, .ply, .off, .stl, .gltf, .glb; with regions .msh, .mesh, .vtk, "
+          ".vtu or .su2; - is "
+          "standard output")
       ->required()
       ->check(not_empty());
   add_format(*command, options->format);

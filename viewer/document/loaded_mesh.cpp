@@ -40,8 +40,8 @@ void remember_file_classes(LoadedMesh& loaded) {
 
 /// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
 UpAxis usual_up_axis(io::Format format) {
-  const bool y =
-      format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
+  const bool y = format == io::Format::Ply || format == io::Format::Obj ||
+                 format == io::Format::Off || format == io::Format::Gltf;
   return y ? UpAxis::Y : UpAxis::Z;
 }
 
@@ -84,6 +84,7 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   loaded->classify_options = options;
   loaded->corners = data.corners;
   loaded->remarks = data.remarks;
+  loaded->appearance = data.appearance;
   Mesh& mesh = loaded->mesh;
   if (!loaded->volume()) loaded->classify_options.seams = fields::seams_of(data);
   if (!loaded->volume()) prepare_surface(*loaded);

@@ -52,7 +52,8 @@ struct LoadedMesh {
   Mesh mesh;
   Journal journal;
   std::vector<Attribute> corners;  ///< what the file has on the corners of faces
-  std::vector<Remark> remarks;     ///< and what it says of the whole: a Mesh holds neither
+  std::vector<Remark> remarks;     ///< and what it says of the whole,
+  Appearance appearance;           ///< and of the looks of faces: a Mesh holds none of it
   ClassifyOptions classify_options;
   ClassifyResult classified;
   /// Mean at each vertex as loaded; empty for quads, and for volumes before they are prepared.
