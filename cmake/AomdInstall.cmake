@@ -169,7 +169,7 @@ if(TINYGLTF_LIBRARY)
   set(gltf_needed "libtinygltf-dev, ")
 endif()
 aomd_package(library libaomd-dev libdevel
-  "${runtime_needed}${gltf_needed}libglm-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
+  "${runtime_needed}${gltf_needed}libglm-dev, libjpeg-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
   "mesh database and decimation for programs in C++ and C"
   "The library under aomd and aomd-view: an algorithm-oriented mesh"
   "database, classification on a geometric model, decimation, and what"

@@ -6,7 +6,7 @@ set -euo pipefail
 aomd_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 aomd_packages=(build-essential cmake ninja-build pkg-config
-  libglm-dev libtinyobjloader-dev libpng-dev libpugixml-dev libmuparser-dev zlib1g-dev libcgal-dev libcli11-dev nlohmann-json3-dev libgtest-dev
+  libglm-dev libtinyobjloader-dev libpng-dev libjpeg-dev libpugixml-dev libmuparser-dev zlib1g-dev libcgal-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libglfw3-dev libimgui-dev libstb-dev libtomlplusplus-dev libgl-dev libegl-dev libgl1-mesa-dri fonts-inter fonts-jetbrains-mono)
 # Used where the distribution has them: Mesa 25.1 dropped OSMesa, EGL then draws without a display; Gmsh reads CAD models;
 # tinygltf reads and writes glTF;
