@@ -229,7 +229,8 @@ void GltfReader::take_materials() {
     if (pbr.metallicRoughnessTexture.index >= 0 || m.normalTexture.index >= 0 ||
         m.occlusionTexture.index >= 0 || m.emissiveTexture.index >= 0)
       left_out_.add("pictures of materials but that of their colour");
-    if (!m.extensions.empty()) left_out_.add("extensions of materials");
+    if (!m.extensions.empty() || !pbr.baseColorTexture.extensions.empty())
+      left_out_.add("extensions of materials");
     if (m.alphaMode != "OPAQUE") left_out_.add("blending of materials");
     looks.materials.push_back(std::move(material));
   }

@@ -83,6 +83,8 @@ class GltfWriter {
 
   [[nodiscard]] std::string take_bin() { return std::move(bin_); }
   [[nodiscard]] const std::string& bin() const { return bin_; }
+  /// Values at corners that are no numbers, on faces that have some.
+  [[nodiscard]] std::size_t zeros() const { return zeros_; }
 
  private:
   void put_materials() {
@@ -163,11 +165,12 @@ class GltfWriter {
   void put_mesh();
   void put_positions();
   void put_values();
-  std::vector<Part> parts() const;
-  Look look_of(std::size_t face, std::size_t corner) const;
+  std::vector<Part> parts();
+  Look look_of(std::size_t face, std::size_t corner);
   void put_primitive(int mode, const std::vector<std::uint32_t>& list, const Look& look);
-  void put_lines(const Look& all);
-  void put_points(const Look& all);
+  void put_lines();
+  void put_points();
+  void put_bare(int mode, const std::vector<std::uint32_t>& list);
 
   const MeshData& mesh_;
   FilesBeside* files_;  ///< none: pictures become part of the file
@@ -180,6 +183,7 @@ class GltfWriter {
   std::map<std::string, int> attributes_;
   Json images_ = Json::array();
   std::string bin_;
+  std::size_t zeros_ = 0;
 };
 
 void GltfWriter::put_mesh() {
@@ -187,11 +191,9 @@ void GltfWriter::put_mesh() {
   if (!mesh_.positions.empty()) {
     put_positions();
     put_values();
-    Look all;
-    all.present.assign(arrays_.size(), true);
     for (const Part& part : parts()) put_primitive(TINYGLTF_MODE_TRIANGLES, part.rows, part.look);
-    put_lines(all);
-    put_points(all);
+    put_lines();
+    put_points();
     model_.meshes.push_back(std::move(shape_));
     tinygltf::Node node;
     node.mesh = 0;
@@ -244,7 +246,7 @@ void GltfWriter::put_values() {
   }
 }
 
-std::vector<Part> GltfWriter::parts() const {
+std::vector<Part> GltfWriter::parts() {
   std::vector<Part> parts;
   std::map<Look, std::size_t> known;
   std::size_t face = 0, corner = 0;
@@ -261,7 +263,7 @@ std::vector<Part> GltfWriter::parts() const {
   return parts;
 }
 
-Look GltfWriter::look_of(std::size_t face, std::size_t corner) const {
+Look GltfWriter::look_of(std::size_t face, std::size_t corner) {
   Look look;
   const auto name = [&](const Attribute* label) {
     return label ? in_utf8(name_of(*label, face)) : std::string();
@@ -278,10 +280,11 @@ Look GltfWriter::look_of(std::size_t face, std::size_t corner) const {
     look.material = found->second;
   const std::size_t corners = shape_template(mesh_.faces.shapes[face]).vertex_count;
   for (std::size_t a = 0; a < arrays_.size(); ++a) {
-    bool any = false;
+    std::size_t known = 0;
     for (std::size_t c = corner; c < corner + corners; ++c)
-      any = any || rows_.known(a, rows_.of_corner(c));
-    look.present.push_back(any);
+      known += rows_.known(a, rows_.of_corner(c));
+    look.present.push_back(known > 0);
+    if (known > 0) zeros_ += corners - known;
   }
   return look;
 }
@@ -305,23 +308,33 @@ void GltfWriter::put_primitive(int mode, const std::vector<std::uint32_t>& list,
   shape_.primitives.push_back(std::move(primitive));
 }
 
-void GltfWriter::put_lines(const Look& all) {
+/// What is no face has no look, and the arrays that have numbers for all of it.
+void GltfWriter::put_bare(int mode, const std::vector<std::uint32_t>& list) {
+  if (list.empty()) return;
+  Look look;
+  for (std::size_t a = 0; a < arrays_.size(); ++a)
+    look.present.push_back(std::all_of(list.begin(), list.end(),
+                                       [&](std::uint32_t row) { return rows_.known(a, row); }));
+  put_primitive(mode, list, look);
+}
+
+void GltfWriter::put_lines() {
   std::vector<std::uint32_t> list;
   for_each_entity(mesh_.edges, [&](auto ends, ModelRef) {
     for (const std::uint32_t v : ends) list.push_back(rows_.first_of(v));
   });
-  if (!list.empty()) put_primitive(TINYGLTF_MODE_LINE, list, all);
+  put_bare(TINYGLTF_MODE_LINE, list);
 }
 
 /// Vertices that nothing uses.
-void GltfWriter::put_points(const Look& all) {
+void GltfWriter::put_points() {
   std::vector<bool> used(mesh_.positions.size(), false);
   for (const EntityList* list : {&mesh_.faces, &mesh_.edges})
     for (const std::uint32_t v : list->vertices) used[v] = true;
   std::vector<std::uint32_t> list;
   for (std::uint32_t v = 0; v < used.size(); ++v)
     if (!used[v]) list.push_back(rows_.first_of(v));
-  if (!list.empty()) put_primitive(TINYGLTF_MODE_POINTS, list, all);
+  put_bare(TINYGLTF_MODE_POINTS, list);
 }
 
 /// The two chunks of a .glb.
@@ -353,6 +366,9 @@ void write_gltf(const std::filesystem::path& path, const MeshData& mesh, bool bi
   FilesBeside files(mesh.appearance, path, encoded);
   GltfWriter writer(mesh, beside && !binary ? &files : nullptr);
   writer.write();
+  if (writer.zeros() > 0)
+    encoded.notes.push_back(counted(writer.zeros(), "value") +
+                            " at corners that are no numbers written as 0");
   if (binary) {
     encoded.bytes = container(path.string(), writer.json({}), writer.bin());
   } else if (beside) {

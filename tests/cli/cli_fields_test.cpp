@@ -365,5 +365,19 @@ TEST_F(FieldsCommand, QuadsAreCutWhereThatIsAskedFor) {
   EXPECT_EQ(text("o2.msh"), text("o.msh"));
 }
 
+/// Materials and the picture lie beside an OBJ, and go along wherever it does.
+TEST_F(FieldsCommand, MaterialsAndPicturesGoAlong) {
+  ASSERT_EQ(aomd("sample globe g.obj --size 4").code, 0);
+  EXPECT_NE(aomd("info g.obj").out.find("  material \"globe\", picture \"globe.png\"\n"),
+            std::string::npos);
+  std::filesystem::create_directory(at("there"));
+  ASSERT_EQ(aomd("decimate g.obj there/d.obj --target-faces 100 --quiet").code, 0);
+  EXPECT_EQ(bytes_of(at("there/globe.png")), bytes_of(at("globe.png")));
+  EXPECT_EQ(bytes_of(at("there/g.mtl")), bytes_of(at("g.mtl")));
+  const auto list = nlohmann::json::parse(aomd("info there/d.obj --json").out)["materials"];
+  EXPECT_EQ(list, nlohmann::json::parse(
+                      R"([{"name":"globe","color":[1.0,1.0,1.0,1.0],"picture":"globe.png"}])"));
+}
+
 }  // namespace
 }  // namespace aomd::test

@@ -1,6 +1,7 @@
 // glTF 2.0 read from files by hand and written: places, modes, types, seams, and what is refused.
 
 #include <bit>
+#include <cmath>
 
 #include "core/io/base64.h"
 #include "tests/support/io_helpers.h"
@@ -244,6 +245,24 @@ TEST(Gltf, VerticesAreTheSameAgain) {
   mesh.faces.vertices[4] = 4;
   mesh.edges.add(Shape::Line, {0, 3});
   EXPECT_EQ(io::read_bytes("a.glb", glb(mesh)).mesh, mesh);
+}
+
+/// Numbers that are none stay so where a whole face, or an unused vertex, has none.
+TEST(Gltf, WhatIsNoNumberIsLeftOutOrNamed) {
+  MeshData mesh = sheet();
+  mesh.positions.push_back({5, 5, 5});
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  mesh.attributes = {{"u", 0, 1, false, {1, 2, 3, 4, none}, NumberType::Float32}};
+  io::EncodedMesh encoded = io::to_bytes("a.glb", io::Format::Gltf, mesh);
+  EXPECT_EQ(encoded.notes, Notes{});
+  MeshData again = io::read_bytes("a.glb", encoded.bytes).mesh;
+  ASSERT_EQ(again.attributes.size(), 1u);
+  EXPECT_TRUE(std::isnan(again.attributes[0].values[4]));
+  mesh.attributes[0].values[3] = none;
+  encoded = io::to_bytes("a.glb", io::Format::Gltf, mesh);
+  EXPECT_EQ(encoded.notes, Notes{"1 value at corners that are no numbers written as 0"});
+  again = io::read_bytes("a.glb", encoded.bytes).mesh;
+  EXPECT_EQ(again.attributes[0].values[3], 0);
 }
 
 TEST(Gltf, NumbersThatHaveNoPlaceAreNamed) {
