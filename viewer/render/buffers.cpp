@@ -10,6 +10,21 @@ namespace {
 // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes offsets as pointers
 const void* as_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
+/// Half as wide and high: each pixel is the mean of four, or of those that there are.
+io::Image halved(const io::Image& image) {
+  io::Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int k = 0; k < 4; ++k) {
+        const int right = std::min(2 * x + 1, image.width - 1);
+        const int below = std::min(2 * y + 1, image.height - 1);
+        const int sum = image.pixel(2 * x, 2 * y)[k] + image.pixel(right, 2 * y)[k] +
+                        image.pixel(2 * x, below)[k] + image.pixel(right, below)[k];
+        half.pixel(x, y)[k] = static_cast<std::uint8_t>((sum + 2) / 4);
+      }
+  return half;
+}
+
 }  // namespace
 
 VertexBuffer::VertexBuffer(const Gl& gl) : gl_(gl), elements_(gl) {
@@ -81,7 +96,17 @@ void PictureTextures::upload(const std::shared_ptr<const scene::Pictures>& pictu
   clear();
   shown_ = pictures;
   if (!pictures) return;
-  for (const io::Image& image : pictures->images) add(image);
+  GLint most = 0;
+  gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  for (const io::Image& image : pictures->images) {
+    io::Image smaller;
+    const io::Image* shown = &image;
+    while (std::max(shown->width, shown->height) > most) {
+      smaller = halved(*shown);
+      shown = &smaller;
+    }
+    add(*shown);
+  }
 }
 
 void PictureTextures::clear() {
