@@ -231,6 +231,8 @@ void GltfReader::take_materials() {
       left_out_.add("pictures of materials but that of their colour");
     if (!m.extensions.empty() || !pbr.baseColorTexture.extensions.empty())
       left_out_.add("extensions of materials");
+    if (pbr.baseColorTexture.texCoord != 0)
+      left_out_.add("which texture coordinates pictures go by");
     if (m.alphaMode != "OPAQUE") left_out_.add("blending of materials");
     looks.materials.push_back(std::move(material));
   }

@@ -372,8 +372,7 @@ void write_gltf(const std::filesystem::path& path, const MeshData& mesh, bool bi
   if (binary) {
     encoded.bytes = container(path.string(), writer.json({}), writer.bin());
   } else if (beside) {
-    const std::filesystem::path name = path.filename().replace_extension(".bin");
-    encoded.bytes = writer.json(uri_of_file(name.string()));
+    encoded.bytes = writer.json(uri_of_file(files.own_name(".bin")));
     if (!writer.bin().empty()) files.add(".bin", writer.take_bin());
   } else {
     encoded.bytes = writer.json("data:application/octet-stream;base64," + to_base64(writer.bin()));

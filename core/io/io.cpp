@@ -16,6 +16,7 @@
 #include "core/io/medit_solution.h"
 #include "core/io/notes.h"
 #include "core/io/output_files.h"
+#include "core/io/output_target.h"
 #include "core/io/text_cursor.h"
 #include "core/io/text_file.h"
 
@@ -250,6 +251,16 @@ std::string bytes_of(Format format, bool binary, const MeshData& mesh,
   return detail::write_stl(mesh, binary);
 }
 
+/// Pipes and standard output have no place beside them. What is wrong with a path is said when it
+/// is written.
+bool has_place_beside(const std::filesystem::path& path) {
+  try {
+    return detail::find_output_target(path).kind == detail::OutputTarget::Kind::File;
+  } catch (const WriteError&) {
+    return true;
+  }
+}
+
 /// Formats of one file, and those of several.
 void encode(const std::filesystem::path& path, Format format, bool binary, const MeshData& mesh,
             const WriteOptions& options, EncodedMesh& encoded) {
@@ -340,7 +351,9 @@ std::optional<Format> format_named(std::string_view extension) {
 }
 
 EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
-                     const WriteOptions& options) {
+                     const WriteOptions& wanted) {
+  WriteOptions options = wanted;
+  options.beside = wanted.beside && has_place_beside(name);
   const bool binary = writes_binary(name, format, mesh, options);
   const bool rounds =
       format == Format::Gltf || (binary && (format == Format::Stl || format == Format::Off));

@@ -53,8 +53,18 @@ std::string FilesBeside::name_of(const Picture& picture) {
   return put(name.append(extension), picture.bytes);
 }
 
+std::string FilesBeside::own_name(std::string_view extension) const {
+  const fs::path folder = mesh_.parent_path();
+  const std::string stem = mesh_.stem().string(), format = mesh_.extension().string();
+  const std::string usual = stem + std::string(extension);
+  const std::string other =
+      stem + '_' + format.substr(std::min<std::size_t>(1, format.size())) + std::string(extension);
+  const bool taken = is_there(folder / usual) && !is_there(mesh_);
+  return taken || is_there(folder / other) ? other : usual;
+}
+
 std::string FilesBeside::add(std::string_view extension, std::string bytes) {
-  std::string name = fs::path(mesh_.filename()).replace_extension(extension).string();
+  std::string name = own_name(extension);
   encoded_.beside.push_back({name, std::move(bytes)});
   return name;
 }

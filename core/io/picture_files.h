@@ -32,7 +32,10 @@ class FilesBeside {
   [[nodiscard]] std::string name_of(const std::string& file);
   /// That of a picture; bytes become a file.
   [[nodiscard]] std::string name_of(const Picture& picture);
-  /// Adds a file of the mesh's own name with another extension. Returns its name.
+  /// The mesh's own name with another extension; where the mesh is not there yet and such a file
+  /// is, that is something else and stays: "a_gltf.bin" instead of "a.bin".
+  [[nodiscard]] std::string own_name(std::string_view extension) const;
+  /// Adds a file of that name, and returns it.
   std::string add(std::string_view extension, std::string bytes);
 
  private:

@@ -379,5 +379,19 @@ TEST_F(FieldsCommand, MaterialsAndPicturesGoAlong) {
                       R"([{"name":"globe","color":[1.0,1.0,1.0,1.0],"picture":"globe.png"}])"));
 }
 
+/// Standard output, wherever it leads, takes one file: nothing is put beside it.
+TEST_F(FieldsCommand, NothingLiesBesideStandardOutput) {
+  ASSERT_EQ(aomd("sample globe g.obj --size 2").code, 0);
+  const std::string text = aomd("convert g.obj - --format obj").out;
+  EXPECT_NE(text.find("mtllib g.mtl\n"), std::string::npos);
+  ASSERT_EQ(aomd("convert g.obj - --format ply").code, 0);
+  for (const char* name : {"/dev/g.mtl", "/dev/stdout.mtl", "/dev/globe.png", "/dev/stdout.bin"})
+    EXPECT_FALSE(std::filesystem::exists(name)) << name;
+  const auto known = aomd("convert g.obj - --format gltf --ascii");
+  EXPECT_NE(known.out.find(known.code == 0 ? "data:application/octet-stream;base64," : ""),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists("/dev/stdout.bin"));
+}
+
 }  // namespace
 }  // namespace aomd::test

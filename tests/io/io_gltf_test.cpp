@@ -332,6 +332,21 @@ TEST(Gltf, PicturesGoAlongToAnotherFolder) {
   EXPECT_EQ(again.mesh.appearance.pictures[0].name, "b_wood grain.png");
 }
 
+TEST(Gltf, AFileOfItsNumbersIsNotWrittenOverAnothers) {
+  const TemporaryFolder folder;
+  io::write_file(folder / "a.bin", "of another mesh");
+  for (int times = 0; times < 2; ++times) {
+    io::write(folder / "a.gltf", sheet());
+    EXPECT_EQ(io::read(folder / "a.gltf").mesh, sheet());
+    EXPECT_EQ(bytes_of(folder / "a.bin"), "of another mesh") << times;
+  }
+  EXPECT_EQ(folder.entries(), 3u);
+  std::filesystem::remove(folder / "a.bin");
+  io::write(folder / "b.gltf", sheet());
+  EXPECT_EQ(io::read(folder / "b.gltf").mesh, sheet());
+  EXPECT_TRUE(std::filesystem::exists(folder / "b.bin"));
+}
+
 TEST(Gltf, LibrariesOfObjGoAlong) {
   const TemporaryFolder folder, other;
   io::write_file(folder / "a.obj",
