@@ -219,11 +219,13 @@ void check_writable(const std::filesystem::path& path, Format format, const Mesh
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(p[axis]) <= limit) continue;
       throw WriteError(path.string(), {},
-                       single_precision ? "a coordinate is too large for 32-bit floats: write text"
+                       single_precision ? "a coordinate is too large for 32-bit floats: write " +
+                                              std::string(detail::exact_form(format))
                                         : "a coordinate is not a finite number");
     }
   }
-  const std::string lost = single_precision ? detail::rounding_defect(mesh) : std::string();
+  const std::string lost =
+      single_precision ? detail::rounding_defect(mesh, detail::exact_form(format)) : std::string();
   if (!lost.empty()) throw WriteError(path.string(), {}, lost);
 }
 
@@ -361,7 +363,7 @@ EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const Mes
   EncodedMesh result;
   const bool beside = format == Format::Medit && options.beside && !solution_beside(name).empty();
   detail::note_losses(format, binary, beside, mesh, result.notes);
-  if (rounds) detail::note_rounding(mesh, result.notes);
+  if (rounds) detail::note_rounding(mesh, detail::exact_form(format), result.notes);
   encode(name, format, binary, mesh, options, result);
   result.notes = limited_lines(std::move(result.notes));
   return result;

@@ -165,7 +165,9 @@ void note_losses(Format format, bool binary, bool beside, const MeshData& mesh,
   note_left_out(notes, left_out);
 }
 
-void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
+std::string_view exact_form(Format format) { return format == Format::Gltf ? ".ply" : "text"; }
+
+void note_rounding(const MeshData& mesh, std::string_view exact, std::vector<std::string>& notes) {
   Box box;
   for (const glm::dvec3& p : mesh.positions) box.add(p);
   const double move = largest_move(mesh);
@@ -173,15 +175,16 @@ void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
   if (lost == 0 && move <= 1e-6 * box.diagonal()) return;
   std::string note = "coordinates rounded to 32-bit floats by up to " + number_text(move, 3);
   if (lost > 0) note += "; " + counted(lost, "face") + " collapse" + (lost == 1 ? "s" : "");
-  notes.push_back(note + "; text keeps them");
+  notes.push_back(note + "; " + std::string(exact) + " keeps them");
 }
 
-std::string rounding_defect(const MeshData& mesh) {
+std::string rounding_defect(const MeshData& mesh, std::string_view exact) {
   const std::size_t lost = collapsing_faces(mesh);
   if (100 * lost <= mesh.faces.size()) return {};
   return counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
          " would collapse, since coordinates are rounded to 32-bit floats by up to " +
-         number_text(largest_move(mesh), 3) + ": write text, or move the mesh to the origin";
+         number_text(largest_move(mesh), 3) + ": write " + std::string(exact) +
+         ", or move the mesh to the origin";
 }
 
 }  // namespace aomd::io::detail

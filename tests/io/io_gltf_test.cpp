@@ -265,6 +265,23 @@ TEST(Gltf, WhatIsNoNumberIsLeftOutOrNamed) {
   EXPECT_EQ(again.attributes[0].values[3], 0);
 }
 
+/// 32-bit floats far from the origin, and what to do about it.
+TEST(Gltf, RoundedCoordinatesAreNamed) {
+  MeshData mesh = sheet();
+  for (glm::dvec3& p : mesh.positions) p.x += 1e5 + 1e-3;
+  const Notes notes = io::to_bytes("a.glb", io::Format::Gltf, mesh).notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0], "coordinates rounded to 32-bit floats by up to 0.001; .ply keeps them");
+  for (glm::dvec3& p : mesh.positions) p.x += 1e12;
+  try {
+    (void)io::to_bytes("a.glb", io::Format::Gltf, mesh);
+    FAIL();
+  } catch (const io::WriteError& error) {
+    EXPECT_TRUE(std::string(error.what()).ends_with(": write .ply, or move the mesh to the origin"))
+        << error.what();
+  }
+}
+
 TEST(Gltf, NumbersThatHaveNoPlaceAreNamed) {
   MeshData mesh = sheet();
   mesh.attributes = {{"six", 0, 6, false, std::vector<double>(24, 1)},
