@@ -3,7 +3,11 @@ in vec3 eye_normal;
 in vec3 face_color;
 noperspective in vec3 corner_weight;
 flat in uint face_flags;
+in vec2 picture_place;
 
+uniform int picture;  // greater than 0: the one that is bound lies on all faces
+uniform sampler2D picture_colors;
+uniform int light;
 uniform vec4 edge_color;
 uniform float edge_width;
 uniform int wires;  // the edges alone
@@ -68,6 +72,10 @@ void main() {
   }
   vec3 n = normalize(eye_normal);
   vec3 base = show_edge_codes != 0 ? code_color() : face_color;
+  if (picture > 0) {
+    vec4 shown = texture(picture_colors, picture_place);
+    base *= mix(vec3(1.0), shown.rgb, shown.a);
+  }
   if (!gl_FrontFacing) {
     n = -n;
     // Stripes tell a back from a face of that colour, also to colour-blind eyes.
@@ -76,6 +84,6 @@ void main() {
   }
   if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
   // Squares and roots stand in for the sRGB curve.
-  vec3 shaded = sqrt(min(lit(base * base, n), 1.0));
+  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n), 1.0)) : base;
   color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
 }

@@ -14,7 +14,7 @@
 
 namespace aomd::io {
 
-enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
+enum class Format { Obj, Ply, Off, Stl, Gltf, Msh, Medit, Vtk, Vtu, Su2 };
 
 /// What a reader returns: the mesh and what it had to do to get it.
 struct ReadResult {
@@ -27,21 +27,28 @@ struct ReadResult {
 
 struct WriteOptions {
   /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU; Medit is binary in .meshb, text in
-  /// .mesh, whatever is said here). Not given: PLY is binary; STL is binary unless faces are
-  /// classified, since only text holds solids; the others are text. Binary VTU is appended raw
-  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else
-  /// reads back as the same doubles.
+  /// .mesh, and glTF in .glb and .gltf, whatever is said here). Not given: PLY is binary; STL is
+  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
+  /// VTU is appended raw bytes. Binary STL and OFF, and glTF, hold 32-bit floats, so that
+  /// coordinates are rounded; everything else reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
-  /// Medit only: arrays have a file of their own beside the mesh.
+  /// Medit, glTF and OBJ: what the format has in files of their own goes beside the mesh. Else a
+  /// glTF file holds its numbers itself, and the others leave such things out.
   bool beside = true;
 };
 
 /// A mesh as a file holds it, and what the format could not hold, as notes like those of a reader.
 struct EncodedMesh {
+  /// A file that belongs to it: arrays of Medit, numbers of glTF, materials and pictures.
+  struct Beside {
+    std::string name;  ///< in the folder of the mesh
+    std::string bytes;
+  };
+
   std::string bytes;
-  std::string solution;  ///< of Medit: the file of arrays beside the mesh; empty: there are none
+  std::vector<Beside> beside;
   std::vector<std::string> notes;
 };
 
@@ -72,6 +79,7 @@ struct EncodedMesh {
 ///   PLY    edges, faces     all                              all (4, 7)           -
 ///   OFF    faces            -                                some (7)             -
 ///   STL    triangles        of faces (solids, in text)       some (7)             -
+///   glTF   edges, triangles of faces (names of primitives)   some (7)             -
 ///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
@@ -92,8 +100,8 @@ struct EncodedMesh {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 /// 6. Periodic links. No other format has them.
-/// 7. docs/ATTRIBUTES.md. PLY, OBJ and MSH hold values on corners too. Types come back as well, but
-///    from MSH and from text OBJ and OFF, which are doubles.
+/// 7. docs/ATTRIBUTES.md. PLY, OBJ, glTF and MSH hold values on corners too. Types come back as
+///    well, but from MSH and from text OBJ and OFF, which are doubles.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that

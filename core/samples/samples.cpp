@@ -16,7 +16,7 @@ struct Maker {
   MeshData (*make)(int size);
 };
 
-constexpr std::array<Maker, 17> makers{{
+constexpr std::array<Maker, 18> makers{{
     {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000,
       "faces, about"},
      80,
@@ -44,6 +44,11 @@ constexpr std::array<Maker, 17> makers{{
      1,
      400,
      sample::make_sphere},
+    {{"globe", "a globe in six charts, with a picture, its seams and colours", 32,
+      "cells along a side of a chart"},
+     1,
+     400,
+     sample::make_globe},
     {{"torus", "a smooth ring, unclassified", 80, "cells around the ring"},
      3,
      2000,

@@ -69,10 +69,11 @@ void add_convert(CLI::App& app, Action& action) {
       ->required()
       ->check(not_empty());
   command
-      ->add_option("OUT", batch->output,
-                   "Where to write it: .obj, .ply, .off, .stl; with regions .msh, .mesh, .vtk, "
-                   ".vtu or .su2; - is "
-                   "standard output")
+      ->add_option(
+          "OUT", batch->output,
+          "Where to write it: .obj, .ply, .off, .stl, .gltf, .glb; with regions .msh, .mesh, .vtk, "
+          ".vtu or .su2; - is "
+          "standard output")
       ->required()
       ->check(not_empty());
   add_folder(*command, *batch);

@@ -426,7 +426,7 @@ class Run {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
       io::add_mesh(files, path, encoded);
-      encoded.bytes = {}, encoded.solution = {};
+      encoded.bytes = {}, encoded.beside = {};
     }
     if (!options_.journal.empty())
       files.add(output_path(options_.journal),

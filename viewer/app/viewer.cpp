@@ -166,6 +166,7 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
   settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
+  settings.light = session_.view.light;
   settings.hidden_lines = session_.view.hidden_lines;
   settings.show_edge_codes = session_.sheet().verdicts() != nullptr;
   settings.show_edges = session_.view.edges;

@@ -4,10 +4,10 @@
 
 #include "core/base/text.h"
 #include "core/io/io.h"
-#include "core/io/left_out.h"
 #include "core/samples/samples.h"
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
+#include "viewer/document/whole_data.h"
 
 namespace aomd::scene {
 namespace {
@@ -52,33 +52,15 @@ void model(Session& session, Arguments& arguments) {
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
-/// Makes the arrays of the present mesh those that the operations have led to, and gives it what a
-/// Mesh does not hold; says what is left out.
-std::string carry_along(Document& document, MeshData& data) {
-  data.remarks = document.content().remarks;
-  if (document.journal().cursor() == 0) {
-    data.corners = document.content().corners;
-    return {};
-  }
-  if (data.attributes.empty() && document.content().corners.empty()) return {};
-  MeshData loaded =
-      document.can_look_back() ? to_data(document.copy_mesh_as_loaded().mesh()) : MeshData();
-  loaded.remarks = document.content().remarks;
-  loaded.corners = document.content().corners;
-  std::string text;
-  for (const std::string& note : io::carry_along(loaded, data).notes) text += "; " + note;
-  return text;
-}
-
 void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
-  MeshData data = to_data(session.document().mesh());
-  const std::string left_out = carry_along(session.document(), data);
-  const std::vector<std::string> notes = io::write(file, data);
+  const WholeData whole = whole_data(session.document());
+  const std::vector<std::string> notes = io::write(file, whole.data);
   session.document().mark_saved(file);
   session.view.dialog = Dialog::None;
-  session.status = "Saved " + printable(file.string()) + left_out;
+  session.status = "Saved " + printable(file.string());
+  for (const std::string& note : whole.notes) session.status += "; " + note;
   for (const std::string& note : notes) session.status += ", " + note;
   // The question about unsaved work, if there was one, is answered.
   if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});

@@ -9,20 +9,21 @@ namespace aomd::scene {
 namespace {
 
 void color(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, Coloring>, 7> choices = {
+  constexpr std::array<std::pair<std::string_view, Coloring>, 8> choices = {
       {{"classification", Coloring::Classification},
        {"spacing", Coloring::Spacing},
        {"quality", Coloring::Quality},
        {"distance", Coloring::Distance},
        {"curvature", Coloring::Curvature},
        {"verdict", Coloring::Verdict},
+       {"texture", Coloring::Texture},
        {"none", Coloring::None}}};
   session.view.coloring = arguments.choice(choices);
   arguments.end();
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 12> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 13> choices = {
       {{"surface", &View::surface},
        {"hidden-lines", &View::hidden_lines},
        {"scale", &View::scale},
@@ -34,6 +35,7 @@ void show(Session& session, Arguments& arguments) {
        {"interior-edges", &View::interior_edges},
        {"original", &View::original},
        {"axes", &View::axes},
+       {"light", &View::light},
        {"operation", &View::operation}}};
   bool& shown = session.view.*arguments.choice(choices);
   shown = arguments.flag(shown);
@@ -133,23 +135,24 @@ void dismiss(Session& session, Arguments& arguments) {
 std::vector<Command> view_commands() {
   return {
       {"color",
-       "classification|spacing|quality|distance|curvature|verdict|none",
+       "classification|spacing|quality|distance|curvature|verdict|texture|none",
        "What the surface's colours mean: what it lies on, how long decimation wants edges to be, "
        "the "
        "smallest angle of each face, its distance to the mesh as loaded, how strongly the surface "
-       "bends, or "
-       "why each edge would be refused now.",
+       "bends, "
+       "why each edge would be refused now, or the pictures and colours of its materials.",
        CommandGroup::View,
        color,
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
        "surface|hidden-lines|edges|model-edges|model-vertices|interfaces|interior-edges|original|"
-       "axes|scale|length-scale|operation [on|off|toggle]",
+       "axes|light|scale|length-scale|operation [on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; "
        "interior-edges "
        "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
        "(or what "
        "compare with says), as glass over the present one; axes is where x, y and z point; without "
+       "light colours are as they are; without "
        "the surface edges show alone, and hidden-lines are those that it would hide; scale is that "
        "of the colours, length-scale says how long things are without perspective; "
        "operation is what "

@@ -39,6 +39,12 @@ struct FacetedOriginal {
   std::unique_ptr<const DiscreteModel> model;
 };
 
+/// The vertices at which an array on corners has a seam, sorted.
+struct VertexSeams {
+  std::string array;
+  std::vector<Vertex> vertices;
+};
+
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
   std::string name;            ///< "bunny.ply", or a sample's name
@@ -52,7 +58,9 @@ struct LoadedMesh {
   Mesh mesh;
   Journal journal;
   std::vector<Attribute> corners;  ///< what the file has on the corners of faces
-  std::vector<Remark> remarks;     ///< and what it says of the whole: a Mesh holds neither
+  std::vector<Remark> remarks;     ///< and what it says of the whole,
+  Appearance appearance;           ///< and of the looks of faces: a Mesh holds none of it
+  std::vector<VertexSeams> seams;  ///< of those that have one
   ClassifyOptions classify_options;
   ClassifyResult classified;
   /// Mean at each vertex as loaded; empty for quads, and for volumes before they are prepared.

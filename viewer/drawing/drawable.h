@@ -2,8 +2,10 @@
 // What the renderer draws: flat arrays in the layout of the GPU's buffers, patched in place.
 
 #include <cstdint>
+#include <memory>
 
 #include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "viewer/base/box.h"
@@ -11,6 +13,8 @@
 #include "viewer/drawing/patched.h"
 
 namespace aomd::scene {
+
+struct Pictures;
 
 /// Bits of Corner::flags. The three corners of a face slot carry the same flags.
 enum CornerFlag : std::uint32_t {
@@ -20,6 +24,8 @@ enum CornerFlag : std::uint32_t {
   hide_edge_20 = 4u,
   highlighted = 8u,  ///< blended with the theme's highlight colour: the selection, a preview
 };
+/// The picture on a face, from 1 on (0: none), in the bits from here on: of Drawable::pictures.
+inline constexpr std::uint32_t picture_shift = 20, most_pictures = 4095;
 /// Besides, four bits from here on for each side, from the slot's corner k to the next: what is
 /// said about that edge (EdgeCodes), for RenderSettings::show_edge_codes.
 inline constexpr std::uint32_t edge_code_shift = 8;
@@ -71,7 +77,9 @@ struct Overlay {
 struct Drawable {
   glm::dvec3 origin{0};
   Box bounds;
-  Patched<Corner> corners;  ///< 3 a face slot
+  Patched<Corner> corners;    ///< 3 a face slot
+  Patched<glm::vec2> places;  ///< of corners in the picture on their face; empty: there are none
+  std::shared_ptr<const Pictures> pictures;
   Patched<Corner>
       cells;  ///< what a volume shows besides: sections, shrunken regions; never clipped
   Patched<Segment> interior_edges;   ///< drawn when RenderSettings::glass

@@ -93,6 +93,8 @@ SurfaceDrawing::Style SurfaceDrawing::style_of(const Mesh& mesh, const View& vie
               .highlighted = view.highlighted,
               .field = field_,
               .field_version = field_ ? field_->version : 0,
+              .texture = texture_,
+              .texture_version = texture_ ? texture_->version : 0,
               .edge_codes = edge_codes_,
               .plane = {},
               .shrink = whole_faces_ ? view.shrink : 0,
@@ -164,6 +166,7 @@ void SurfaceDrawing::rebuild(const Mesh& mesh) {
   const std::size_t size = 3 * std::size_t{mesh.capacity(2)};
   drawable_.corners.resize(size);
   draw_faces(mesh, drawable_.corners.edit(0, size));
+  draw_places();
   drawable_.model_edges.assign({});
   drawable_.model_vertices.assign({});
   edge_slots_.clear(mesh.capacity(1));
@@ -174,7 +177,28 @@ void SurfaceDrawing::rebuild(const Mesh& mesh) {
     if (mesh.classification(v).dimension() == 0) draw_vertex(mesh, v);
 }
 
+/// Where the corners of all faces are in their pictures.
+void SurfaceDrawing::draw_places() {
+  drawable_.pictures = style_.texture ? style_.texture->pictures : nullptr;
+  if (!style_.texture) {
+    if (!drawable_.places.empty()) drawable_.places.assign({});
+    return;
+  }
+  drawable_.places.resize(drawable_.corners.size());
+  for (std::uint32_t id = 0; id < drawable_.corners.size() / 3; ++id) draw_places(Face(id));
+}
+
+void SurfaceDrawing::draw_places(Face face) {
+  const std::size_t first = 3 * std::size_t{face.index};
+  if (!style_.texture || first >= drawable_.places.size()) return;
+  const PaintedFace painted = style_.texture->of(face.index);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (drawable_.places[first + i] != painted.at[i])
+      drawable_.places.set(first + i, painted.at[i]);
+}
+
 void SurfaceDrawing::recolor(const Mesh& mesh) {
+  draw_places();
   for (const Face f : mesh.faces()) draw_face(mesh, f);
   for (const Edge e : mesh.edges()) draw_edge(mesh, e);
   for (const Vertex v : mesh.vertices()) draw_vertex(mesh, v);
@@ -183,7 +207,8 @@ void SurfaceDrawing::recolor(const Mesh& mesh) {
 void SurfaceDrawing::patch(const Mesh& mesh, const SurfaceChanges& changes) {
   if (drawable_.corners.size() < 3 * std::size_t{mesh.capacity(2)})
     drawable_.corners.resize(3 * std::size_t{mesh.capacity(2)});
-  for (const Face f : changes.faces) draw_face(mesh, f);
+  if (style_.texture && drawable_.places.size() != drawable_.corners.size()) draw_places();
+  for (const Face f : changes.faces) draw_face(mesh, f), draw_places(f);
   for (const Edge e : changes.edges) draw_edge(mesh, e);
   for (const Face f : changes.faces) draw_sides(mesh, f);
   for (const Vertex v : changes.vertices) {
@@ -203,11 +228,15 @@ std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face,
   std::uint32_t flags = face_flags_.empty() ? 0u : face_flags_[face.index];
   if (highlighted(model) || marked(face)) flags |= CornerFlag::highlighted;
   if (style_.edge_codes) flags |= code_flags(mesh, face);
+  const PaintedFace painted = style_.texture ? style_.texture->of(face.index) : PaintedFace();
+  if (style_.texture && painted.picture <= most_pictures)
+    flags |= std::uint32_t{painted.picture} << picture_shift;
+  const Color of_face = style_.texture ? painted.color : of_model;
   const auto vertices = mesh.triangle(face);
   for (std::size_t i = 0; i < 3; ++i) {
     glm::vec3 position = place(mesh, vertices[i]);
     if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
-    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_model,
+    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_face,
                   flags};
   }
   return corners;

@@ -20,6 +20,7 @@
 #include "viewer/drawing/drawable.h"
 #include "viewer/drawing/edge_codes.h"
 #include "viewer/drawing/scalar_field.h"
+#include "viewer/drawing/surface_texture.h"
 #include "viewer/drawing/view.h"
 
 namespace aomd::scene {
@@ -74,6 +75,8 @@ class SurfaceDrawing {
   void recode(const Mesh& mesh, const std::vector<Edge>& edges);
   /// Numbers that give colours instead of model faces; null: none. Drawn from the next update on.
   void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
+  /// Pictures on faces instead of these colours; null: none. Drawn from the next update on.
+  void set_texture(std::shared_ptr<const SurfaceTexture> texture) { texture_ = std::move(texture); }
   /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and
   /// shrinks.
   void set_whole_faces(bool whole) { whole_faces_ = whole; }
@@ -100,6 +103,8 @@ class SurfaceDrawing {
     std::optional<ModelRef> highlighted;
     std::shared_ptr<const ScalarField> field;
     std::uint64_t field_version = 0;
+    std::shared_ptr<const SurfaceTexture> texture;
+    std::uint64_t texture_version = 0;
     std::shared_ptr<const EdgeCodes> edge_codes;
     std::optional<glm::dvec4> plane;  ///< behind it faces are hidden as a whole
     double shrink = 0;
@@ -114,6 +119,8 @@ class SurfaceDrawing {
   [[nodiscard]] static std::vector<std::uint32_t> pack_normals(const Mesh& mesh);
   void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
+  void draw_places();
+  void draw_places(Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_sides(const Mesh& mesh, Face face);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
@@ -141,6 +148,7 @@ class SurfaceDrawing {
   std::vector<std::uint32_t> face_flags_;
   std::shared_ptr<const EdgeCodes> edge_codes_;
   std::shared_ptr<const ScalarField> field_;
+  std::shared_ptr<const SurfaceTexture> texture_;
   bool whole_faces_ = true;
   std::vector<EntityRef> marked_;
   std::vector<bool> marked_faces_;  ///< by id; empty: none

@@ -24,8 +24,18 @@ enum class PickLevel { Automatic, Vertex, Edge, Face, Region };
 /// that is better off, or to either, or the swap.
 enum class PreviewedWay { Best, First, Second, Swap };
 /// What the surface's colours mean. From Spacing to Curvature they are numbers: see scalar_field.h.
-/// Verdict: why each edge would be refused now.
-enum class Coloring { Classification, Spacing, Quality, Distance, Curvature, Verdict, None };
+/// Verdict: why each edge would be refused now. Texture: the pictures and colours of the file's
+/// materials.
+enum class Coloring {
+  Classification,
+  Spacing,
+  Quality,
+  Distance,
+  Curvature,
+  Verdict,
+  Texture,
+  None
+};
 [[nodiscard]] constexpr bool is_field(Coloring coloring) {
   return coloring >= Coloring::Spacing && coloring <= Coloring::Curvature;
 }
@@ -136,6 +146,7 @@ struct View : MeshView {
   bool scale = true;                            ///< the scale of the colours, in the picture
   bool length_scale = true;  ///< how long things are, in the picture without perspective
   bool surface = true;
+  bool light = true;         ///< shades colours, so that shape shows
   bool hidden_lines = true;  ///< without the surface: also edges that it would hide
   bool edges = true;
   bool model_edges = true;

@@ -11,6 +11,7 @@
 #include "core/mesh/names.h"
 #include "core/model/model.h"
 #include "viewer/base/text.h"
+#include "viewer/explain/value_facts.h"
 
 namespace aomd::scene {
 namespace {
@@ -103,26 +104,6 @@ void add_vertex_facts(const Document& document, Vertex v, EntityFacts& result) {
   result.facts.emplace_back("Spacing", std::isfinite(wanted) ? significant(wanted) : "no limit");
 }
 
-template <typename H>
-void add_attached(const Mesh& mesh, H h, EntityFacts& result) {
-  for (const auto& column : mesh.attached(H::dimension)) {
-    const std::string& name = column->name();
-    if (const auto* number = mesh.find_attached<H, double>(name))
-      result.facts.emplace_back(name, significant((*number)[h]));
-    else if (const auto* whole = mesh.find_attached<H, std::int64_t>(name))
-      result.facts.emplace_back(name, std::to_string((*whole)[h]));
-    else if (const auto* vector = mesh.find_attached<H, glm::dvec3>(name))
-      result.facts.emplace_back(name, point_text((*vector)[h]));
-  }
-}
-
-void add_attached(const Mesh& mesh, EntityRef e, EntityFacts& result) {
-  if (e.dimension == 0) add_attached(mesh, Vertex(e.index), result);
-  if (e.dimension == 1) add_attached(mesh, Edge(e.index), result);
-  if (e.dimension == 2) add_attached(mesh, Face(e.index), result);
-  if (e.dimension == 3) add_attached(mesh, Region(e.index), result);
-}
-
 std::string mark(CheckResult::State state) {
   return state == CheckResult::State::Passed   ? "yes"
          : state == CheckResult::State::Failed ? "NO"
@@ -164,7 +145,7 @@ EntityFacts entity_facts(const Document& document, EntityRef e) {
   if (e.dimension == 1) add_edge_facts(document, e, result);
   if (e.dimension == 2) add_face_facts(mesh, e, result);
   if (e.dimension == 3) add_region_facts(mesh, Region(e.index), result);
-  add_attached(mesh, e, result);
+  add_value_facts(document, e, result.facts);
   return result;
 }
 

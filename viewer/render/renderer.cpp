@@ -161,7 +161,7 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   gl_.DepthFunc(GL_LEQUAL);
   if (settings.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
   if (settings.show_surface && !settings.glass) {
-    draw_surface(buffers.corners, frame);
+    draw_pictures(buffers, frame);
     draw_surface(buffers.cells, frame);
   }
   // The soft rims of lines must not keep out the lines that go on behind them.
@@ -205,12 +205,34 @@ void Renderer::draw_background(const SceneTheme& theme, const Piece& piece) {
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// The faces of each picture for themselves, and those without one.
+void Renderer::draw_pictures(const DrawableBuffers& buffers, const Frame& frame) {
+  if (!buffers.corners.has_places()) return draw_surface(buffers.corners, frame);
+  prepare_surface(frame, false);
+  buffers.corners.bind();
+  const auto count = static_cast<int>(buffers.pictures.size());
+  for (int picture = 0; picture <= count; ++picture) {
+    if (picture > 0) buffers.pictures.bind(static_cast<std::size_t>(picture - 1));
+    surface_.set("picture", picture);
+    gl_.DrawArrays(GL_TRIANGLES, 0, buffers.corners.count());
+  }
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+}
+
 void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires) {
   if (corners.count() == 0) return;
+  prepare_surface(frame, wires);
+  surface_.set("picture", -1);
+  corners.bind();
+  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+}
+
+void Renderer::prepare_surface(const Frame& frame, bool wires) {
   const RenderSettings& settings = frame.settings;
   const scene::Color edge = wires ? settings.theme.wire : settings.theme.edge;
   frame.apply(surface_);
   surface_.set("wires", wires ? 1 : 0);
+  surface_.set("light", settings.light ? 1 : 0);
   surface_.set("edge_color", settings.show_edges ? unpack_color(edge) : glm::vec4(0));
   surface_.set("edge_width", settings.edge_width_px);
   surface_.set("back_color", unpack_color(settings.theme.back_face));
@@ -219,8 +241,6 @@ void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, boo
   for (std::uint8_t code = 0; settings.show_edge_codes && code <= scene::unjudged; ++code)
     surface_.set(("code_colors[" + std::to_string(code) + "]").c_str(),
                  opaque(scene::verdict_color(code)));
-  corners.bind();
-  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
 }
 
 /// Edges without faces. Where hidden ones are not wanted, the faces come first, a little farther

@@ -32,6 +32,7 @@ struct SceneTheme {
 [[nodiscard]] SceneTheme dark_scene_theme();
 
 struct RenderSettings {
+  bool light = true;         ///< shades the surface; else its colours are as they are
   bool show_surface = true;  ///< without it the mesh edges alone, where these show
   bool hidden_lines = true;  ///< then also those that the surface would hide
   bool glass = false;        ///< the surface as glass, with the edges inside of it
@@ -81,6 +82,8 @@ class Renderer {
                   const RenderSettings& settings, const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
   void draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires = false);
+  void draw_pictures(const DrawableBuffers& buffers, const Frame& frame);
+  void prepare_surface(const Frame& frame, bool wires);
   void draw_wires(const DrawableBuffers& buffers, const Frame& frame);
   void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);
   void draw_inside_glass(const CornerBuffer& corners, const Frame& frame);

@@ -111,6 +111,8 @@ void Sheet::refresh_surface() {
   picker_.note(found);
   drawing_.set_whole_faces(true);
   refresh_field(field_source(), found);
+  texture_.update(document, view_, found, still());
+  drawing_.set_texture(texture_.texture());
   verdicts_.update(document, view_, found, busy(), drawing_);
   drawing_.update(document.mesh(), view_, found);
   verdicts_.judge(document, budget_, busy(), drawing_);

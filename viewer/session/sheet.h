@@ -18,6 +18,7 @@
 #include "viewer/drawing/picking.h"
 #include "viewer/drawing/reference_drawing.h"
 #include "viewer/drawing/skin_keeper.h"
+#include "viewer/drawing/texture_keeper.h"
 #include "viewer/explain/inquiry.h"
 #include "viewer/explain/verdict_keeper.h"
 
@@ -66,7 +67,9 @@ class Sheet {
     return !busy() && !comparison_ && !measurement_ && !verdicts_.pending();
   }
   /// The colours wait for nothing.
-  [[nodiscard]] bool coloured() const { return !fields_.pending(); }
+  [[nodiscard]] bool coloured() const { return !fields_.pending() && !texture_.pending(); }
+  /// The pictures on the surface; null where none are shown.
+  [[nodiscard]] const SurfaceTexture* texture() const { return texture_.texture().get(); }
 
   /// Brings facts and drawings up to date. `undisturbed`: nothing else of the session goes on.
   /// Judging and measuring take about `budget`; without one all is done at once. O(what changed).
@@ -152,6 +155,7 @@ class Sheet {
   std::chrono::steady_clock::time_point skin_due_{};  ///< while the mesh is on its way
   ReferenceDrawing reference_;
   FieldKeeper fields_;
+  TextureKeeper texture_;
   HistogramKeeper histograms_;
   VerdictKeeper verdicts_;
   Picker picker_;

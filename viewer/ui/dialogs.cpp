@@ -26,8 +26,8 @@ std::string suggested_name(const scene::Session& session) {
 }
 
 BrowserPurpose purpose_of(Dialog dialog, const scene::Session& session) {
-  const std::vector<std::string> meshes = {".obj",  ".off", ".ply", ".stl", ".msh",
-                                           ".mesh", ".vtk", ".vtu", ".su2"};
+  const std::vector<std::string> meshes = {".obj", ".off",  ".ply",   ".stl", ".gltf", ".glb",
+                                           ".msh", ".mesh", ".meshb", ".vtk", ".vtu",  ".su2"};
   switch (dialog) {
     case Dialog::Save:
       return {"Save the mesh", "Save", meshes, false, suggested_name(session)};

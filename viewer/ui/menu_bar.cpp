@@ -127,6 +127,8 @@ void color_menu(Frame& frame) {
        frame.can_decimate());
   item("Curvature", "color curvature", scene::Coloring::Curvature);
   item("Verdict on each edge", "color verdict", scene::Coloring::Verdict, frame.can_decimate());
+  const bool looks = frame.has_mesh() && scene::has_looks(frame.document().content().appearance);
+  item("Texture", "color texture", scene::Coloring::Texture, looks);
   item("One colour", "color none", scene::Coloring::None);
   ImGui::EndMenu();
 }
