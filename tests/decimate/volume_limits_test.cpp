@@ -231,6 +231,19 @@ TEST(VolumeLimits, ARefusedAngleSaysWhatTheLimitIs) {
   EXPECT_GT(said, 0);
 }
 
+// The rims of a drilled hole, and what its wall owes at the end: curves count in what a collapse
+// costs, and debts spread before they are paid, so that none makes a bump.
+TEST(VolumeLimits, RimsAndWallsStayClose) {
+  VolumeBench b(make_sample("tet-drilled", 6), Levels::Listed);
+  const Mesh original(to_data(b.mesh));
+  Decimation(b.mesh, quality(b.mesh, 0.2)).run();
+  const Mesh result(to_data(b.mesh));
+  const measure::VolumeComparison c =
+      compare_volumes(measure::Volume(original), measure::Volume(result), 50'000);
+  EXPECT_LT(c.curves.both.rms, 0.0013 * c.diagonal);
+  EXPECT_LT(distance_over(c.interfaces, true)->max, 0.018 * c.diagonal);
+}
+
 // No edge between two vertices that are to stay makes way, poor as the tetrahedra around it are.
 TEST(VolumeLimits, EdgesBetweenKeptVerticesStay) {
   MeshData data = make_sample("tet-box", 6);
