@@ -107,6 +107,25 @@ TEST_F(VolumeWords, SomeThatStandInsideOutAreCounted) {
             "tangled.mesh: 1 finding\n");
 }
 
+// The regions of such a file are let go of while it is decimated: their data are not.
+TEST_F(VolumeWords, WhatMeditSaysOfVerticesStaysWhereNothingIsDone) {
+  const std::string head = "MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n";
+  put("one.mesh", head +
+                      "4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 1\n"
+                      "Normals\n1\n0 0 -1\nNormalAtVertices\n1\n2 1\nEnd\n");
+  EXPECT_EQ(said("decimate one.mesh o.mesh --coarsest"), "");
+  const MeshData before = io::read(at("one.mesh")).mesh, after = io::read(at("o.mesh")).mesh;
+  ASSERT_EQ(before.attributes.size(), 1u);
+  EXPECT_EQ(after.attributes, before.attributes);
+  sample("tet-box", "box.mesh", 4);
+  std::string file = text("box.mesh");
+  put("box.mesh",
+      file.substr(0, file.rfind("End")) + "Normals\n1\n0 0 -1\nNormalAtVertices\n1\n2 1\nEnd\n");
+  EXPECT_EQ(said("decimate box.mesh o.mesh --target-tets 50%"),
+            "aomd: note: o.mesh: left out, as it does not follow the operations: "
+            "\"medit:normal\"\n");
+}
+
 // Labels too large for tags count as 1, 2; in the result each region has that of its class.
 TEST_F(VolumeWords, MaterialsFollowTheOperations) {
   sample("tet-box", "box.msh", 4);
