@@ -195,6 +195,21 @@ double least_volume(const MeshData& prisms, std::size_t r, double sign) {
   return sum;
 }
 
+// A pyramid, listed before all, on a side of the first prism that comes after those between prisms.
+MeshData with_pyramid_first(const MeshData& ring, std::mt19937& random) {
+  MeshData result;
+  const auto place = [](std::uint32_t v) { return v % 3 * 5 + v / 3; };
+  result.positions.resize(15);
+  for (std::uint32_t v = 0; v < 15; ++v) result.positions[place(v)] = ring.positions[v];
+  std::uniform_real_distribution<double> apart(-2, 2);
+  result.positions.push_back({apart(random), apart(random), apart(random)});
+  result.regions.add(Shape::Pyramid, {place(1), place(2), place(5), place(4), 15});
+  for (std::size_t i = 0; i < ring.regions.vertices.size(); ++i)
+    result.regions.vertices.push_back(place(ring.regions.vertices[i]));
+  result.regions.shapes.resize(1 + ring.regions.size(), Shape::Prism);
+  return result;
+}
+
 TEST(OrientRegions, OneSidedRingsStay) {
   std::mt19937 random(3);
   int rings = 0;
@@ -210,8 +225,28 @@ TEST(OrientRegions, OneSidedRingsStay) {
     expect_turned(ring, {}, ring, "one after the other");
     const Ids odd{1, 2};
     expect_turned(mirrored(ring, odd), {}, mirrored(ring, odd), "in another order");
+    const MeshData more = with_pyramid_first(mirrored(ring, odd), random);
+    expect_turned(more, {}, more, "joined to another one late");
   }
   EXPECT_GT(rings, 0);
+}
+
+// However bent its sides are, a region or its mirror image is inside out, and not both.
+TEST(OrientRegions, BentRegionsAreInsideOutOneWayRound) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (const Shape shape : {Shape::Pyramid, Shape::Prism, Shape::Hexahedron})
+    for (int trial = 0; trial < 500; ++trial) {
+      MeshData mesh;
+      for (std::uint32_t v = 0; v < std::uint32_t(shape_template(shape).vertex_count); ++v) {
+        mesh.positions.push_back({place(random), place(random), place(random)});
+        mesh.regions.vertices.push_back(v);
+      }
+      mesh.regions.shapes = {shape};
+      MeshData other = mirrored(mesh, {0});
+      EXPECT_NE(orient_regions(mesh).size(), orient_regions(other).size()) << trial;
+      EXPECT_EQ(mesh, other);
+    }
 }
 
 // Dirt of every kind: nothing but the order of vertices changes.

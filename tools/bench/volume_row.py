@@ -74,7 +74,7 @@ def main():
     try:
         cpu, megabytes = remesh(mesh, original, percent, result) if peer else decimate(mesh, percent, how, result)
     except RuntimeError as error:
-        words = str(error).splitlines()[-1][:60]
+        words = str(error).splitlines()[-1].split(": ")[-1][:60]
         print(f"| {name}, {percent} % | {how} | - | - | - | - | - | - | - | - | - | {words} |", flush=True)
         return
     m = measured(result, original)

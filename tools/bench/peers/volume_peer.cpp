@@ -9,22 +9,30 @@
 #include <iostream>
 
 #include "core/io/io.h"
+#include "core/mesh/handle.h"
 
 namespace aomd::peers {
 namespace {
 
+// Without vertices that no tetrahedron uses, which not every library takes.
 TetMesh read(const char* file) {
   const MeshData data = io::read(file).mesh;
   TetMesh mesh;
-  mesh.positions = data.positions;
+  std::vector<std::uint32_t> place(data.positions.size(), no_index);
+  for (const std::uint32_t v : data.regions.vertices) {
+    if (place[v] != no_index) continue;
+    place[v] = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.push_back(data.positions[v]);
+  }
   for (std::size_t i = 0; i < data.regions.size(); ++i) {
     const std::uint32_t* v = &data.regions.vertices[4 * i];
-    mesh.tets.push_back({v[0], v[1], v[2], v[3]});
+    mesh.tets.push_back({place[v[0]], place[v[1]], place[v[2]], place[v[3]]});
     mesh.regions.push_back(data.regions.classes.empty() ? 1 : data.regions.classes[i].tag());
   }
-  for (std::size_t i = 0; i < data.edges.classes.size(); ++i)
-    if (data.edges.classes[i].dimension() == 1)
-      mesh.curves.push_back({data.edges.vertices[2 * i], data.edges.vertices[2 * i + 1]});
+  for (std::size_t i = 0; i < data.edges.classes.size(); ++i) {
+    const std::uint32_t* v = &data.edges.vertices[2 * i];
+    if (data.edges.classes[i].dimension() == 1) mesh.curves.push_back({place[v[0]], place[v[1]]});
+  }
   return mesh;
 }
 
