@@ -1,5 +1,6 @@
 // aomd decimate: read, classify, decimate, check, write, report.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -244,10 +245,17 @@ class Run {
   void forget_regions() {
     const bool again = listener_ == nullptr && options_.input != "-" &&
                        std::filesystem::is_regular_file(options_.input);
-    if (options_.reach) return;
-    if (!again || !given().attributes.empty() || !given().periodic.empty()) return;
+    if (options_.reach || options_.triangulate) return;
+    if (!again || data_need_regions() || !given().periodic.empty()) return;
     own_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
+  }
+
+  // What Medit says of vertices, edges and faces is followed without the regions, or not at all.
+  [[nodiscard]] bool data_need_regions() const {
+    return std::any_of(
+        given().attributes.begin(), given().attributes.end(),
+        [](const Attribute& a) { return a.dimension == 3 || !a.name.starts_with("medit:"); });
   }
 
   // Regions of other shapes than tetrahedra stay, and count beside the target.
@@ -441,7 +449,11 @@ class Run {
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
   }
 
+  // Where nothing was done all data stay, which regions have to be compared for.
   void carry_arrays(MeshData& result) {
+    const bool same_count = result.regions.size() == given().regions.size();
+    if (forgotten_ && same_count && !given().attributes.empty())
+      own_ = read_input(options_.input).mesh;
     io::CarriedAlong along = io::carry_along(given(), result, steps_.threads);
     did_.fields = std::move(along.fields);
     if (!did_.fields.empty()) lap("fields");
