@@ -345,8 +345,13 @@ void Viewer::run_window() {
     const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
     if (events.input || (waits && !timed_out)) awake = frames_after_event;
     session_.keep();
+    if (const std::string line = session_.look_at_file(now); !line.empty()) {
+      execute_or_tell(line);
+      awake = frames_after_event;
+    }
+    if (!session_.warnings.empty()) awake = frames_after_event;
     tell_warnings();
-    if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
+    if (waits && timed_out && awake <= 0 && !ImGui::GetIO().WantTextInput) continue;
     awake = session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
     last = now;

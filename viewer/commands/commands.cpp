@@ -62,7 +62,8 @@ const Command* find_command(std::string_view name) {
 }
 
 bool replaces_mesh(std::string_view line) {
-  constexpr std::array<std::string_view, 5> names = {"lesson", "open", "quit", "recover", "sample"};
+  constexpr std::array<std::string_view, 6> names = {"lesson",  "open",   "quit",
+                                                     "recover", "reload", "sample"};
   const std::string_view name = line.substr(0, line.find(' '));
   return std::find(names.begin(), names.end(), name) != names.end() &&
          line.rfind("recover discard", 0) != 0;

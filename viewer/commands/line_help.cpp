@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array all_lines = std::to_array<LineHelp>({
     {"dialog open", "Chooses a mesh file to open."},
+    {"reload", "Reads the file again; the camera stays."},
+    {"watch toggle", "Reads the file again whenever it changes on disk, or stops that."},
     {"dialog save", "Chooses where to save the present mesh, with its classification."},
     {"dialog screenshot", "Chooses where to save a picture of the window."},
     {"dialog shortcuts", "Lists what keys and mouse do."},

@@ -56,6 +56,10 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   recent_menu(frame, recent);
   samples_menu(frame);
   ImGui::Separator();
+  const bool from_file = frame.has_mesh() && !frame.document().content().file.empty();
+  command_item(frame, "Reload", "reload", false, from_file);
+  command_item(frame, "Watch the file", "watch toggle", frame.session.watching(), from_file);
+  ImGui::Separator();
   command_item(frame, "Save as\u2026", "dialog save", false, frame.has_mesh());
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
   export_menu(frame);
