@@ -50,6 +50,31 @@ TEST_F(Outputs, AScreenshotIsAsLargeAsTheWindowOrAsAsked) {
   EXPECT_FALSE(picture("b.png") == picture("c.png"));
 }
 
+/// How many pixels are nearly black: what lines cover.
+int dark_pixels(const io::Image& image) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto* p = image.pixel(x, y);
+      count += p[3] > 200 && p[0] < 110 && p[1] < 110 && p[2] < 110;
+    }
+  return count;
+}
+
+TEST_F(Outputs, LinesGrowByAFactorAndWithLargePicturesByThemselves) {
+  ASSERT_EQ(run("sample cylinder 8\ncolor none\nshow edges off\nscreenshot a.png no-ui transparent "
+                "800x600\n"
+                "screenshot b.png no-ui transparent 800x600 scale 3\n"
+                "screenshot c.png no-ui transparent 2160x2160\n"
+                "screenshot d.png no-ui transparent 2160x2160 scale 1\n"
+                "screenshot again.png no-ui transparent 800x600\n"),
+            0)
+      << text("err.txt");
+  EXPECT_GT(dark_pixels(picture("b.png")), 2 * dark_pixels(picture("a.png")));
+  EXPECT_GT(dark_pixels(picture("c.png")), 3 * dark_pixels(picture("d.png")) / 2);
+  EXPECT_TRUE(picture("a.png") == picture("again.png"));
+}
+
 /// Whether a pixel is another one in two pictures.
 bool others(const io::Image& a, const io::Image& b, int x, int y) {
   return !std::equal(a.pixel(x, y), a.pixel(x, y) + 4, b.pixel(x, y));

@@ -101,6 +101,7 @@ void Viewer::restore_settings() {
   const ui::Settings settings = ui::read_settings(ui::settings_path());
   session_.view.theme = options_.theme.value_or(settings.theme);
   session_.view.panels = settings.panels;
+  session_.view.text_scale = settings.text_scale;
   session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
   session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
@@ -115,7 +116,8 @@ void Viewer::restore_settings() {
 void Viewer::save_settings() {
   ui::write_settings(ui::settings_path(),
                      {session_.view.theme,
-                      session_.view.panels,
+                      session_.view.presenting.value_or(session_.view.panels),
+                      session_.view.text_scale,
                       window_.place(),
                       interface_.recent_commands(),
                       session_.view.play_speed,
@@ -132,7 +134,15 @@ void Viewer::connect_clipboard() {
   };
 }
 
-void Viewer::update_look(float scale) {
+/// Of lines and dots, and where nobody changes that of text.
+float Viewer::drawing_scale() const {
+  const double own = options_.scale ? *options_.scale : window_.content_scale();
+  const double presented = session_.view.presenting ? scene::presentation_scale : 1;
+  return static_cast<float>(own * presented * picture_scale_);
+}
+
+void Viewer::update_look() {
+  const float scale = drawing_scale() * static_cast<float>(session_.view.text_scale);
   if (scale == scale_ && theme_ == session_.view.theme) return;
   if (scale != scale_) {
     fonts_ = ui::load_fonts(scale);
@@ -177,13 +187,13 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   settings.glass = settings.glass || settings.glass_plane;
   if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document().empty())
     settings.clip_plane = clip->plane(session_.document().content().bounds, scene::clip_hair);
-  settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
+  settings.pixel_scale = drawing_scale() * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
 }
 
 void Viewer::lay_out_frame() {
-  update_look(options_.scale ? static_cast<float>(*options_.scale) : window_.content_scale());
+  update_look();
   session_.refresh();
   ImGui::NewFrame();
   em_ = ui::em();
@@ -291,7 +301,10 @@ void Viewer::after_loading() {
   const bool first = !std::exchange(shown_any_, true);
   const scene::LoadedMesh& content = session_.document().content();
   window_.set_title(content.name + " \u2013 AOMD Studio");
-  if (!content.file.empty()) interface_.recent.add(content.file);
+  if (!content.file.empty()) {
+    interface_.recent.add(content.file);
+    interface_.remember_folder(std::filesystem::absolute(content.file).parent_path());
+  }
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
   if (first && !options_.model.empty())
     take_model("model " + scene::in_quotes(options_.model.string()));

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
 
 namespace aomd::scene {
@@ -104,6 +105,51 @@ void panel(Session& session, Arguments& arguments) {
   arguments.end();
 }
 
+/// The next of these sizes, in percent.
+double next_text_size(double present, bool larger) {
+  constexpr std::array<double, 11> sizes = {50, 67, 80, 90, 100, 110, 125, 150, 200, 250, 300};
+  constexpr double hair = 0.5;
+  double next = present;
+  for (const double size : sizes) {
+    if (larger && size > present + hair) return size;
+    if (!larger && size < present - hair) next = size;
+  }
+  return next;
+}
+
+void text_size(Session& session, Arguments& arguments) {
+  Arguments again = arguments;
+  const std::string word = again.word("percent, larger, smaller or usual");
+  double percent = 100;
+  if (word == "larger" || word == "smaller") {
+    percent = next_text_size(100 * session.view.text_scale, word == "larger");
+    arguments = again;
+  } else if (word == "usual") {
+    arguments = again;
+  } else {
+    percent = arguments.number("percent", 100 * least_text_scale, 100 * largest_text_scale);
+  }
+  arguments.end();
+  session.view.text_scale = percent / 100;
+  session.status = "Text at " + short_number(percent, 1) + " % of its usual size";
+}
+
+/// A lesson's page stays: that is what is presented.
+void presentation(Session& session, Arguments& arguments) {
+  View& view = session.view;
+  const bool on = arguments.flag(view.presenting.has_value());
+  arguments.end();
+  if (on == view.presenting.has_value()) return;
+  if (!on) {
+    view.panels = *view.presenting;
+    view.presenting.reset();
+    return;
+  }
+  view.presenting = view.panels;
+  view.panels.menus = view.panels.side = view.panels.timeline = view.panels.runs = false;
+  view.panels.mesh = session.lesson.lesson() != nullptr;
+}
+
 void dialog(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {
       {{"open", Dialog::Open},
@@ -181,6 +227,22 @@ std::vector<Command> view_commands() {
        CommandGroup::View,
        theme,
        {{"T", "theme toggle"}}},
+      {"text-size",
+       "PERCENT|larger|smaller|usual",
+       "How large text and controls are, of what suits the screen: 50 to 300.",
+       CommandGroup::View,
+       text_size,
+       {{"Ctrl+=", "text-size larger"},
+        {"Ctrl++", "text-size larger"},
+        {"Ctrl+-", "text-size smaller"},
+        {"Ctrl+0", "text-size usual"}}},
+      {"presentation",
+       "[on|off|toggle]",
+       "For who shows something to others: no menus and panels but for the page of a lesson, and "
+       "text, lines and dots are larger. Keys work as ever, and those of panels open them.",
+       CommandGroup::View,
+       presentation,
+       {{"F11", "presentation toggle"}}},
       {"panel",
        "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
        "Which panels are there; decimation, adjacency, histograms and selection share the one on "

@@ -77,7 +77,7 @@ bool is_command(std::string_view line) {
 
 bool asks_first(Session& session, std::string_view line) {
   line = command_text(line);
-  if (!replaces_mesh(line) || !session.document().unsaved()) return false;
+  if (!replaces_mesh(line) || !session.document().would_be_missed()) return false;
   session.asked = line;
   session.view.dialog = Dialog::Unsaved;
   return true;

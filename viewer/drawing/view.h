@@ -45,6 +45,11 @@ struct ScaleChoice {
 
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
+
+/// How much larger text and controls may be made than they are at first.
+inline constexpr double least_text_scale = 0.5, largest_text_scale = 3;
+/// How much larger everything is while somebody presents.
+inline constexpr double presentation_scale = 1.4;
 enum class Dialog {
   None,
   Open,
@@ -73,6 +78,7 @@ struct Panels {
   bool side = true;  ///< the one on the right
   bool timeline = true;
   bool runs = false;  ///< the table of kept states, below the picture
+  bool menus = true;  ///< the menu bar, and the line at the bottom
   Page page = Page::Decimation;
   float mesh_ems = 0;  ///< widths in units of the font's size; 0: the usual ones
   float side_ems = 0;
@@ -158,7 +164,9 @@ struct View : MeshView {
   TensorSections sections;
   std::string bar_menu;  ///< which menu of the menu bar is open: "File"; empty: none by a command
   Theme theme = Theme::Light;
+  double text_scale = 1;  ///< of text and controls, beside that of the screen
   Panels panels;
+  std::optional<Panels> presenting;  ///< large text, no menus: the panels from before
   Dialog dialog = Dialog::None;
   std::string palette_text;  ///< what stands in the palette when it opens
 

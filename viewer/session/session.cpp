@@ -12,6 +12,7 @@ namespace aomd::scene {
 namespace {
 
 constexpr std::chrono::milliseconds slice_of_kept_run{50};
+constexpr std::size_t most_cameras = 8;
 
 }  // namespace
 
@@ -81,9 +82,23 @@ void Session::look_from_where_it_was_seen() {
     view.camera = *seen;
     return;
   }
+  cameras_before_.clear();
   view.camera.up_axis = content.up;
   view.camera.turn_to(StandardView::Iso);
   view.camera.fit(content.bounds, view.aspect);
+}
+
+void Session::note_jump() {
+  if (!cameras_before_.empty() && cameras_before_.front() == view.camera) return;
+  cameras_before_.push_front(view.camera);
+  if (cameras_before_.size() > most_cameras) cameras_before_.pop_back();
+}
+
+void Session::jump_back(std::size_t which) {
+  const Camera camera = cameras_before_[which];
+  cameras_before_.erase(cameras_before_.begin() + static_cast<std::ptrdiff_t>(which));
+  note_jump();
+  view.camera = camera;
 }
 
 void Session::remember_camera() {

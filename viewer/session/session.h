@@ -67,6 +67,11 @@ class Session {
   [[nodiscard]] const std::string& loading_name() const { return loader_.name(); }
   /// Ends the present sheet and starts one with this mesh.
   void show(std::unique_ptr<LoadedMesh> loaded);
+  /// What the picture was seen from before the camera jumped, newest first; another mesh begins
+  /// without. `jump` leads to one of them, whose place the present camera takes.
+  [[nodiscard]] const std::deque<Camera>& cameras_before() const { return cameras_before_; }
+  void note_jump();
+  void jump_back(std::size_t which);
   /// Where the present file is seen from, for when it is opened again.
   void remember_camera();
   /// Whether the present file is looked at, and is to be read again once it changes.
@@ -140,6 +145,7 @@ class Session {
   std::unique_ptr<Sheet> sheet_ = std::make_unique<Sheet>(options, view);
   bool arrived_ = false;
   SeenFiles seen_;
+  std::deque<Camera> cameras_before_;
   bool watching_ = false;
   FileWatch watch_;
   std::optional<PictureSeries> series_;

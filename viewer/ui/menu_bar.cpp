@@ -5,6 +5,7 @@
 #include <imgui_internal.h>  // ClosePopupToLevel
 
 #include "core/samples/samples.h"
+#include "viewer/base/text.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
@@ -97,6 +98,22 @@ void edit_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+/// "45° round, 30° up, at 2.4"
+std::string camera_words(const scene::Camera& camera) {
+  const auto degrees = [](double value) { return scene::short_number(value, 0) + "\u00b0"; };
+  return degrees(camera.azimuth_deg) + " round, " + degrees(camera.elevation_deg) + " up, at " +
+         scene::significant(camera.distance) + (camera.orthographic ? ", orthographic" : "");
+}
+
+void recent_cameras(Frame& frame) {
+  const auto& cameras = frame.session.cameras_before();
+  if (!ImGui::BeginMenu("Before the last jumps", !cameras.empty())) return;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    command_item(frame, (camera_words(cameras[i]) + "##" + std::to_string(i)).c_str(),
+                 i == 0 ? "camera recent" : "camera recent " + std::to_string(i + 1));
+  ImGui::EndMenu();
+}
+
 void camera_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Camera", frame.has_mesh())) return;
   for (const char* name : {"Iso", "Front", "Back", "Left", "Right", "Top", "Bottom"}) {
@@ -114,6 +131,7 @@ void camera_menu(Frame& frame) {
   ImGui::Separator();
   command_item(frame, "Copy", "camera copy");
   command_item(frame, "Paste", "camera paste");
+  recent_cameras(frame);
   ImGui::EndMenu();
 }
 
@@ -146,6 +164,15 @@ void clip_menu(Frame& frame) {
   ImGui::Separator();
   command_item(frame, "Shrunken cells", view.shrink > 0 ? "shrink 0" : "shrink 0.3",
                view.shrink > 0);
+  ImGui::EndMenu();
+}
+
+void text_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Size of text")) return;
+  const double scale = frame.session.view.text_scale;
+  command_item(frame, "Larger", "text-size larger", false, scale < scene::largest_text_scale);
+  command_item(frame, "Smaller", "text-size smaller", false, scale > scene::least_text_scale);
+  command_item(frame, "As at first", "text-size usual", scale == 1);
   ImGui::EndMenu();
 }
 
@@ -205,6 +232,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Runs", "panel runs toggle", view.panels.runs);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();
+  text_menu(frame);
+  command_item(frame, "Presentation", "presentation toggle", view.presenting.has_value());
   command_item(frame, "Dark theme", "theme toggle", view.theme == scene::Theme::Dark);
   ImGui::EndMenu();
 }
