@@ -10,7 +10,7 @@ uniform mat4 projection;
 uniform vec4 clip_plane;
 
 out vec3 eye_normal;
-out vec3 face_color;
+out vec4 face_color;
 noperspective out vec3 corner_weight;
 flat out uint face_flags;
 
@@ -18,7 +18,7 @@ void main() {
   int corner = gl_VertexID % 3;
   corner_weight = vec3(corner == 0, corner == 1, corner == 2);
   eye_normal = mat3(view) * normal.xyz;
-  face_color = color.rgb;
+  face_color = color;
   face_flags = flags;
   gl_ClipDistance[0] = dot(clip_plane, vec4(position, 1.0));
   gl_Position = projection * (view * vec4(position, 1.0));

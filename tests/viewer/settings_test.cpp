@@ -18,6 +18,7 @@ Settings some() {
   s.panels.page = scene::Page::Selection;
   s.panels.side_ems = 24.25f;
   s.text_scale = 1.25;
+  s.occlusion = s.ground = true;
   s.window = WindowPlace{{-1200, 40}, {1500, 900}, true};
   s.recent_commands = {"factor 3", "show edges on"};
   s.play_speed = {2.5, 40};

@@ -75,6 +75,7 @@ class Viewer {
   void tell_warnings();
   void print_log();
   [[nodiscard]] float drawing_scale() const;
+  void choose_detail();
   void update_look();
   void update_aspect();
   [[nodiscard]] double farther(double before, double now) const;
@@ -111,6 +112,10 @@ class Viewer {
   bool shown_any_ = false;  ///< a mesh has arrived already
   bool in_script_ = false;
   std::chrono::microseconds drawing_time_{0};  ///< of the last frame in the window
+  std::chrono::microseconds full_time_{0};     ///< of the last with all faces
+  scene::Camera drawn_from_;
+  std::chrono::steady_clock::time_point moved_at_{};
+  bool moving_ = false;  ///< fewer faces are drawn, because the camera moves
 };
 
 }  // namespace aomd::app

@@ -32,6 +32,7 @@ scene::Camera Viewer::camera_for(double before, double now) const {
 io::Image Viewer::picture(glm::ivec2 size, bool transparent, double scale) {
   ImGuiIO& io = ImGui::GetIO();
   picture_scale_ = scale;
+  moving_ = false;
   const scene::Camera camera = session_.view.camera;
   const double aspect = session_.view.aspect;
   const ImVec2 display = io.DisplaySize;
@@ -59,6 +60,7 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent, double scale) {
 io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent, double scale) {
   session_.refresh();
   picture_scale_ = scale;
+  moving_ = false;
   const double aspect = static_cast<double>(size.x) / size.y;
   const scene::Camera before = session_.view.camera;
   session_.view.camera = camera_for(session_.view.aspect, aspect);

@@ -23,7 +23,7 @@ void color(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 12> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 14> choices = {
       {{"surface", &View::surface},
        {"hidden-lines", &View::hidden_lines},
        {"scale", &View::scale},
@@ -35,6 +35,8 @@ void show(Session& session, Arguments& arguments) {
        {"interior-edges", &View::interior_edges},
        {"original", &View::original},
        {"axes", &View::axes},
+       {"occlusion", &View::occlusion},
+       {"ground", &View::ground},
        {"operation", &View::operation}}};
   bool& shown = session.view.*arguments.choice(choices);
   shown = arguments.flag(shown);
@@ -117,6 +119,24 @@ double next_text_size(double present, bool larger) {
   return next;
 }
 
+void detail(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Detail>, 3> choices = {
+      {{"auto", Detail::Automatic}, {"full", Detail::Full}, {"coarse", Detail::Coarse}}};
+  session.view.detail = arguments.choice(choices);
+  arguments.end();
+}
+
+void light(Session& session, Arguments& arguments) {
+  const std::string word = arguments.one_of({"follow", "stay", "toggle"});
+  arguments.end();
+  View& view = session.view;
+  const bool stays = word == "stay" || (word == "toggle" && !view.light_from);
+  if (stays)
+    view.light_from = view.camera;
+  else
+    view.light_from.reset();
+}
+
 void text_size(Session& session, Arguments& arguments) {
   Arguments again = arguments;
   const std::string word = again.word("percent, larger, smaller or usual");
@@ -190,7 +210,7 @@ std::vector<Command> view_commands() {
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
        "surface|hidden-lines|edges|model-edges|model-vertices|interfaces|interior-edges|original|"
-       "axes|scale|length-scale|operation [on|off|toggle]",
+       "axes|scale|length-scale|operation|occlusion|ground [on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; "
        "interior-edges "
        "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
@@ -200,7 +220,9 @@ std::vector<Command> view_commands() {
        "of the colours, length-scale says how long things are without perspective; "
        "operation is what "
        "the last single step "
-       "touched.",
+       "touched; occlusion makes folds and cavities darker, ground is a grid below the mesh with "
+       "its "
+       "shadow, seen from above.",
        CommandGroup::View,
        show,
        {{"E", "show edges toggle"},
@@ -227,6 +249,20 @@ std::vector<Command> view_commands() {
        CommandGroup::View,
        theme,
        {{"T", "theme toggle"}}},
+      {"light",
+       "follow|stay|toggle",
+       "Whether the light follows the camera, as at first, or stays where it is and the camera "
+       "goes round.",
+       CommandGroup::View,
+       light,
+       {}},
+      {"detail",
+       "auto|full|coarse",
+       "How many faces are drawn of a surface that has very many. auto: all, but in a window about "
+       "50,000 while the camera moves, where drawing all takes long; coarse: always so many.",
+       CommandGroup::View,
+       detail,
+       {}},
       {"text-size",
        "PERCENT|larger|smaller|usual",
        "How large text and controls are, of what suits the screen: 50 to 300.",

@@ -66,6 +66,10 @@ enum class Dialog {
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
 
+/// How many faces are drawn of a surface that has very many. Automatic: all of them, but fewer
+/// while the camera moves and drawing all takes long.
+enum class Detail { Automatic, Full, Coarse };
+
 /// Which sides of the last single step are pointed at.
 struct StepSides {
   bool before = true;
@@ -148,7 +152,12 @@ struct View : MeshView {
   bool model_vertices = true;
   bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
   bool axes = true;        ///< where x, y and z point, in a corner
-  bool operation = true;   ///< what the last single step touched
+  bool occlusion = false;  ///< folds and cavities are darker
+  bool ground = false;     ///< a grid below the mesh, with its shadow
+  Detail detail = Detail::Automatic;
+  /// Where the light was fixed over the shoulder of this camera; none: it follows the camera.
+  std::optional<Camera> light_from;
+  bool operation = true;  ///< what the last single step touched
   StepSides step_sides;
   PlaySpeed play_speed;
   bool original = false;        ///< the reference as glass over the present mesh

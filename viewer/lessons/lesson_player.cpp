@@ -11,6 +11,8 @@ View view_for_lesson(const View& present) {
   view.height_px = present.height_px;
   view.theme = present.theme;
   view.text_scale = present.text_scale;
+  view.occlusion = present.occlusion;
+  view.detail = present.detail;
   view.presenting = present.presenting;
   view.play_speed = present.play_speed;
   view.panels = present.panels;

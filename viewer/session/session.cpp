@@ -83,6 +83,7 @@ void Session::look_from_where_it_was_seen() {
     return;
   }
   cameras_before_.clear();
+  view.light_from.reset();
   view.camera.up_axis = content.up;
   view.camera.turn_to(StandardView::Iso);
   view.camera.fit(content.bounds, view.aspect);

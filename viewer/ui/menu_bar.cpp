@@ -167,6 +167,32 @@ void clip_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+void light_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Light and detail")) return;
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Darker folds", "show occlusion toggle", view.occlusion);
+  command_item(frame, "Ground and shadow", "show ground toggle", view.ground);
+  command_item(frame, "Light stays", "light toggle", view.light_from.has_value());
+  ImGui::Separator();
+  using scene::Detail;
+  command_item(frame, "Fewer faces while turning", "detail auto", view.detail == Detail::Automatic);
+  command_item(frame, "Always all faces", "detail full", view.detail == Detail::Full);
+  command_item(frame, "Always fewer faces", "detail coarse", view.detail == Detail::Coarse);
+  ImGui::EndMenu();
+}
+
+void operation_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Last operation")) return;
+  const scene::View& view = frame.session.view;
+  const scene::StepSides sides = view.step_sides;
+  command_item(frame, "Shown", "show operation toggle", view.operation);
+  ImGui::Separator();
+  command_item(frame, "What was there before", "operation before", !sides.after, view.operation);
+  command_item(frame, "What is there after", "operation after", !sides.before, view.operation);
+  command_item(frame, "Both", "operation both", sides.before && sides.after, view.operation);
+  ImGui::EndMenu();
+}
+
 void text_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Size of text")) return;
   const double scale = frame.session.view.text_scale;
@@ -186,6 +212,7 @@ void view_menu(Frame& frame) {
   camera_menu(frame);
   color_menu(frame);
   clip_menu(frame);
+  light_menu(frame);
   ImGui::Separator();
   command_item(frame, "Original over it", "show original toggle", view.original,
                frame.can_decimate());
@@ -207,12 +234,7 @@ void view_menu(Frame& frame) {
   command_item(frame, "Scale of the colours", "show scale toggle", view.scale);
   command_item(frame, "Scale of lengths", "show length-scale toggle", view.length_scale,
                view.camera.orthographic);
-  command_item(frame, "Last operation", "show operation toggle", view.operation);
-  const scene::StepSides sides = view.step_sides;
-  command_item(frame, "    What was there before", "operation before", !sides.after,
-               view.operation);
-  command_item(frame, "    What is there after", "operation after", !sides.before, view.operation);
-  command_item(frame, "    Both", "operation both", sides.before && sides.after, view.operation);
+  operation_menu(frame);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
   const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };

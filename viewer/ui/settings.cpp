@@ -64,6 +64,8 @@ void take(const std::string& name, const std::string& value, Settings& settings)
   flag("side-panel", panels.side);
   flag("timeline", panels.timeline);
   flag("runs", panels.runs);
+  flag("occlusion", settings.occlusion);
+  flag("ground", settings.ground);
   if (name == "page") take_page(value, panels.page);
   if (name == "mesh-width") take_width(value, panels.mesh_ems);
   if (name == "side-width") take_width(value, panels.side_ems);
@@ -106,6 +108,8 @@ std::string settings_text(const Settings& settings) {
   add("page", page_names[static_cast<std::size_t>(panels.page)]);
   add("mesh-width", scene::short_number(panels.mesh_ems, 2));
   add("side-width", scene::short_number(panels.side_ems, 2));
+  add("occlusion", on_off(settings.occlusion));
+  add("ground", on_off(settings.ground));
   add("text-size", scene::short_number(settings.text_scale, 4));
   add("play-speed", scene::short_number(settings.play_speed.per_s, 7));
   add("play-whole", scene::short_number(settings.play_speed.whole_s, 7));
