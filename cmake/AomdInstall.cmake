@@ -31,6 +31,9 @@ write_basic_package_version_file(aomd-config-version.cmake COMPATIBILITY SameMin
 install(FILES cmake/aomd-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/aomd-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aomd COMPONENT library)
 file(RELATIVE_PATH AOMD_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+if(TINYGLTF_LIBRARY)
+  set(AOMD_GLTF_LIBS -ltinygltf)
+endif()
 configure_file(cmake/aomd.pc.in aomd.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/aomd.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
@@ -171,8 +174,11 @@ if(TARGET aomd_python)
     "of the program aomd, checks, repair, comparison, step by step with undo,"
     "and pictures without a display.")
 endif()
+if(TINYGLTF_LIBRARY)
+  set(gltf_needed "libtinygltf-dev, ")
+endif()
 aomd_package(library libaomd-dev libdevel
-  "${runtime_needed}libglm-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
+  "${runtime_needed}${gltf_needed}libglm-dev, libjpeg-dev, libmuparser-dev, libpng-dev, libpugixml-dev, libtinyobjloader-dev, zlib1g-dev"
   "mesh database and decimation for programs in C++ and C"
   "The library under aomd and aomd-view: an algorithm-oriented mesh"
   "database, classification on a geometric model, decimation, and what"

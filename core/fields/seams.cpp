@@ -84,18 +84,26 @@ std::vector<double> corner_measures(const MeshData& mesh) {
   return measures;
 }
 
-std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> seams;
+std::vector<NamedSeams> named_seams(const MeshData& mesh) {
+  std::vector<NamedSeams> seams;
   if (mesh.corners.empty()) return seams;
   const Cells faces(mesh, 2);
-  for (const Attribute& a : mesh.corners) {
-    if (a.meaning == Meaning::Normal) continue;
-    const Charts charts(faces, a);
-    seams.insert(seams.end(), charts.seams().begin(), charts.seams().end());
-  }
-  std::sort(seams.begin(), seams.end());
-  seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
+  for (const Attribute& a : mesh.corners)
+    if (a.meaning != Meaning::Normal) seams.push_back({a.name, Charts(faces, a).seams()});
   return seams;
+}
+
+std::vector<std::array<std::uint32_t, 2>> all_edges(const std::vector<NamedSeams>& seams) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const NamedSeams& each : seams)
+    edges.insert(edges.end(), each.edges.begin(), each.edges.end());
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh) {
+  return all_edges(named_seams(mesh));
 }
 
 }  // namespace aomd::fields

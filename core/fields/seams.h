@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/fields/cells.h"
@@ -41,7 +42,17 @@ class Charts {
 /// What each corner of the faces stands for: its share of their area.
 [[nodiscard]] std::vector<double> corner_measures(const MeshData& mesh);
 
-/// The seams of all arrays on corners but normals, sorted: those of facets are everywhere.
+/// The edges across which an array jumps.
+struct NamedSeams {
+  std::string array;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+};
+/// Those of each array on corners but normals: those of facets are everywhere.
+[[nodiscard]] std::vector<NamedSeams> named_seams(const MeshData& mesh);
+
+/// All of them, sorted.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 2>> all_edges(
+    const std::vector<NamedSeams>& seams);
 [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> seams_of(const MeshData& mesh);
 
 }  // namespace aomd::fields

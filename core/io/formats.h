@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/io/io.h"
 #include "core/io/source.h"
@@ -24,6 +25,10 @@ namespace aomd::io::detail {
 [[nodiscard]] ReadResult read_vtu(const Source& source);
 /// SU2's native format.
 [[nodiscard]] ReadResult read_su2(const Source& source);
+/// Whether the library for glTF was there when this was built; without it both functions fail.
+[[nodiscard]] bool has_gltf();
+/// glTF 2.0: .gltf with what it names beside it, and .glb.
+[[nodiscard]] ReadResult read_gltf(const Source& source);
 
 /// True where the size is what the count in a binary header promises: many binary files start with
 /// "solid".
@@ -38,8 +43,12 @@ namespace aomd::io::detail {
 
 // The writers return the bytes of the file. Indices, sizes and shapes in the mesh are trusted:
 // write() has checked what a format cannot hold.
-[[nodiscard]] std::string write_obj(const MeshData& mesh);
-[[nodiscard]] std::string write_ply(const MeshData& mesh, bool binary);
+/// `libraries` are those of materials that it names.
+[[nodiscard]] std::string write_obj(const MeshData& mesh,
+                                    const std::vector<std::string>& libraries);
+/// `remarks` are the lines about the whole.
+[[nodiscard]] std::string write_ply(const MeshData& mesh, bool binary,
+                                    const std::vector<Remark>& remarks);
 [[nodiscard]] std::string write_off(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_stl(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_msh(const MeshData& mesh, bool binary, bool msh2);
@@ -47,6 +56,9 @@ namespace aomd::io::detail {
 [[nodiscard]] std::string write_vtk(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_vtu(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_su2(const MeshData& mesh);
+/// A .glb where it is to be `binary`; else numbers and pictures are files beside it, or part of it.
+void write_gltf(const std::filesystem::path& path, const MeshData& mesh, bool binary, bool beside,
+                EncodedMesh& encoded);
 
 /// True where every coordinate is exactly a 32-bit float.
 [[nodiscard]] bool fits_float(const MeshData& mesh);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/gltf_arrays.h"
 #include "core/io/medit_solution.h"
 #include "core/io/stl_marks.h"
 
@@ -111,6 +112,11 @@ std::vector<const Attribute*> held_arrays(Format format, bool binary, bool besid
   if (format == Format::Obj) {
     const ObjArrays o = obj_arrays(mesh);
     held = {o.colours, o.texture, o.normals, o.group, o.object, o.material, o.smoothing};
+  }
+  if (format == Format::Gltf) {
+    const ObjArrays o = obj_arrays(mesh);
+    held = {o.group, o.object, o.material, o.smoothing};
+    for (const GltfArray& a : gltf_arrays(mesh)) held.push_back(a.array);
   }
   if (format == Format::Off) {
     const OffColumns o = off_arrays(mesh);

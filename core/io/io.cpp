@@ -12,11 +12,14 @@
 #include "core/base/text.h"
 #include "core/io/formats.h"
 #include "core/io/losses.h"
+#include "core/io/material_files.h"
 #include "core/io/medit_solution.h"
 #include "core/io/notes.h"
 #include "core/io/output_files.h"
+#include "core/io/output_target.h"
 #include "core/io/text_cursor.h"
 #include "core/io/text_file.h"
+#include "core/mesh/orient_regions.h"
 
 namespace aomd::io {
 namespace {
@@ -24,17 +27,18 @@ namespace {
 using detail::Source;
 
 /// First those that name one format each, in its order.
-constexpr std::array<std::pair<std::string_view, Format>, 10> extensions{
-    {{".obj", Format::Obj},
-     {".ply", Format::Ply},
-     {".off", Format::Off},
-     {".stl", Format::Stl},
-     {".msh", Format::Msh},
-     {".mesh", Format::Medit},
-     {".vtk", Format::Vtk},
-     {".vtu", Format::Vtu},
-     {".su2", Format::Su2},
-     {".meshb", Format::Medit}}};
+constexpr std::array<std::pair<std::string_view, Format>, 12> extensions{{{".obj", Format::Obj},
+                                                                          {".ply", Format::Ply},
+                                                                          {".off", Format::Off},
+                                                                          {".stl", Format::Stl},
+                                                                          {".gltf", Format::Gltf},
+                                                                          {".msh", Format::Msh},
+                                                                          {".mesh", Format::Medit},
+                                                                          {".vtk", Format::Vtk},
+                                                                          {".vtu", Format::Vtu},
+                                                                          {".su2", Format::Su2},
+                                                                          {".meshb", Format::Medit},
+                                                                          {".glb", Format::Gltf}}};
 
 std::optional<Format> format_of_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
@@ -59,7 +63,9 @@ std::optional<Format> format_of_content(const Source& source) {
   if (detail::is_vtk(source.bytes)) return Format::Vtk;
   if (detail::is_binary_stl(source.bytes)) return Format::Stl;
   if (detail::is_binary_medit(source.bytes)) return Format::Medit;
+  if (source.bytes.starts_with("glTF")) return Format::Gltf;
   const std::string_view word = first_word(source);
+  if (word.starts_with("{")) return Format::Gltf;
   if (lower(word.substr(0, 4)) == "ply") return Format::Ply;
   if (word.starts_with("$MeshFormat") || word == "$Comments" || word == "$NOD") return Format::Msh;
   if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
@@ -107,6 +113,8 @@ ReadResult read_as(Format format, const Source& source) {
       return detail::read_vtu(source);
     case Format::Su2:
       return detail::read_su2(source);
+    case Format::Gltf:
+      return detail::read_gltf(source);
     case Format::Stl:
       break;
   }
@@ -114,7 +122,7 @@ ReadResult read_as(Format format, const Source& source) {
 }
 
 /// What people hand to a mesh program that no reader takes, by its first bytes, and what helps.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> foreign{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> foreign{
     {{std::string_view("\xff\xfe\0\0", 4), "is text in UTF-32: save it as UTF-8"},
      {std::string_view("\0\0\xfe\xff", 4), "is text in UTF-32: save it as UTF-8"},
      {"\xff\xfe", "is text in UTF-16: save it as UTF-8"},
@@ -126,7 +134,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> foreign{
       "is compressed by xz: unpack it first"},
      {"PK\x03\x04", "is a ZIP archive: unpack it first, or export .stl instead of .3mf"},
      {"ISO-10303-21", "is a STEP file, which holds surfaces but no mesh: mesh it first"},
-     {"glTF", "is a binary glTF file: export .ply or .obj"},
      {"Kaydara FBX", "is an FBX file: export .ply or .obj"},
      {"\x89HDF", "is an HDF5 file: export .vtu or .msh"}}};
 
@@ -144,20 +151,35 @@ void refuse_foreign(const Source& source) {
   }
 }
 
+/// Regions that the file lists inside out are listed the other way round; a note counts them.
+void orient(ReadResult& result) {
+  result.turned = orient_regions(result.mesh);
+  std::array<std::size_t, builtin_shapes> counts{};
+  for (const std::uint32_t region : result.turned)
+    ++counts[static_cast<std::size_t>(result.mesh.regions.shapes[region])];
+  std::vector<std::string> words;
+  for (std::size_t shape = 0; shape < counts.size(); ++shape)
+    if (counts[shape] > 0)
+      words.push_back(counted(counts[shape], shape_template(static_cast<Shape>(shape)).name));
+  if (!words.empty())
+    result.notes.push_back(joined(words, " and ") + " listed inside out renumbered");
+}
+
 ReadResult read_source(const Source& source) {
   const auto named = format_of_name(source.name);
   const auto found = format_of_content(source);
   if (!found) refuse_foreign(source);
   if (!found && !named)
     source.fail(
-        "is in no format that is known here: .obj, .ply, .off, .stl, .msh, .mesh, .meshb, "
-        ".vtk, .vtu or .su2");
+        "is in no format that is known here: .obj, .ply, .off, .stl, .gltf, .glb, .msh, .mesh, "
+        ".meshb, .vtk, .vtu or .su2");
   ReadResult result = read_as(found ? *found : *named, source);
   detail::rename_repeated(result.mesh.attributes, result.notes);
   if (found && named && *found != *named) {
     result.notes.push_back("read as " + std::string(extension_of(*found)) +
                            ", which is what the content is");
   }
+  orient(result);
   result.notes = limited_lines(std::move(result.notes));
   return result;
 }
@@ -171,7 +193,11 @@ Source source_of(const std::string& name, std::string_view bytes) {
 bool writes_binary(const std::filesystem::path& path, Format format, const MeshData& mesh,
                    const WriteOptions& options) {
   // Programs tell binary Medit from text by the extension alone.
-  if (format == Format::Medit) return lower(path.extension().string()) == ".meshb";
+  const std::string extension = lower(path.extension().string());
+  if (format == Format::Medit) return extension == ".meshb";
+  if (format == Format::Gltf && (extension == ".glb" || extension == ".gltf"))
+    return extension == ".glb";
+  if (format == Format::Gltf) return options.binary.value_or(true);
   // Binary STL has no solids, and few programs read binary OFF.
   return options.binary.value_or(format == Format::Ply ||
                                  (format == Format::Stl && mesh.faces.classes.empty()));
@@ -209,21 +235,19 @@ void check_writable(const std::filesystem::path& path, Format format, const Mesh
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(p[axis]) <= limit) continue;
       throw WriteError(path.string(), {},
-                       single_precision ? "a coordinate is too large for 32-bit floats: write text"
+                       single_precision ? "a coordinate is too large for 32-bit floats: write " +
+                                              std::string(detail::exact_form(format))
                                         : "a coordinate is not a finite number");
     }
   }
-  const std::string lost = single_precision ? detail::rounding_defect(mesh) : std::string();
+  const std::string lost =
+      single_precision ? detail::rounding_defect(mesh, detail::exact_form(format)) : std::string();
   if (!lost.empty()) throw WriteError(path.string(), {}, lost);
 }
 
 std::string bytes_of(Format format, bool binary, const MeshData& mesh,
                      const WriteOptions& options) {
   switch (format) {
-    case Format::Obj:
-      return detail::write_obj(mesh);
-    case Format::Ply:
-      return detail::write_ply(mesh, binary);
     case Format::Off:
       return detail::write_off(mesh, binary);
     case Format::Msh:
@@ -237,9 +261,42 @@ std::string bytes_of(Format format, bool binary, const MeshData& mesh,
     case Format::Su2:
       return detail::write_su2(mesh);
     case Format::Stl:
+    case Format::Gltf:
+    case Format::Obj:
+    case Format::Ply:
       break;
   }
   return detail::write_stl(mesh, binary);
+}
+
+/// Pipes and standard output have no place beside them. What is wrong with a path is said when it
+/// is written.
+bool has_place_beside(const std::filesystem::path& path) {
+  try {
+    return detail::find_output_target(path).kind == detail::OutputTarget::Kind::File;
+  } catch (const WriteError&) {
+    return true;
+  }
+}
+
+/// Formats of one file, and those of several.
+void encode(const std::filesystem::path& path, Format format, bool binary, const MeshData& mesh,
+            const WriteOptions& options, EncodedMesh& encoded) {
+  if (format == Format::Gltf)
+    return detail::write_gltf(path, mesh, binary, options.beside, encoded);
+  if (format == Format::Obj)
+    encoded.bytes =
+        detail::write_obj(mesh, options.beside ? detail::libraries_for(path, mesh, encoded)
+                                               : detail::named_libraries(mesh));
+  else if (format == Format::Ply)
+    encoded.bytes = detail::write_ply(
+        mesh, binary, options.beside ? detail::ply_remarks_for(path, mesh, encoded) : mesh.remarks);
+  else
+    encoded.bytes = bytes_of(format, binary, mesh, options);
+  const std::filesystem::path solution = solution_beside(path);
+  if (format != Format::Medit || !options.beside || solution.empty()) return;
+  if (std::string arrays = detail::write_solution(mesh, binary); !arrays.empty())
+    encoded.beside.push_back({solution.filename().string(), std::move(arrays)});
 }
 
 /// The arrays that stand beside a Medit mesh.
@@ -263,6 +320,7 @@ ReadResult read(const std::filesystem::path& path) {
   const detail::FileBytes bytes(path);
   ReadResult result = read_bytes(path.string(), bytes.view());
   if (result.format == Format::Medit) add_solution(path, result);
+  detail::add_materials(path, result);
   return result;
 }
 
@@ -274,12 +332,12 @@ std::filesystem::path solution_beside(const std::filesystem::path& mesh) {
 
 void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh& encoded) {
   files.add(path, encoded.bytes);
-  const std::filesystem::path beside = solution_beside(path);
+  for (const EncodedMesh::Beside& file : encoded.beside)
+    files.add(path.parent_path() / file.name, file.bytes);
+  const std::filesystem::path arrays = solution_beside(path);
   std::error_code ignored;
-  if (!encoded.solution.empty())
-    files.add(beside, encoded.solution);
-  else if (!beside.empty() && std::filesystem::exists(beside, ignored))
-    encoded.notes.push_back(printable(beside.filename().string()) +
+  if (encoded.beside.empty() && !arrays.empty() && std::filesystem::exists(arrays, ignored))
+    encoded.notes.push_back(printable(arrays.filename().string()) +
                             " is there from before, and does not belong to the mesh");
 }
 
@@ -294,11 +352,13 @@ ReadResult read_bytes(const std::string& name, std::string_view bytes) {
 }
 
 Format format_for_writing(const std::filesystem::path& path) {
-  if (const auto format = format_of_name(path)) return *format;
+  const auto format = format_of_name(path);
+  if (format == Format::Gltf && !detail::has_gltf()) (void)to_bytes(path, *format, {});
+  if (format) return *format;
   throw WriteError(
       path.string(), {},
-      "the extension names no format: .obj, .ply, .off, .stl, .msh, .mesh, .meshb, .vtk, .vtu or "
-      ".su2");
+      "the extension names no format: .obj, .ply, .off, .stl, .gltf, .glb, .msh, .mesh, .meshb, "
+      ".vtk, .vtu or .su2");
 }
 
 std::optional<Format> format_named(std::string_view extension) {
@@ -309,17 +369,19 @@ std::optional<Format> format_named(std::string_view extension) {
 }
 
 EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
-                     const WriteOptions& options) {
+                     const WriteOptions& wanted) {
+  WriteOptions options = wanted;
+  options.beside = wanted.beside && has_place_beside(name);
   const bool binary = writes_binary(name, format, mesh, options);
-  const bool rounds = binary && (format == Format::Stl || format == Format::Off);
+  const bool rounds =
+      format == Format::Gltf || (binary && (format == Format::Stl || format == Format::Off));
   check_writable(name, format, mesh, rounds);
   EncodedMesh result;
   const bool beside = format == Format::Medit && options.beside && !solution_beside(name).empty();
   detail::note_losses(format, binary, beside, mesh, result.notes);
-  if (rounds) detail::note_rounding(mesh, result.notes);
+  if (rounds) detail::note_rounding(mesh, detail::exact_form(format), result.notes);
+  encode(name, format, binary, mesh, options, result);
   result.notes = limited_lines(std::move(result.notes));
-  result.bytes = bytes_of(format, binary, mesh, options);
-  if (beside) result.solution = detail::write_solution(mesh, binary);
   return result;
 }
 

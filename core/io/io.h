@@ -1,6 +1,7 @@
 #pragma once
 // Reading and writing meshes: the format is chosen by content, then by extension.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace aomd::io {
 
-enum class Format { Obj, Ply, Off, Stl, Msh, Medit, Vtk, Vtu, Su2 };
+enum class Format { Obj, Ply, Off, Stl, Gltf, Msh, Medit, Vtk, Vtu, Su2 };
 
 /// What a reader returns: the mesh and what it had to do to get it.
 struct ReadResult {
@@ -23,38 +24,48 @@ struct ReadResult {
   /// One line each, printable, at most 20: "12 polygons triangulated", "left out: normals".
   std::vector<std::string> notes;
   bool whole = true;  ///< Medit: the mesh has all vertices and elements of the file as they are
+  /// The regions that the file lists inside out, ascending: their vertices were renumbered.
+  std::vector<std::uint32_t> turned{};
 };
 
 struct WriteOptions {
   /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU; Medit is binary in .meshb, text in
-  /// .mesh, whatever is said here). Not given: PLY is binary; STL is binary unless faces are
-  /// classified, since only text holds solids; the others are text. Binary VTU is appended raw
-  /// bytes. Binary STL and OFF hold 32-bit floats, so that coordinates are rounded; everything else
-  /// reads back as the same doubles.
+  /// .mesh, and glTF in .glb and .gltf, whatever is said here). Not given: PLY is binary; STL is
+  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
+  /// VTU is appended raw bytes. Binary STL and OFF, and glTF, hold 32-bit floats, so that
+  /// coordinates are rounded; everything else reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
-  /// Medit only: arrays have a file of their own beside the mesh.
+  /// Medit, glTF and OBJ: what the format has in files of their own goes beside the mesh. Else a
+  /// glTF file holds its numbers itself, and the others leave such things out.
   bool beside = true;
 };
 
 /// A mesh as a file holds it, and what the format could not hold, as notes like those of a reader.
 struct EncodedMesh {
+  /// A file that belongs to it: arrays of Medit, numbers of glTF, materials and pictures.
+  struct Beside {
+    std::string name;  ///< in the folder of the mesh
+    std::string bytes;
+  };
+
   std::string bytes;
-  std::string solution;  ///< of Medit: the file of arrays beside the mesh; empty: there are none
+  std::vector<Beside> beside;
   std::vector<std::string> notes;
 };
 
 /// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
-/// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
-/// nothing uses are kept, nodes that only higher-order elements use are not. What follows the last
-/// face that is promised is passed over, and so are elements of PLY and lines of OBJ that we do not
-/// know; a note names them. Of several arrays of one name and dimension the later ones are
-/// renamed ("u (2)"). Faces lose repeated corners, and are dropped, as edges are, where
-/// fewer than 3 different ones (2 for edges) are left: a note counts them. A byte order mark means
-/// nothing. Cost: linear in the file; memory bounded by the file's size, whatever its header
-/// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated
-/// vertex in a region, unknown format) with line or byte, or LimitError.
+/// STL; regions keep their shapes, and those that the file lists inside out are renumbered
+/// (core/mesh/orient_regions.h). Vertices that nothing uses are kept, nodes that only higher-order
+/// elements use are not. What follows the last face that is promised is passed over, and so are
+/// elements of PLY and lines of OBJ that we do not know; a note names them. Of several arrays of
+/// one name and dimension the later ones are renamed ("u (2)"). Faces lose repeated corners, and
+/// are dropped, as edges are, where fewer than 3 different ones (2 for edges) are left: a note
+/// counts them. A byte order mark means nothing. Cost: linear in the file; memory bounded by the
+/// file's size, whatever its header promises. Throws ReadError (missing, folder, empty, truncated,
+/// index out of range, NaN, repeated vertex in a region, unknown format) with line or byte, or
+/// LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
 /// Reads a mesh from bytes in memory, as read() does. `name` stands in messages; its extension
@@ -72,6 +83,7 @@ struct EncodedMesh {
 ///   PLY    edges, faces     all                              all (4, 7)           -
 ///   OFF    faces            -                                some (7)             -
 ///   STL    triangles        of faces (solids, in text)       some (7)             -
+///   glTF   edges, triangles of faces (names of primitives)   some (7)             -
 ///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
@@ -92,8 +104,8 @@ struct EncodedMesh {
 /// 5. Unclassified faces are left out. A marker is a physical group, or a model entity in none;
 ///    read back they are model entities 1, 2, ...
 /// 6. Periodic links. No other format has them.
-/// 7. docs/ATTRIBUTES.md. PLY, OBJ and MSH hold values on corners too. Types come back as well, but
-///    from MSH and from text OBJ and OFF, which are doubles.
+/// 7. docs/ATTRIBUTES.md. PLY, OBJ, glTF and MSH hold values on corners too. Types come back as
+///    well, but from MSH and from text OBJ and OFF, which are doubles.
 ///
 /// What is left out is named in a note. Where coordinates are rounded to 32-bit floats a note gives
 /// the largest move if it exceeds a millionth of the box's diagonal, and the number of faces that

@@ -174,6 +174,7 @@ CarriedAlong carry_along(const MeshData& original, MeshData& result, int threads
   detail::ItemList gone;
   CarriedAlong done;
   result.remarks = original.remarks;
+  result.appearance = original.appearance;
   if (unchanged(original, result)) {
     done.fields = fields::unmoved(open_arrays(original, MeshData()), original);
     restore(original, result);

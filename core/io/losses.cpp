@@ -24,6 +24,7 @@ struct Holds {
 
 Holds what_holds(Format format) {
   if (format == Format::Obj) return {true, false};
+  if (format == Format::Gltf) return {true, false};
   const bool neither = format == Format::Off || format == Format::Stl;
   return {!neither, !neither};  // what SU2 loses is add_what_markers_lack()
 }
@@ -91,14 +92,23 @@ double largest_move(const MeshData& mesh) {
   return largest;
 }
 
+bool holds_materials(Format format) { return format == Format::Obj || format == Format::Gltf; }
+
 /// What a line about the whole is called where the format has no place for it, else an empty
 /// string.
 std::string lost_remark(Format format, bool binary, const Remark& remark) {
-  if (remark.keyword == "mtllib")
-    return format == Format::Obj ? std::string() : "material library " + shown(remark.text);
+  if (remark.keyword == "mtllib" && holds_materials(format)) return {};
+  if (remark.keyword == "mtllib") return "material library " + shown(remark.text);
   if (remark.keyword == stl_solid)
     return format == Format::Stl && !binary ? std::string() : "solid name " + shown(remark.text);
-  return format == Format::Ply ? std::string() : "comments";
+  const bool picture = remark.text.starts_with("TextureFile ") && holds_materials(format);
+  return format == Format::Ply || picture ? std::string() : "comments";
+}
+
+/// The library then stands for its materials.
+bool names_library(const MeshData& mesh) {
+  return std::any_of(mesh.remarks.begin(), mesh.remarks.end(),
+                     [](const Remark& r) { return r.keyword == "mtllib"; });
 }
 
 /// The file beside a Medit mesh numbers its arrays.
@@ -116,7 +126,7 @@ void add_arrays(Format format, bool binary, bool beside, const MeshData& mesh, I
   const auto look = [&](const Attribute& a) {
     if (std::find(held.begin(), held.end(), &a) == held.end())
       left_out.add("attribute " + shown(a.name));
-    else if (!a.names.empty() && format != Format::Obj && format != Format::Stl)
+    else if (!a.names.empty() && format != Format::Stl && !holds_materials(format))
       left_out.add("names of " + shown(a.name));
   };
   for (const Attribute& a : mesh.attributes) look(a);
@@ -125,6 +135,11 @@ void add_arrays(Format format, bool binary, bool beside, const MeshData& mesh, I
   for (const Remark& remark : mesh.remarks)
     if (const std::string lost = lost_remark(format, binary, remark); !lost.empty())
       left_out.add(lost);
+  const Appearance& looks = mesh.appearance;
+  const bool one_picture = looks.materials.size() == 1 && looks.pictures.size() == 1;
+  if (!looks.materials.empty() && !holds_materials(format) && !names_library(mesh) &&
+      !(format == Format::Ply && one_picture))
+    left_out.add(counted(looks.materials.size(), "material"));
 }
 
 }  // namespace
@@ -150,7 +165,9 @@ void note_losses(Format format, bool binary, bool beside, const MeshData& mesh,
   note_left_out(notes, left_out);
 }
 
-void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
+std::string_view exact_form(Format format) { return format == Format::Gltf ? ".ply" : "text"; }
+
+void note_rounding(const MeshData& mesh, std::string_view exact, std::vector<std::string>& notes) {
   Box box;
   for (const glm::dvec3& p : mesh.positions) box.add(p);
   const double move = largest_move(mesh);
@@ -158,15 +175,16 @@ void note_rounding(const MeshData& mesh, std::vector<std::string>& notes) {
   if (lost == 0 && move <= 1e-6 * box.diagonal()) return;
   std::string note = "coordinates rounded to 32-bit floats by up to " + number_text(move, 3);
   if (lost > 0) note += "; " + counted(lost, "face") + " collapse" + (lost == 1 ? "s" : "");
-  notes.push_back(note + "; text keeps them");
+  notes.push_back(note + "; " + std::string(exact) + " keeps them");
 }
 
-std::string rounding_defect(const MeshData& mesh) {
+std::string rounding_defect(const MeshData& mesh, std::string_view exact) {
   const std::size_t lost = collapsing_faces(mesh);
   if (100 * lost <= mesh.faces.size()) return {};
   return counted(lost, "face") + " of " + std::to_string(mesh.faces.size()) +
          " would collapse, since coordinates are rounded to 32-bit floats by up to " +
-         number_text(largest_move(mesh), 3) + ": write text, or move the mesh to the origin";
+         number_text(largest_move(mesh), 3) + ": write " + std::string(exact) +
+         ", or move the mesh to the origin";
 }
 
 }  // namespace aomd::io::detail

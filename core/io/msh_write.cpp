@@ -366,11 +366,11 @@ class MshWriter {
 
   /// The same of an array on the corners of faces, as far as all values of a face are.
   void corner_view(const Attribute& attribute) {
-    struct Row {
+    struct ListedFace {
       std::size_t face, corners;
       std::span<const double> values;
     };
-    std::vector<Row> present;
+    std::vector<ListedFace> present;
     std::size_t next = 0;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       const auto corners =
@@ -381,7 +381,7 @@ class MshWriter {
       next += n;
     }
     begin_view("ElementNodeData", attribute, present.size());
-    for (const Row& row : present) {
+    for (const ListedFace& row : present) {
       out_.integer(static_cast<std::int64_t>(elements_[2].first_tag + row.face));
       out_.integer(static_cast<std::int64_t>(row.corners));
       for (const double value : row.values) out_.real(value);

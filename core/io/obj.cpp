@@ -4,20 +4,14 @@
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <istream>
 #include <limits>
-#include <map>
 #include <streambuf>
 
-#include "core/base/text.h"
-#include "core/io/class_names.h"
 #include "core/io/corner_values.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
-#include "core/io/named_faces.h"
+#include "core/io/named_parts.h"
 #include "core/io/obj_text.h"
 #include "core/mesh/handle.h"
 
@@ -32,26 +26,9 @@ class StringBuffer : public std::streambuf {
   }
 };
 
-/// The names that one keyword gives, numbered as they come, and the one that holds now.
-class Names {
- public:
-  void enter(const std::string& name) {
-    current_ = numbers_.try_emplace(name, static_cast<std::uint32_t>(names_.size())).first->second;
-    if (current_ == names_.size()) names_.push_back(name);
-  }
-  [[nodiscard]] std::uint32_t current() const { return current_; }
-  [[nodiscard]] const std::string& operator[](std::uint32_t i) const { return names_[i]; }
-
- private:
-  std::vector<std::string> names_{""};
-  std::map<std::string, std::uint32_t> numbers_{{"", 0}};
-  std::uint32_t current_ = 0;
-};
-
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Receives tinyobjloader's elements. Faces are first classified by their part, a combination of
-/// group, object and material; finish() then decides which of the three counts.
+/// Receives tinyobjloader's elements.
 class ObjReader {
  public:
   explicit ObjReader(const Source& source)
@@ -73,8 +50,7 @@ class ObjReader {
     }
     faces_.drop(text_.short_faces, text_.short_lines);
     faces_.finish(result.mesh, result.notes);
-    add_labels(result.mesh);
-    classify(result);
+    parts_.finish(result);
     add_colours(result.mesh);
     add_values(text_.texture, {"uv", 0, 0, false, {}, {}, Meaning::Texture}, result.mesh);
     add_values(text_.normals, {"normal", 0, 0, false, {}, {}, Meaning::Normal}, result.mesh);
@@ -86,9 +62,6 @@ class ObjReader {
   }
 
  private:
-  using Part = std::array<std::uint32_t, 4>;
-  enum Level { Groups, Objects, Materials, Smoothing };
-
   void load() {
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* self, double, double, double, double) { ++of(self).vertices_; };
@@ -96,10 +69,14 @@ class ObjReader {
       of(self).face(corners, n);
     };
     callback.group_cb = [](void* self, const char** names, int n) {
-      of(self).enter(Groups, joined(names, n));
+      of(self).enter(NamedParts::Groups, joined(names, n));
     };
-    callback.object_cb = [](void* self, const char* name) { of(self).enter(Objects, name); };
-    callback.usemtl_cb = [](void* self, const char* name, int) { of(self).enter(Materials, name); };
+    callback.object_cb = [](void* self, const char* name) {
+      of(self).enter(NamedParts::Objects, name);
+    };
+    callback.usemtl_cb = [](void* self, const char* name, int) {
+      of(self).enter(NamedParts::Materials, name);
+    };
     StringBuffer buffer(text_.cleaned);
     std::istream stream(&buffer);
     std::string warning, error;
@@ -119,9 +96,8 @@ class ObjReader {
     return all;
   }
 
-  void enter(Level level, const std::string& name) {
-    names_[level].enter(name.substr(0, name.find_last_not_of(" \t\r") + 1));
-    part_known_ = false;
+  void enter(NamedParts::Level level, const std::string& name) {
+    parts_.enter(level, name.substr(0, name.find_last_not_of(" \t\r") + 1));
   }
 
   void face(const tinyobj::index_t* corners, int n) {
@@ -132,46 +108,10 @@ class ObjReader {
     }
     for (; smoothing_ < text_.smoothing.size() && text_.smoothing[smoothing_].face == face_;
          ++smoothing_)
-      enter(Smoothing, std::to_string(text_.smoothing[smoothing_].group));
-    if (!part_known_) find_part();
-    const std::string wrong = faces_.add(polygon_, ModelRef(2, part_));
+      enter(NamedParts::Smoothing, std::to_string(text_.smoothing[smoothing_].group));
+    const std::string wrong = faces_.add(polygon_, ModelRef(2, parts_.part()));
     if (!wrong.empty()) source_.fail_at_line(text_.face_offsets[face_], wrong);
     ++face_;
-  }
-
-  void find_part() {
-    const Part part{names_[Groups].current(), names_[Objects].current(),
-                    names_[Materials].current(), names_[Smoothing].current()};
-    part_ = part_numbers_.try_emplace(part, static_cast<std::int32_t>(parts_.size())).first->second;
-    if (static_cast<std::size_t>(part_) == parts_.size()) parts_.push_back(part);
-    part_known_ = true;
-  }
-
-  /// What faces are called, as arrays; groups that say no more than our classes are none.
-  void add_labels(MeshData& mesh) const {
-    constexpr const char* words[] = {obj_group, obj_object, obj_material, obj_smoothing};
-    for (const Level level : {Groups, Objects, Materials, Smoothing}) {
-      std::vector<std::string> names;
-      const std::vector<std::size_t> name_of_part = names_in_use(level, names);
-      const bool says_nothing = std::all_of(names.begin(), names.end(), [&](const std::string& n) {
-        return n.empty() || (level == Groups && class_of_name(n));
-      });
-      if (says_nothing) continue;
-      Attribute label{words[level], 2, 1, true, {}};
-      for (const ModelRef m : mesh.faces.classes)
-        label.values.push_back(
-            static_cast<double>(name_of_part[static_cast<std::size_t>(m.tag())]));
-      label.names = std::move(names);
-      if (level == Smoothing) use_numbers(label);
-      mesh.attributes.push_back(std::move(label));
-    }
-  }
-
-  /// Smoothing groups have no names but numbers.
-  static void use_numbers(Attribute& label) {
-    for (double& x : label.values)
-      x = std::strtod(label.names[static_cast<std::size_t>(x)].c_str(), nullptr);
-    label.names.clear();
   }
 
   void add_colours(MeshData& mesh) {
@@ -206,45 +146,11 @@ class ObjReader {
     if (!move_to_vertices(a, mesh)) mesh.corners.push_back(std::move(a));
   }
 
-  void classify(ReadResult& result) const {
-    constexpr const char* words[] = {"group", "object", "material"};
-    for (const Level level : {Groups, Objects, Materials}) {
-      std::vector<std::string> names;
-      const std::vector<std::size_t> name_of_part = names_in_use(level, names);
-      const std::vector<ModelRef> classes = classes_of_parts(names);
-      const bool useful =
-          std::any_of(classes.begin(), classes.end(), [](ModelRef m) { return m.valid(); });
-      if (!useful && level != Materials) continue;
-      for (ModelRef& m : result.mesh.faces.classes)
-        m = classes[name_of_part[static_cast<std::size_t>(m.tag())]];
-      if (useful)
-        result.notes.push_back("faces classified by " + counted(names.size(), words[level]));
-      return;
-    }
-  }
-
-  /// The names that faces carry at one level, in order of first use, and for each part the position
-  /// of its own.
-  std::vector<std::size_t> names_in_use(Level level, std::vector<std::string>& names) const {
-    std::vector<std::size_t> position;
-    std::map<std::uint32_t, std::size_t> seen;
-    for (const Part& part : parts_) {
-      const auto [at, is_new] = seen.try_emplace(part[level], names.size());
-      if (is_new) names.push_back(names_[level][part[level]]);
-      position.push_back(at->second);
-    }
-    return position;
-  }
-
   const Source& source_;
   ObjText text_;
   FaceSink faces_;
   std::size_t vertices_ = 0, face_ = 0, smoothing_ = 0;
-  std::array<Names, 4> names_;
-  std::vector<Part> parts_;
-  std::map<Part, std::int32_t> part_numbers_;
-  std::int32_t part_ = 0;
-  bool part_known_ = false;
+  NamedParts parts_;
   std::vector<std::int64_t> polygon_;
 };
 

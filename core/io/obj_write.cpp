@@ -16,16 +16,16 @@ namespace {
 
 class ObjWriter {
  public:
-  explicit ObjWriter(const MeshData& mesh)
+  ObjWriter(const MeshData& mesh, const std::vector<std::string>& libraries)
       : mesh_(mesh),
+        libraries_(libraries),
         arrays_(obj_arrays(mesh)),
         classes_(!mesh.faces.classes.empty() && !arrays_.names_classes) {}
 
   std::string write() {
     out_.reserve(48 * mesh_.positions.size() + 24 * mesh_.faces.size());
     out_ << "# AOMD Studio\n";
-    for (const Remark& remark : mesh_.remarks)
-      if (remark.keyword == "mtllib") out_ << "mtllib " << remark.text << '\n';
+    for (const std::string& library : libraries_) out_ << "mtllib " << library << '\n';
     vertices();
     if (arrays_.texture) texture_ = values("vt", *arrays_.texture, arrays_.texture_on_corners);
     if (arrays_.normals) normals_ = values("vn", *arrays_.normals, arrays_.normals_on_corners);
@@ -102,6 +102,7 @@ class ObjWriter {
   }
 
   const MeshData& mesh_;
+  const std::vector<std::string>& libraries_;
   ObjArrays arrays_;
   bool classes_;  ///< groups say the classes
   IndexedValues texture_, normals_;
@@ -112,6 +113,8 @@ class ObjWriter {
 
 }  // namespace
 
-std::string write_obj(const MeshData& mesh) { return ObjWriter(mesh).write(); }
+std::string write_obj(const MeshData& mesh, const std::vector<std::string>& libraries) {
+  return ObjWriter(mesh, libraries).write();
+}
 
 }  // namespace aomd::io::detail

@@ -23,8 +23,9 @@ std::string one_line(std::string text) {
 /// Writes values one after the other, as text or binary.
 class PlyWriter {
  public:
-  PlyWriter(const MeshData& mesh, bool binary)
+  PlyWriter(const MeshData& mesh, bool binary, const std::vector<Remark>& remarks)
       : mesh_(mesh),
+        remarks_(remarks),
         binary_(binary),
         // In text the digits themselves are exact, so that "double" costs nothing.
         doubles_(!binary || !fits_float(mesh)),
@@ -59,7 +60,7 @@ class PlyWriter {
     const std::string_view index = wide_ ? "uint" : "int", real = doubles_ ? "double" : "float";
     out_ << "ply\nformat " << (binary_ ? "binary_little_endian" : "ascii") << " 1.0\ncomment "
          << own_comment << '\n';
-    for (const Remark& remark : mesh_.remarks)
+    for (const Remark& remark : remarks_)
       if (is_ply_remark(remark)) out_ << remark.keyword << ' ' << one_line(remark.text) << '\n';
     out_ << "element vertex " << mesh_.positions.size() << '\n';
     for (const char axis : {'x', 'y', 'z'}) out_ << "property " << real << ' ' << axis << '\n';
@@ -136,6 +137,7 @@ class PlyWriter {
   }
 
   const MeshData& mesh_;
+  const std::vector<Remark>& remarks_;
   bool binary_, doubles_, wide_;
   bool first_ = true;
   std::array<std::vector<PlyColumns>, 3> columns_;  ///< of vertices, edges and faces
@@ -148,6 +150,8 @@ class PlyWriter {
 
 }  // namespace
 
-std::string write_ply(const MeshData& mesh, bool binary) { return PlyWriter(mesh, binary).write(); }
+std::string write_ply(const MeshData& mesh, bool binary, const std::vector<Remark>& remarks) {
+  return PlyWriter(mesh, binary, remarks).write();
+}
 
 }  // namespace aomd::io::detail

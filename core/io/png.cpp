@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/io/io.h"
+#include "core/io/png_bytes.h"
 #include "core/io/source.h"
 
 namespace aomd::io {
@@ -40,18 +41,21 @@ std::string encode(const std::filesystem::path& path, const Image& picture) {
 
 }  // namespace
 
-Image read_png(const std::filesystem::path& path) {
-  const std::string bytes = detail::read_whole(path);
+Image detail::decode_png(const std::string& name, std::string_view bytes) {
   PngControl png;
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
-    throw ReadError(path.string(), {}, std::string("is not a PNG picture: ") + png.image.message);
+    throw ReadError(name, {}, std::string("is not a PNG picture: ") + png.image.message);
   if (std::uint64_t{png.image.width} * png.image.height > max_image_pixels)
-    throw LimitError(path.string(), {}, "the picture has more than 2^26 pixels");
+    throw LimitError(name, {}, "the picture has more than 2^26 pixels");
   png.image.format = PNG_FORMAT_RGBA;
   Image picture(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
   if (png_image_finish_read(&png.image, nullptr, picture.rgba.data(), 0, nullptr) == 0)
-    throw ReadError(path.string(), {}, std::string("is damaged: ") + png.image.message);
+    throw ReadError(name, {}, std::string("is damaged: ") + png.image.message);
   return picture;
+}
+
+Image read_png(const std::filesystem::path& path) {
+  return detail::decode_png(path.string(), detail::read_whole(path));
 }
 
 std::string to_png(const Image& image) { return encode("picture", image); }

@@ -1,5 +1,4 @@
 #include "core/io/vtu_data.h"
-#include "core/base/text.h"
 
 #include <zlib.h>
 
@@ -7,18 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "core/base/text.h"
+#include "core/io/base64.h"
+
 namespace aomd::io::detail {
 namespace {
-
-constexpr std::array<std::int8_t, 256> base64_values = [] {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<std::int8_t, 256> table{};
-  table.fill(-1);
-  for (std::size_t i = 0; i < digits.size(); ++i)
-    table[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
-  return table;
-}();
 
 /// Bytes in sequence, decoded as far as they are asked for.
 class Stream {
@@ -59,7 +51,7 @@ class Stream {
       if (at_ == end_) fail("the data end early");
       const char c = source_.bytes[at_];
       if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-      const std::int8_t value = base64_values[static_cast<unsigned char>(c)];
+      const int value = base64_value(c);
       if (c == '=' ? digits < 2 : value < 0 || padding > 0)
         fail("not base64: " + shown(source_.bytes.substr(at_, 1)));
       padding += c == '=';

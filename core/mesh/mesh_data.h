@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/mesh/appearance.h"
 #include "core/mesh/model_ref.h"
 #include "core/mesh/model_table.h"
 #include "core/mesh/number_type.h"
@@ -95,6 +96,7 @@ struct MeshData {
   /// coordinates): in the order of `faces.vertices`. A Mesh does not take them.
   std::vector<Attribute> corners;
   std::vector<Remark> remarks;  ///< a Mesh does not take them
+  Appearance appearance;        ///< of faces; a Mesh does not take it
   ModelTable model;
   std::vector<Periodicity> periodic;  ///< a Mesh does not take it: edits would make it wrong
 

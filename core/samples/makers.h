@@ -11,6 +11,7 @@ namespace aomd::sample {
 [[nodiscard]] MeshData make_box(int cells);
 [[nodiscard]] MeshData make_cylinder(int rings);
 [[nodiscard]] MeshData make_sphere(int frequency);
+[[nodiscard]] MeshData make_globe(int cells);
 [[nodiscard]] MeshData make_torus(int cells);
 [[nodiscard]] MeshData make_terrain(int cells);
 [[nodiscard]] MeshData make_nonmanifold(int cells);

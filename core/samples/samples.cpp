@@ -16,7 +16,7 @@ struct Maker {
   MeshData (*make)(int size);
 };
 
-constexpr std::array<Maker, 17> makers{{
+constexpr std::array<Maker, 18> makers{{
     {{"scan", "a scanned creature: closed, smooth, with the noise of a scanner", 70'000,
       "faces, about"},
      80,
@@ -44,6 +44,11 @@ constexpr std::array<Maker, 17> makers{{
      1,
      400,
      sample::make_sphere},
+    {{"globe", "a globe in six charts, with a picture, its seams and colours", 32,
+      "cells along a side of a chart"},
+     1,
+     400,
+     sample::make_globe},
     {{"torus", "a smooth ring, unclassified", 80, "cells around the ring"},
      3,
      2000,
@@ -82,7 +87,7 @@ constexpr std::array<Maker, 17> makers{{
     {{"ball-in-box", "two materials of tetrahedra: a ball inside a cube, with their interface", 3,
       "layers of the ball", 3},
      1,
-     16,
+     20,
      sample::make_ball_in_box},
     {{"tet-bracket", "an L-shaped bracket of tetrahedra with a hole, fully classified", 4,
       "cells across the thickness", 3},

@@ -365,5 +365,33 @@ TEST_F(FieldsCommand, QuadsAreCutWhereThatIsAskedFor) {
   EXPECT_EQ(text("o2.msh"), text("o.msh"));
 }
 
+/// Materials and the picture lie beside an OBJ, and go along wherever it does.
+TEST_F(FieldsCommand, MaterialsAndPicturesGoAlong) {
+  ASSERT_EQ(aomd("sample globe g.obj --size 4").code, 0);
+  EXPECT_NE(aomd("info g.obj").out.find("  material \"globe\", picture \"globe.png\"\n"),
+            std::string::npos);
+  std::filesystem::create_directory(at("there"));
+  ASSERT_EQ(aomd("decimate g.obj there/d.obj --target-faces 100 --quiet").code, 0);
+  EXPECT_EQ(bytes_of(at("there/globe.png")), bytes_of(at("globe.png")));
+  EXPECT_EQ(bytes_of(at("there/g.mtl")), bytes_of(at("g.mtl")));
+  const auto list = nlohmann::json::parse(aomd("info there/d.obj --json").out)["materials"];
+  EXPECT_EQ(list, nlohmann::json::parse(
+                      R"([{"name":"globe","color":[1.0,1.0,1.0,1.0],"picture":"globe.png"}])"));
+}
+
+/// Standard output, wherever it leads, takes one file: nothing is put beside it.
+TEST_F(FieldsCommand, NothingLiesBesideStandardOutput) {
+  ASSERT_EQ(aomd("sample globe g.obj --size 2").code, 0);
+  const std::string text = aomd("convert g.obj - --format obj").out;
+  EXPECT_NE(text.find("mtllib g.mtl\n"), std::string::npos);
+  ASSERT_EQ(aomd("convert g.obj - --format ply").code, 0);
+  for (const char* name : {"/dev/g.mtl", "/dev/stdout.mtl", "/dev/globe.png", "/dev/stdout.bin"})
+    EXPECT_FALSE(std::filesystem::exists(name)) << name;
+  const auto known = aomd("convert g.obj - --format gltf --ascii");
+  EXPECT_NE(known.out.find(known.code == 0 ? "data:application/octet-stream;base64," : ""),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists("/dev/stdout.bin"));
+}
+
 }  // namespace
 }  // namespace aomd::test

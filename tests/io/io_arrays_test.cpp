@@ -4,6 +4,7 @@
 #include <bit>
 #include <functional>
 
+#include "core/io/formats.h"
 #include "core/io/held_arrays.h"
 #include "core/io/medit_solution.h"
 #include "core/io/stored_numbers.h"
@@ -131,6 +132,40 @@ MeshData for_obj_by_vertex() {
   return mesh;
 }
 
+/// Floats and small whole numbers; one face has no texture coordinates.
+MeshData for_gltf() {
+  MeshData mesh = strip();
+  const auto label = [&](const char* name, std::vector<double> values,
+                         std::vector<std::string> names) {
+    mesh.attributes.push_back({name, 2, 1, true, std::move(values)});
+    mesh.attributes.back().names = std::move(names);
+  };
+  label("group", {0, 0, 1, 1, 2}, {"wing left", "wing right", "tail"});
+  label("object", {0, 0, 0, 0, 0}, {"plane"});
+  label("material", {0, 0, 1, 1, 1}, {"steel", "glass"});
+  label("smoothing", {0, 0, 0, 2, 2}, {});
+  mesh.faces.classes = {{2, 1}, {2, 1}, {2, 2}, {2, 2}, {2, 3}};
+  mesh.attributes.push_back(array(mesh, "color", 0, 3, NumberType::UInt8, Meaning::Colour));
+  mesh.attributes.push_back(array(mesh, "color_1", 0, 4, NumberType::UInt16, Meaning::Colour));
+  mesh.attributes.push_back(array(mesh, "color_2", 0, 3, NumberType::Float32, Meaning::Colour));
+  mesh.attributes.push_back(array(mesh, "normal", 0, 3, NumberType::Float32, Meaning::Normal));
+  for (const int n : {1, 2, 3, 4, 9})
+    mesh.attributes.push_back(array(mesh, "c" + std::to_string(n), 0, n, NumberType::Float32));
+  for (const NumberType type :
+       {NumberType::Int8, NumberType::UInt8, NumberType::Int16, NumberType::UInt16})
+    mesh.attributes.push_back(
+        array(mesh, "t" + std::to_string(static_cast<int>(type)), 0, 1, type));
+  for (const int k : {0, 1}) {
+    Attribute uv{k == 0 ? "uv" : "uv_1", 2, 2, false, {}};
+    for (const double x : values_of(NumberType::Float32, 2 * mesh.faces.vertices.size()))
+      uv.values.push_back(uv.values.size() % 2 == 0 ? x : 1 - x);
+    uv.meaning = Meaning::Texture;
+    mesh.corners.push_back(std::move(uv));
+  }
+  std::fill_n(mesh.corners[0].values.begin() + 6, 6, std::nan(""));
+  return mesh;
+}
+
 /// Text knows doubles, and bytes for colours.
 MeshData for_off(bool binary) {
   MeshData mesh = strip();
@@ -225,6 +260,8 @@ const Case cases[] = {
     {"PlyText", "a.ply", false, for_ply},
     {"Obj", "a.obj", {}, for_obj},
     {"ObjByVertex", "a.obj", {}, for_obj_by_vertex},
+    {"GltfBinary", "a.glb", {}, for_gltf},
+    {"GltfText", "a.gltf", {}, for_gltf},
     {"OffText", "a.off", false, [] { return for_off(false); }},
     {"OffBinary", "a.off", true, [] { return for_off(true); }},
     {"StlColours", "a.stl", true, [] { return for_binary_stl(true); }},
@@ -259,7 +296,12 @@ void expect_equal(const Attribute& a, const Attribute& b) {
 
 class RoundTrip : public testing::TestWithParam<Case> {};
 
+bool can_write(const std::string& file) {
+  return file.find(".gl") == std::string::npos || io::detail::has_gltf();
+}
+
 TEST_P(RoundTrip, GivesBackEveryArray) {
+  if (!can_write(GetParam().file)) GTEST_SKIP() << "built without glTF";
   const MeshData mesh = GetParam().make();
   const TemporaryFolder folder;
   const auto path = folder / GetParam().file;
@@ -281,8 +323,9 @@ TEST_P(RoundTrip, GivesBackEveryArray) {
 /// In every other format what has no place there is named, and nothing else.
 TEST_P(RoundTrip, OtherFormatsNameWhatTheyLack) {
   const MeshData mesh = GetParam().make();
-  for (const char* file :
-       {"o.ply", "o.obj", "o.off", "o.stl", "o.msh", "o.mesh", "o.vtk", "o.vtu"}) {
+  for (const char* file : {"o.ply", "o.obj", "o.off", "o.stl", "o.glb", "o.gltf", "o.msh", "o.mesh",
+                           "o.vtk", "o.vtu"}) {
+    if (!can_write(file)) continue;
     const io::Format format = io::format_for_writing(file);
     if (!mesh.regions.empty() && format < io::Format::Msh) continue;
     const io::EncodedMesh encoded = io::to_bytes(file, format, mesh, {.beside = false});

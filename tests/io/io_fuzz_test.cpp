@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/io/formats.h"
 #include "core/io/io.h"
 #include "core/samples/numeric.h"
 #include "core/samples/samples.h"
@@ -24,7 +25,8 @@ namespace aomd {
 namespace {
 
 /// In the order of the names in fuzz/io_fuzz.cpp, where one without an extension comes last.
-constexpr const char* formats[] = {"obj", "ply", "off", "stl", "msh", "mesh", "vtk", "vtu", "su2"};
+constexpr const char* formats[] = {"obj",  "ply", "off", "stl", "msh",
+                                   "mesh", "vtk", "vtu", "su2", "gltf"};
 constexpr std::size_t format_count = std::size(formats);
 
 /// What reading may hold at once, and ask for altogether, for a file of this size.
@@ -114,6 +116,33 @@ void add_volume_seeds(Seeds& seeds) {
       "MARKER_ELEMS= 1\n3 0 1\nFFD_NBOX= 1\n0 0\n");
 }
 
+/// Whether a format is there to be damaged.
+bool is_built_in(std::size_t format) {
+  return formats[format] != std::string("gltf") || io::detail::has_gltf();
+}
+
+/// Both containers, with arrays, seams, pictures, places and sparse accessors.
+void add_gltf_seeds(Seeds& seeds) {
+  MeshData mesh = make_sample("box", 1);
+  mesh.edges.add(Shape::Line, {0, 1});
+  mesh.attributes = {{"u", 0, 1, true, std::vector<double>(mesh.positions.size(), 7)}};
+  mesh.corners = {{"uv", 2, 2, false, std::vector<double>(2 * mesh.faces.vertices.size(), 0.5)}};
+  mesh.corners[0].meaning = Meaning::Texture;
+  mesh.corners[0].values[3] = 0.25;
+  mesh.appearance.pictures = {{"p", "\x89PNG"}};
+  mesh.appearance.materials = {{.name = "m", .picture = 0}};
+  for (const char* file : {"a.glb", "a.gltf"})
+    add(seeds, "gltf", io::to_bytes(file, io::Format::Gltf, mesh, {.beside = false}).bytes);
+  add(seeds, "gltf",
+      R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"matrix":)"
+      R"([1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]},{"mesh":0,"scale":[1,-1,2],"rotation":[0,0,0,1]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5}]}],"accessors":[{)"
+      R"("componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,"indices":{)"
+      R"("bufferView":0,"componentType":5121},"values":{"bufferView":1}}}],"bufferViews":[{)"
+      R"("buffer":0,"byteLength":4},{"buffer":0,"byteOffset":4,"byteLength":24}],"buffers":[{)"
+      R"("byteLength":28,"uri":"data:;base64,AQIAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA=="}]})");
+}
+
 Seeds all_seeds() {
   Seeds seeds;
   const MeshData box = make_sample("box", 1);
@@ -151,6 +180,7 @@ Seeds all_seeds() {
       ".5 .5\n$EndParametricNodes\n$Elements\n1\n1 2 2 7 1 1 2 3\n$EndElements\n$Periodic\n1\n0 1 "
       "2\n"
       "Affine 1 0\n1\n1 2\n$EndPeriodic\n");
+  if (io::detail::has_gltf()) add_gltf_seeds(seeds);
   add(seeds, "off", "OFF\n6 1 0\n0 0 0\n2 0 0\n2 2 0\n1 1 0\n0 2 0\n0 1 0\n6 0 1 2 3 4 5\n");
   add(seeds, "obj",
       "mtllib m\ng a b\nusemtl x\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nf 1/1/1 2//2 3/3 "
@@ -232,6 +262,7 @@ void read(std::size_t name, const std::string& bytes) {
 class Fuzz : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Fuzz, DamagedFilesAreRefusedOrRead) {
+  if (!is_built_in(GetParam())) GTEST_SKIP() << "built without glTF";
   const std::vector<std::string> files = all_seeds()[GetParam()];
   Random random;
   for (int round = 0; round < 60'000 && !HasFailure(); ++round) {
@@ -242,15 +273,15 @@ TEST_P(Fuzz, DamagedFilesAreRefusedOrRead) {
 }
 
 TEST_P(Fuzz, LargerFilesStayInProportion) {
+  if (!is_built_in(GetParam())) GTEST_SKIP() << "built without glTF";
   const std::string format = formats[GetParam()];
   const bool volume = format == "su2" || format == "vtu" || format == "mesh";
   const MeshData mesh = volume ? make_sample("tet-box", 7) : make_sample("scan", 3000);
   for (const bool binary : {false, true}) {
-    const test::TemporaryFolder folder;
-    const std::filesystem::path path = folder / ("a." + format).c_str();
-    io::write(path, mesh, {.binary = binary});
-    const std::string file = test::bytes_of(path);
-    EXPECT_GT(file.size(), 40'000u);
+    const std::string name = format == "gltf" && binary ? "a.glb" : "a." + format;
+    const io::WriteOptions how{.binary = binary, .beside = false};
+    const std::string file = io::to_bytes(name, io::format_for_writing(name), mesh, how).bytes;
+    EXPECT_GT(file.size(), 30'000u);
     Random random;
     for (int round = 0; round < 100 && !HasFailure(); ++round)
       read(GetParam(), mutated(file, random));
@@ -258,6 +289,7 @@ TEST_P(Fuzz, LargerFilesStayInProportion) {
 }
 
 TEST_P(Fuzz, EveryPrefixIsRefusedOrRead) {
+  if (!is_built_in(GetParam())) GTEST_SKIP() << "built without glTF";
   const std::vector<std::string> files = all_seeds()[GetParam()];
   for (const std::string& file : files) {
     for (std::size_t size = 0; size <= file.size(); ++size)

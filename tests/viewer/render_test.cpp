@@ -103,6 +103,46 @@ INSTANTIATE_TEST_SUITE_P(Headless, Render,
                            return test.param == app::HeadlessKind::OsMesa ? "OSMesa" : "EGL";
                          });
 
+io::Image four_colors() {
+  io::Image four(2, 2);
+  constexpr std::uint8_t colors[4][4] = {
+      {250, 0, 0, 255}, {0, 250, 0, 255}, {0, 0, 250, 255}, {250, 250, 0, 255}};
+  for (int i = 0; i < 4; ++i) std::copy_n(colors[i], 4, four.pixel(i % 2, i / 2));
+  return four;
+}
+
+/// The colour in the middle of a white sphere whose faces all show one place of a picture.
+glm::ivec3 shown_at(Stage& stage, glm::vec2 place, std::uint32_t picture,
+                    const io::Image& image_on_it = four_colors()) {
+  scene::Drawable sphere = round_thing(24, false);
+  for (scene::Corner& corner : sphere.corners.edit(0, sphere.corners.size())) {
+    corner.color = scene::rgb(0xffffff);
+    corner.flags = picture << scene::picture_shift;
+  }
+  sphere.places.assign(std::vector<glm::vec2>(sphere.corners.size(), place));
+  sphere.pictures = std::make_shared<const scene::Pictures>(scene::Pictures{{image_on_it}, {}});
+  render::RenderSettings settings;
+  settings.light = settings.show_edges = false;
+  const io::Image image = stage.picture(sphere, settings);
+  const std::uint8_t* const pixel = image.pixel(picture_size.x / 2, picture_size.y / 2);
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST_P(Render, PicturesLieOnFacesAndAreCountedUpwards) {
+  EXPECT_EQ(shown_at(*stage_, {0.25f, 0.75f}, 1), glm::ivec3(250, 0, 0));
+  EXPECT_EQ(shown_at(*stage_, {0.75f, 0.75f}, 1), glm::ivec3(0, 250, 0));
+  EXPECT_EQ(shown_at(*stage_, {0.25f, 0.25f}, 1), glm::ivec3(0, 0, 250));
+  EXPECT_EQ(shown_at(*stage_, {-3.25f, 2.25f}, 1), glm::ivec3(250, 250, 0)) << "repeated";
+  EXPECT_EQ(shown_at(*stage_, {0.25f, 0.25f}, 0), glm::ivec3(255, 255, 255)) << "without one";
+}
+
+TEST_P(Render, PicturesLargerThanAnyCardTakesAreMadeSmaller) {
+  io::Image wide(1 << 17, 3);
+  for (std::size_t i = 0; i < wide.rgba.size(); ++i)
+    wide.rgba[i] = std::array<std::uint8_t, 4>{40, 80, 120, 255}[i % 4];
+  EXPECT_EQ(shown_at(*stage_, {0.25f, 0.25f}, 1, wide), glm::ivec3(40, 80, 120));
+}
+
 TEST_P(Render, ShowsSomethingInTheMiddleAndBackgroundAround) {
   scene::Drawable nothing;
   const io::Image empty = stage_->picture(nothing);

@@ -95,10 +95,14 @@ void look_at_volume(const Mesh& mesh, Checked& result) {
   result.volume = volume_json(complex, quality);
 }
 
-Checked checked(const CheckArguments& options, const MeshData& data) {
+// `turned` are the regions that were renumbered when the file was read.
+Checked checked(const CheckArguments& options, const MeshData& data,
+                const std::vector<std::uint32_t>& turned = {}) {
   const Mesh mesh(data);
   Checked result;
   result.mesh = verify(mesh, {options.unused});
+  for (const std::uint32_t region : turned)
+    result.mesh.push_back({"inverted region", Region(region), "the file lists it inside out"});
   look_at_volume(mesh, result);
   look_at_surface(options, data, mesh, result);
   return result;
@@ -136,7 +140,8 @@ Json json_of(const CheckArguments& options, const Checked& result) {
 }
 
 int run(const CheckArguments& options) {
-  const Checked result = checked(options, read_mesh(options.file).mesh);
+  const io::ReadResult read = read_mesh(options.file);
+  const Checked result = checked(options, read.mesh, read.turned);
   if (options.json)
     std::cout << text_of(json_of(options, result), options.in_one_line);
   else

@@ -25,14 +25,14 @@ Json counted_json(const std::string& file, const MeshData& mesh) {
 }
 
 /// The mesh in tetrahedra; a note says what was cut.
-MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
-  SplitToTets split = split_to_tets(mesh);
+MeshData in_tetrahedra(const ConvertArguments& options, MeshData mesh) {
+  SplitToTets split = split_to_tets(std::move(mesh));
   std::vector<std::string> notes;
   if (const std::string text = split.text(); !text.empty())
     notes.emplace_back("cut " + text);
   else
-    notes.emplace_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
-  if (split.turned > 0) notes.push_back(counted(split.turned, "region") + " inside out, turned");
+    notes.emplace_back(split.mesh.regions.empty() ? "has no regions to cut"
+                                                  : "nothing but tetrahedra");
   if (split.inverted > 0)
     notes.push_back(counted(split.inverted, "tetrahedron") +
                     " of regions that are not convex without positive volume");
@@ -46,7 +46,7 @@ int run(const ConvertArguments& options) {
   check_files({{"IN", options.input}}, outputs);
   io::ReadResult read = read_mesh(options.input);
   const Json before = options.json ? counted_json(options.input, read.mesh) : Json();
-  if (options.split_to_tets) read.mesh = in_tetrahedra(options, read.mesh);
+  if (options.split_to_tets) read.mesh = in_tetrahedra(options, std::move(read.mesh));
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
@@ -69,10 +69,11 @@ void add_convert(CLI::App& app, Action& action) {
       ->required()
       ->check(not_empty());
   command
-      ->add_option("OUT", batch->output,
-                   "Where to write it: .obj, .ply, .off, .stl; with regions .msh, .mesh, .vtk, "
-                   ".vtu or .su2; - is "
-                   "standard output")
+      ->add_option(
+          "OUT", batch->output,
+          "Where to write it: .obj, .ply, .off, .stl, .gltf, .glb; with regions .msh, .mesh, .vtk, "
+          ".vtu or .su2; - is "
+          "standard output")
       ->required()
       ->check(not_empty());
   add_folder(*command, *batch);

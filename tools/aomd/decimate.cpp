@@ -1,5 +1,6 @@
 // aomd decimate: read, classify, decimate, check, write, report.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -28,6 +29,7 @@
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
 #include "tools/aomd/attribute_weights.h"
+#include "tools/aomd/block_input.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
 #include "tools/aomd/decimate_batch.h"
@@ -46,6 +48,8 @@
 namespace aomd::cli {
 namespace {
 
+constexpr const char* about = "Makes a mesh coarser and writes it";
+
 void leave_as_it_is(DecimationOptions& steps) {
   steps.target_faces = no_index;
   steps.swap = steps.smooth = false;
@@ -61,8 +65,9 @@ std::vector<NamedFile> beside_mesh(std::vector<NamedFile> files) {
 class Run {
  public:
   /// With a listener the mesh is in memory.
-  explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
+  Run(const DecimateOptions& options, Exchange& exchange, const Listener* listener = nullptr)
       : options_(options),
+        exchange_(exchange),
         listener_(listener),
         progress_(listener ? Progress(listener->progress)
                            : Progress(options.quiet || options.one_of_several)),
@@ -73,6 +78,7 @@ class Run {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
+    if (exchange_.rank() > 0) return help();
     read();
     meet_target();
     check();
@@ -95,6 +101,12 @@ class Run {
   }
 
  private:
+  // Of one that is not the first of those who share the blocks.
+  int help() {
+    if (options_.blocks > 1) static_cast<void>(read_in_blocks(options_, exchange_, progress_));
+    return done;
+  }
+
   // All notes of a run pass here: to whoever listens, else to standard error.
   void print_notes(const std::string& file, const std::vector<std::string>& notes) const {
     if (listener_ == nullptr) return cli::print_notes(file, notes);
@@ -102,11 +114,24 @@ class Run {
   }
 
   void read() {
+    if (options_.blocks > 1) return read_blocks();
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
     note(options_.input, read.notes);
     own_ = std::move(read.mesh);
+    take(own_);
+  }
+
+  // What is coarser already stands for the file.
+  void read_blocks() {
+    std::optional<CoarseSurface> input = read_in_blocks(options_, exchange_, progress_);
+    progress_.wipe();
+    note(options_.input, notes_of(*input));
+    steps_.original = std::move(input->samples);
+    own_ = std::move(input->mesh);
+    did_.in_blocks = InBlocks{input->vertices, input->faces};
+    lap("blocks");
     take(own_);
   }
 
@@ -220,16 +245,23 @@ class Run {
   void forget_regions() {
     const bool again = listener_ == nullptr && options_.input != "-" &&
                        std::filesystem::is_regular_file(options_.input);
-    if (options_.reach) return;
-    if (!again || !given().attributes.empty() || !given().periodic.empty()) return;
+    if (options_.reach || options_.triangulate) return;
+    if (!again || data_need_regions() || !given().periodic.empty()) return;
     own_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
+  }
+
+  // What Medit says of vertices, edges and faces is followed without the regions, or not at all.
+  [[nodiscard]] bool data_need_regions() const {
+    return std::any_of(
+        given().attributes.begin(), given().attributes.end(),
+        [](const Attribute& a) { return a.dimension == 3 || !a.name.starts_with("medit:"); });
   }
 
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    did_.target = options_.target_count(volume(), cells());
+    did_.target = options_.target_count(volume(), did_.in_blocks ? did_.in_blocks->faces : cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
@@ -402,7 +434,7 @@ class Run {
       const auto path = output_path(options_.output);
       encoded = io::to_bytes(path, format_, result_);
       io::add_mesh(files, path, encoded);
-      encoded.bytes = {}, encoded.solution = {};
+      encoded.bytes = {}, encoded.beside = {};
     }
     if (!options_.journal.empty())
       files.add(output_path(options_.journal),
@@ -417,7 +449,11 @@ class Run {
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
   }
 
+  // Where nothing was done all data stay, which regions have to be compared for.
   void carry_arrays(MeshData& result) {
+    const bool same_count = result.regions.size() == given().regions.size();
+    if (forgotten_ && same_count && !given().attributes.empty())
+      own_ = read_input(options_.input).mesh;
     io::CarriedAlong along = io::carry_along(given(), result, steps_.threads);
     did_.fields = std::move(along.fields);
     if (!did_.fields.empty()) lap("fields");
@@ -446,6 +482,7 @@ class Run {
   }
 
   const DecimateOptions& options_;
+  Exchange& exchange_;        ///< those who share the blocks
   const Listener* listener_;  ///< null: the mesh comes from a file and goes into one
   Progress progress_;
   io::Format format_ = io::Format::Ply;
@@ -472,18 +509,30 @@ class Run {
 }  // namespace
 
 Decimated decimate(const DecimateOptions& options, const MeshData& mesh, const Listener& listener) {
-  return Run(options, &listener).run(mesh);
+  NoExchange alone;
+  return Run(options, alone, &listener).run(mesh);
+}
+
+void add_shared_decimate(CLI::App& app, Action& action, Exchange& exchange) {
+  CLI::App* command = app.add_subcommand("decimate", about);
+  const auto o = std::make_shared<DecimateOptions>();
+  add_decimate_options(*command, *o);
+  command->callback(
+      [&action, &exchange, o] { action = [&exchange, o] { return Run(*o, exchange).run(); }; });
 }
 
 void add_decimate(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
+  CLI::App* command = app.add_subcommand("decimate", about);
   const auto o = std::make_shared<DecimateOptions>();
   const auto batch = std::make_shared<Batch>();
   add_decimate_options(*command, *o);
   add_batch_options(*command, *batch, *o);
   command->callback([&action, o, batch] {
     take_files(*batch, *o);
-    const auto work = [o](const BatchFile& file) { return Run(one_of_batch(*o, file)).run(); };
+    const auto work = [o](const BatchFile& file) {
+      NoExchange alone;
+      return Run(one_of_batch(*o, file), alone).run();
+    };
     action = writing(batch, work, beside_mesh(o->inputs()));
   });
 }

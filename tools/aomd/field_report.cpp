@@ -166,6 +166,30 @@ void print_arrays(std::ostream& out, const MeshData& mesh) {
   if (lines > most_arrays) out << "  and " << lines - most_arrays << " more; --json has all\n";
 }
 
+Json materials_json(const MeshData& mesh) {
+  const Appearance& looks = mesh.appearance;
+  Json json = Json::array();
+  for (const Material& m : looks.materials) {
+    json.push_back({{"name", m.name}, {"color", m.colour}});
+    if (m.picture < looks.pictures.size()) json.back()["picture"] = looks.pictures[m.picture].name;
+  }
+  return json;
+}
+
+void print_materials(std::ostream& out, const MeshData& mesh) {
+  const Appearance& looks = mesh.appearance;
+  const std::size_t shown_lines = std::min(looks.materials.size(), most_arrays);
+  for (std::size_t i = 0; i < shown_lines; ++i) {
+    const Material& m = looks.materials[i];
+    out << "  material " << shown(m.name);
+    if (m.picture < looks.pictures.size())
+      out << ", picture " << shown(looks.pictures[m.picture].name);
+    out << '\n';
+  }
+  if (shown_lines < looks.materials.size())
+    out << "  and " << looks.materials.size() - shown_lines << " more; --json has all\n";
+}
+
 Json differences_json(const std::vector<measure::FieldDifference>& list) {
   Json json = Json::array();
   for (const measure::FieldDifference& d : list)

@@ -21,6 +21,9 @@ void print_fields(std::ostream& out, const std::vector<fields::CarriedField>& li
 /// The arrays of a mesh by themselves: name, place, components, type and range.
 [[nodiscard]] Json arrays_json(const MeshData& mesh);
 void print_arrays(std::ostream& out, const MeshData& mesh);
+/// The same of materials and their pictures.
+[[nodiscard]] Json materials_json(const MeshData& mesh);
+void print_materials(std::ostream& out, const MeshData& mesh);
 
 /// What arrays of two meshes differ by; `extent` is what a share is of: "volume" or "area".
 [[nodiscard]] Json differences_json(const std::vector<measure::FieldDifference>& list);

@@ -100,6 +100,7 @@ void print(const std::string& file, const Facts& facts) {
   print(file, facts.mesh, facts.counts, facts.quality);
   if (facts.counts.regions > 0) print(facts.complex, facts.volume);
   print_arrays(std::cout, facts.data);
+  print_materials(std::cout, facts.data);
   for (const SurfaceFinding& finding : facts.dirt)
     if (finding.breaks != SurfaceProperty::Closed)
       std::cout << "  " << line_of(finding, file) << '\n';
@@ -117,6 +118,7 @@ Json json_of(const std::string& file, const Facts& facts, double read_seconds,
               {"peak", peak_bytes()}}},
             {"surface", surface_json(facts.dirt, file)},
             {"fields", arrays_json(facts.data)},
+            {"materials", materials_json(facts.data)},
             {"notes", notes}};
   add_volume_quality(json["quality"], facts.volume);
   if (facts.counts.regions > 0) json["volume"] = volume_json(facts.complex, facts.volume);

@@ -61,7 +61,8 @@ CLI::Option* add_format(CLI::App& command, std::string& format) {
   const auto check = [](const std::string& text) {
     return io::format_named(text)
                ? std::string()
-               : "must be obj, ply, off, stl, msh, mesh, vtk, vtu or su2, not " + shown(text);
+               : "must be obj, ply, off, stl, gltf, glb, msh, mesh, vtk, vtu or su2, not " +
+                     shown(text);
   };
   CLI::Option* option = command.add_option(
       "--format", format, "The format of OUT, whatever its name; needed where OUT is -");

@@ -4,6 +4,7 @@
 # collapses and without. Prints two tables.
 #   AOMD           the program (build/bin/aomd)
 #   MESHOPTIMIZER  the folder of the npm package meshoptimizer, to run its simplifyWithAttributes beside it (with node)
+#   VTK            the program aomd-peer-vtk-attributes (tools/bench/peers), which runs VTK's attribute metric beside it
 # Needs python3.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -33,6 +34,11 @@ meshoptimizer() {  # WEIGHT PATTERN
   row "meshoptimizer, weight $1" "$work/$2.ply" "$work/out.ply"
 }
 
+vtk() {  # WEIGHT PATTERN
+  "$VTK" "$work/$2.ply" "$faces" "$1" "$work/out.ply"
+  row "VTK, weight $1" "$work/$2.ply" "$work/out.ply"
+}
+
 for pattern in globe patches smooth; do
   python3 "$here/spheres.py" "$pattern" "$work/$pattern.ply"
   echo "## $pattern to $faces faces"
@@ -44,6 +50,9 @@ for pattern in globe patches smooth; do
   decimate "\`--regularity 0\`" "$pattern" --regularity 0
   if [ -n "${MESHOPTIMIZER:-}" ]; then
     for weight in 0 0.01 0.1 1; do meshoptimizer "$weight" "$pattern"; done
+  fi
+  if [ -n "${VTK:-}" ]; then
+    for weight in 0.001 0.01 0.1 1; do vtk "$weight" "$pattern"; done
   fi
 done
 

@@ -143,7 +143,8 @@ std::pair<MeshHandle, std::vector<std::string>> read_file(const std::filesystem:
 io::Format wanted_format(const std::string& name) {
   if (const auto format = io::format_named(name)) return *format;
   throw std::invalid_argument(
-      "format: must be obj, ply, off, stl, msh, mesh, vtk, vtu or su2, not " + shown(name));
+      "format: must be obj, ply, off, stl, gltf, glb, msh, mesh, vtk, vtu or su2, not " +
+      shown(name));
 }
 
 std::pair<MeshHandle, std::vector<std::string>> from_bytes(const std::string& bytes,

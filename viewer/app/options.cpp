@@ -64,9 +64,10 @@ void add_options(CLI::App& app, Raw& raw) {
   const std::map<std::string, scene::Theme> themes = {{"light", scene::Theme::Light},
                                                       {"dark", scene::Theme::Dark}};
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.add_option("FILE", raw.options.file,
-                 "The mesh to show: OBJ, PLY, OFF, STL, Gmsh MSH, Medit, VTK, VTU or SU2; a sample "
-                 "when none is given");
+  app.add_option(
+      "FILE", raw.options.file,
+      "The mesh to show: OBJ, PLY, OFF, STL, glTF, Gmsh MSH, Medit, VTK, VTU or SU2; a sample "
+      "when none is given");
   app.add_option("--model", raw.options.model,
                  "The CAD model that FILE lies on, as the command model: .step, .stp, .brep, "
                  ".iges, .igs or .geo")

@@ -4,10 +4,10 @@
 
 #include "core/base/text.h"
 #include "core/io/io.h"
-#include "core/io/left_out.h"
 #include "core/samples/samples.h"
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
+#include "viewer/document/whole_data.h"
 
 namespace aomd::scene {
 namespace {
@@ -38,6 +38,33 @@ void sample(Session& session, Arguments& arguments) {
   session.start_loading(std::move(request));
 }
 
+bool read_from_file(const Session& session) {
+  return !session.document().empty() && !session.document().content().file.empty();
+}
+
+/// A key: where there is nothing to read a word is enough.
+void reload(Session& session, Arguments& arguments) {
+  arguments.end();
+  if (!read_from_file(session)) {
+    session.status = "The present mesh was not read from a file";
+    return;
+  }
+  LoadRequest request;
+  request.file = session.document().content().file;
+  request.classify = session.document().classify_options();
+  session.view.dialog = Dialog::None;
+  session.start_loading(std::move(request));
+}
+
+void watch(Session& session, Arguments& arguments) {
+  const bool on = arguments.flag(session.watching());
+  arguments.end();
+  if (on && !read_from_file(session))
+    throw CommandError("the present mesh was not read from a file");
+  session.watch(on);
+  session.status = on ? "Watching " + session.document().content().name : "Not watching";
+}
+
 void model(Session& session, Arguments& arguments) {
   const std::string file = arguments.rest("a CAD file, or none");
   if (file == "none") {
@@ -52,33 +79,16 @@ void model(Session& session, Arguments& arguments) {
   session.status = "Model " + given.file.filename().string() + ": " + counts_text(given.counts);
 }
 
-/// Makes the arrays of the present mesh those that the operations have led to, and gives it what a
-/// Mesh does not hold; says what is left out.
-std::string carry_along(Document& document, MeshData& data) {
-  data.remarks = document.content().remarks;
-  if (document.journal().cursor() == 0) {
-    data.corners = document.content().corners;
-    return {};
-  }
-  if (data.attributes.empty() && document.content().corners.empty()) return {};
-  MeshData loaded =
-      document.can_look_back() ? to_data(document.copy_mesh_as_loaded().mesh()) : MeshData();
-  loaded.remarks = document.content().remarks;
-  loaded.corners = document.content().corners;
-  std::string text;
-  for (const std::string& note : io::carry_along(loaded, data).notes) text += "; " + note;
-  return text;
-}
-
 void save(Session& session, Arguments& arguments) {
   need_mesh(session);
   const std::filesystem::path file = expanded(arguments.rest("a file"));
-  MeshData data = to_data(session.document().mesh());
-  const std::string left_out = carry_along(session.document(), data);
-  const std::vector<std::string> notes = io::write(file, data);
+  const WholeData whole = whole_data(session.document());
+  const std::vector<std::string> notes = io::write(file, whole.data);
   session.document().mark_saved(file);
+  session.note_written(file);
   session.view.dialog = Dialog::None;
-  session.status = "Saved " + printable(file.string()) + left_out;
+  session.status = "Saved " + printable(file.string());
+  for (const std::string& note : whole.notes) session.status += "; " + note;
   for (const std::string& note : notes) session.status += ", " + note;
   // The question about unsaved work, if there was one, is answered.
   if (!session.asked.empty()) session.next_line = std::exchange(session.asked, {});
@@ -117,6 +127,20 @@ std::vector<Command> file_commands() {
        CommandGroup::File,
        open,
        {{"Ctrl+O", "dialog open"}}},
+      {"reload",
+       "",
+       "Reads the file of the present mesh again. The camera stays, as whenever a file is opened "
+       "that was shown before; so do clipping, shrinking and what is hidden.",
+       CommandGroup::File,
+       reload,
+       {{"F5", "reload"}}},
+      {"watch",
+       "[on|off|toggle]",
+       "In a window: reads the file of the present mesh again whenever it changes on disk. Where "
+       "that would lose unsaved work it says so instead.",
+       CommandGroup::File,
+       watch,
+       {}},
       {"sample",
        "NAME [SIZE]",
        "Makes one of the built-in meshes.",

@@ -11,6 +11,7 @@
 #include "core/io/notes.h"
 #include "core/mesh/verify.h"
 #include "core/samples/samples.h"
+#include "viewer/base/sort_once.h"
 #include "viewer/document/saved_work.h"
 
 namespace aomd::scene {
@@ -40,8 +41,8 @@ void remember_file_classes(LoadedMesh& loaded) {
 
 /// Scanners and modellers write y up, machine shops (STL) and engineers (volumes) z up.
 UpAxis usual_up_axis(io::Format format) {
-  const bool y =
-      format == io::Format::Ply || format == io::Format::Obj || format == io::Format::Off;
+  const bool y = format == io::Format::Ply || format == io::Format::Obj ||
+                 format == io::Format::Off || format == io::Format::Gltf;
   return y ? UpAxis::Y : UpAxis::Z;
 }
 
@@ -68,6 +69,18 @@ bool has_inner_faces(const Mesh& mesh, std::uint32_t listed) {
   return false;
 }
 
+void take_seams(const MeshData& data, LoadedMesh& loaded) {
+  const std::vector<fields::NamedSeams> seams = fields::named_seams(data);
+  loaded.classify_options.seams = fields::all_edges(seams);
+  for (const fields::NamedSeams& seam : seams) {
+    VertexSeams found{seam.array, {}};
+    for (const auto& [a, b] : seam.edges)
+      found.vertices.insert(found.vertices.end(), {Vertex(a), Vertex(b)});
+    sort_once(found.vertices);
+    if (!found.vertices.empty()) loaded.seams.push_back(std::move(found));
+  }
+}
+
 void prepare_surface(LoadedMesh& loaded) {
   loaded.classified = classify(loaded.mesh, loaded.classify_options);
   loaded.needs = request_for_drawing(loaded.mesh);
@@ -84,8 +97,9 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
   loaded->classify_options = options;
   loaded->corners = data.corners;
   loaded->remarks = data.remarks;
+  loaded->appearance = data.appearance;
   Mesh& mesh = loaded->mesh;
-  if (!loaded->volume()) loaded->classify_options.seams = fields::seams_of(data);
+  if (!loaded->volume()) take_seams(data, *loaded);
   if (!loaded->volume()) prepare_surface(*loaded);
   // Going through a volume takes its time and all its faces: only where the file says nothing.
   if (loaded->volume() && !data.classified()) loaded->classified = classify(mesh, options);
@@ -120,11 +134,13 @@ std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample,
                        request.classify);
+  const std::optional<FileStamp> stamp = stamp_of(request.file);
   io::ReadResult result = io::read(request.file);
   if (result.mesh.faces.empty() && result.mesh.regions.empty())
     throw io::ReadError(request.file.string(), {}, "there are no faces or regions in it");
   auto loaded = make_loaded(result.mesh, request.file.filename().string(), request.classify);
   loaded->file = request.file;
+  loaded->stamp = stamp;
   loaded->notes = std::move(result.notes);
   note_arrays_lost(result.mesh, *loaded);
   loaded->up = usual_up_axis(result.format);

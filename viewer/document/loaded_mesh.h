@@ -19,6 +19,7 @@
 #include "viewer/base/box.h"
 #include "viewer/base/up_axis.h"
 #include "viewer/document/drawing_needs.h"
+#include "viewer/document/file_watch.h"
 #include "viewer/document/load_request.h"
 #include "viewer/document/skin.h"
 
@@ -39,11 +40,18 @@ struct FacetedOriginal {
   std::unique_ptr<const DiscreteModel> model;
 };
 
+/// The vertices at which an array on corners has a seam, sorted.
+struct VertexSeams {
+  std::string array;
+  std::vector<Vertex> vertices;
+};
+
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
-  std::string name;            ///< "bunny.ply", or a sample's name
-  std::filesystem::path file;  ///< empty for a sample
-  LoadRequest source;          ///< what it was made from; names nothing for plain data
+  std::string name;                ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;      ///< empty for a sample
+  std::optional<FileStamp> stamp;  ///< of that file when reading began
+  LoadRequest source;              ///< what it was made from; names nothing for plain data
   std::optional<io::MeshFingerprint>
       start;                       ///< of the mesh as loaded, where the source asks for it
   UpAxis up = UpAxis::Z;           ///< what the source usually means by up
@@ -52,7 +60,9 @@ struct LoadedMesh {
   Mesh mesh;
   Journal journal;
   std::vector<Attribute> corners;  ///< what the file has on the corners of faces
-  std::vector<Remark> remarks;     ///< and what it says of the whole: a Mesh holds neither
+  std::vector<Remark> remarks;     ///< and what it says of the whole,
+  Appearance appearance;           ///< and of the looks of faces: a Mesh holds none of it
+  std::vector<VertexSeams> seams;  ///< of those that have one
   ClassifyOptions classify_options;
   ClassifyResult classified;
   /// Mean at each vertex as loaded; empty for quads, and for volumes before they are prepared.

@@ -38,6 +38,8 @@ void ReferenceDrawing::update(Document& document, const KeptRun* reference, cons
   }
   fields_.update(view.coloring, source, changes);
   drawing_.set_field(fields_.field());
+  texture_.update_reference(document, reference, view, changes.everything);
+  drawing_.set_texture(texture_.texture());
   drawing_.update(source.drawn(), view, changes);
 }
 

@@ -10,6 +10,7 @@
 #include "viewer/drawing/field_keeper.h"
 #include "viewer/drawing/skin_keeper.h"
 #include "viewer/drawing/surface_drawing.h"
+#include "viewer/drawing/texture_keeper.h"
 #include "viewer/drawing/view.h"
 
 namespace aomd::scene {
@@ -35,6 +36,7 @@ class ReferenceDrawing {
   std::optional<Skin> skin_;            ///< of a volume
   std::optional<SkinKeeper> skin_keeper_;
   FieldKeeper fields_;
+  TextureKeeper texture_;
   SurfaceDrawing drawing_;
 };
 

@@ -20,6 +20,7 @@
 #include "viewer/drawing/drawable.h"
 #include "viewer/drawing/edge_codes.h"
 #include "viewer/drawing/scalar_field.h"
+#include "viewer/drawing/surface_texture.h"
 #include "viewer/drawing/view.h"
 
 namespace aomd::scene {
@@ -74,6 +75,11 @@ class SurfaceDrawing {
   void recode(const Mesh& mesh, const std::vector<Edge>& edges);
   /// Numbers that give colours instead of model faces; null: none. Drawn from the next update on.
   void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
+  /// Pictures on faces instead of these colours; null: none. Drawn from the next update on.
+  void set_texture(std::shared_ptr<const SurfaceTexture> texture) { texture_ = std::move(texture); }
+  /// How open the surface lies at each vertex, by id: see openness.h; empty: fully. O(size).
+  void set_openness(const Mesh& mesh, std::vector<std::uint8_t> openness);
+  [[nodiscard]] bool has_openness() const { return !openness_.empty(); }
   /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and
   /// shrinks.
   void set_whole_faces(bool whole) { whole_faces_ = whole; }
@@ -100,6 +106,8 @@ class SurfaceDrawing {
     std::optional<ModelRef> highlighted;
     std::shared_ptr<const ScalarField> field;
     std::uint64_t field_version = 0;
+    std::shared_ptr<const SurfaceTexture> texture;
+    std::uint64_t texture_version = 0;
     std::shared_ptr<const EdgeCodes> edge_codes;
     std::optional<glm::dvec4> plane;  ///< behind it faces are hidden as a whole
     double shrink = 0;
@@ -114,6 +122,8 @@ class SurfaceDrawing {
   [[nodiscard]] static std::vector<std::uint32_t> pack_normals(const Mesh& mesh);
   void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
+  void draw_places();
+  void draw_places(Face face);
   void draw_edge(const Mesh& mesh, Edge edge);
   void draw_sides(const Mesh& mesh, Face face);
   void draw_vertex(const Mesh& mesh, Vertex vertex);
@@ -126,6 +136,11 @@ class SurfaceDrawing {
     return style_.highlighted == ref && ref.valid();
   }
   [[nodiscard]] Color color(ModelRef ref) const;
+  void find_rooms(const Mesh& mesh);
+  [[nodiscard]] Color dimmed(Color color, Vertex v) const {
+    if (v.index >= openness_.size()) return color;
+    return (color & 0x00ffffffu) | std::uint32_t{openness_[v.index]} << 24;
+  }
   [[nodiscard]] bool marked(Face face) const {
     return face.index < marked_faces_.size() && marked_faces_[face.index];
   }
@@ -141,9 +156,12 @@ class SurfaceDrawing {
   std::vector<std::uint32_t> face_flags_;
   std::shared_ptr<const EdgeCodes> edge_codes_;
   std::shared_ptr<const ScalarField> field_;
+  std::shared_ptr<const SurfaceTexture> texture_;
   bool whole_faces_ = true;
   std::vector<EntityRef> marked_;
-  std::vector<bool> marked_faces_;  ///< by id; empty: none
+  std::vector<bool> marked_faces_;      ///< by id; empty: none
+  std::vector<std::uint8_t> openness_;  ///< by vertex id; empty: 255
+  std::vector<float> rooms_;            ///< of model vertices, by vertex id: Disc::room
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

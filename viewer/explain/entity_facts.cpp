@@ -11,6 +11,7 @@
 #include "core/mesh/names.h"
 #include "core/model/model.h"
 #include "viewer/base/text.h"
+#include "viewer/explain/value_facts.h"
 
 namespace aomd::scene {
 namespace {
@@ -27,7 +28,7 @@ double degrees(double cosine) {
 
 AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
   const AdjacencyPath path = explain(mesh, e.dimension, level);
-  AdjacentLevel result{level, {}, path.kind == AdjacencyPath::Kind::Stored, true, path.text()};
+  AdjacentLevel result{level, {}, path.kind == AdjacencyPath::Kind::Stored, true, {}, path.text()};
   if (result.stored) result.how = "stored";
   const bool no_hash = path.by_hash && !mesh.hash(level).built();
   if (path.kind == AdjacencyPath::Kind::None || no_hash ||
@@ -38,6 +39,13 @@ AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
     return result;
   }
   adjacent(mesh, e, level, result.ids);
+  if (!result.stored) return result;
+  for (const std::uint32_t id : result.ids) {
+    if (e.dimension == 2 && level == 1)
+      result.forwards.push_back(mesh.use_direction(Face(e.index), Edge(id)));
+    if (e.dimension == 3 && level == 2)
+      result.forwards.push_back(mesh.use_direction(Region(e.index), Face(id)));
+  }
   return result;
 }
 
@@ -103,26 +111,6 @@ void add_vertex_facts(const Document& document, Vertex v, EntityFacts& result) {
   result.facts.emplace_back("Spacing", std::isfinite(wanted) ? significant(wanted) : "no limit");
 }
 
-template <typename H>
-void add_attached(const Mesh& mesh, H h, EntityFacts& result) {
-  for (const auto& column : mesh.attached(H::dimension)) {
-    const std::string& name = column->name();
-    if (const auto* number = mesh.find_attached<H, double>(name))
-      result.facts.emplace_back(name, significant((*number)[h]));
-    else if (const auto* whole = mesh.find_attached<H, std::int64_t>(name))
-      result.facts.emplace_back(name, std::to_string((*whole)[h]));
-    else if (const auto* vector = mesh.find_attached<H, glm::dvec3>(name))
-      result.facts.emplace_back(name, point_text((*vector)[h]));
-  }
-}
-
-void add_attached(const Mesh& mesh, EntityRef e, EntityFacts& result) {
-  if (e.dimension == 0) add_attached(mesh, Vertex(e.index), result);
-  if (e.dimension == 1) add_attached(mesh, Edge(e.index), result);
-  if (e.dimension == 2) add_attached(mesh, Face(e.index), result);
-  if (e.dimension == 3) add_attached(mesh, Region(e.index), result);
-}
-
 std::string mark(CheckResult::State state) {
   return state == CheckResult::State::Passed   ? "yes"
          : state == CheckResult::State::Failed ? "NO"
@@ -145,6 +133,11 @@ std::string judgement_text(const EntityVerdict& j) {
 
 }  // namespace
 
+std::string adjacent_text(const AdjacentLevel& level, std::size_t which) {
+  const std::string id = std::to_string(level.ids[which]);
+  return level.forwards.empty() ? id : (level.forwards[which] ? "+" : "-") + id;
+}
+
 std::string entity_title(EntityRef e) { return capitalized(name_of(e)); }
 
 std::string entity_label(EntityRef e) {
@@ -164,7 +157,7 @@ EntityFacts entity_facts(const Document& document, EntityRef e) {
   if (e.dimension == 1) add_edge_facts(document, e, result);
   if (e.dimension == 2) add_face_facts(mesh, e, result);
   if (e.dimension == 3) add_region_facts(mesh, Region(e.index), result);
-  add_attached(mesh, e, result);
+  add_value_facts(document, e, result.facts);
   return result;
 }
 
@@ -174,7 +167,7 @@ std::string entity_facts_text(const EntityFacts& inspection, const EntityVerdict
   for (const AdjacentLevel& level : inspection.adjacent) {
     text += capitalized(entity_plural(level.level));
     if (level.known) text += " " + std::to_string(level.ids.size()) + ":";
-    for (const std::uint32_t id : level.ids) text += " " + std::to_string(id);
+    for (std::size_t i = 0; i < level.ids.size(); ++i) text += " " + adjacent_text(level, i);
     text += " (" + level.how + ")\n";
   }
   return judgement ? text + judgement_text(*judgement) : text;

@@ -1,5 +1,7 @@
 #include "viewer/explain/inquiry.h"
 
+#include "viewer/explain/seam_words.h"
+
 namespace aomd::scene {
 
 void Inquiry::hover(Document& document, const Hovered& at, bool busy) {
@@ -11,7 +13,9 @@ void Inquiry::hover(Document& document, const Hovered& at, bool busy) {
   hovered_verdict_.reset();
   if (e.dimension != 1 || busy || !document.judges_at_once()) return;
   hovered_verdict_ = judge(*document.build_decimation_to_judge(), document.mesh(), e);
-  if (hovered_verdict_) hovered_words_ = short_words(*hovered_verdict_);
+  if (!hovered_verdict_) return;
+  add_seam_words(document, *hovered_verdict_);
+  hovered_words_ = short_words(*hovered_verdict_);
 }
 
 std::size_t Inquiry::previewed_way(const View& view) const {
@@ -47,6 +51,7 @@ void Inquiry::update(Document& document, const Selection& selection, const View&
   const bool judges = document.answers_about(e) && !busy;
   if (Decimation* decimation = judges ? document.build_decimation_to_judge() : nullptr)
     verdict_ = judge(*decimation, document.mesh(), e);
+  if (verdict_) add_seam_words(document, *verdict_);
   facts_ = entity_facts(document, e);
 }
 

@@ -49,6 +49,7 @@ using GetProcAddress = GlFunction (*)(const char* name);
   X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
   X(PFNGLDEPTHMASKPROC, DepthMask)                                           \
   X(PFNGLDISABLEPROC, Disable)                                               \
+  X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray)             \
   X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
   X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                       \
   X(PFNGLDRAWELEMENTSBASEVERTEXPROC, DrawElementsBaseVertex)                 \
@@ -57,6 +58,7 @@ using GetProcAddress = GlFunction (*)(const char* name);
   X(PFNGLFINISHPROC, Finish)                                                 \
   X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)               \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                                         \
+  X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                 \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                               \
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                             \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                       \

@@ -18,6 +18,7 @@
 #include "viewer/drawing/picking.h"
 #include "viewer/drawing/reference_drawing.h"
 #include "viewer/drawing/skin_keeper.h"
+#include "viewer/drawing/texture_keeper.h"
 #include "viewer/explain/inquiry.h"
 #include "viewer/explain/verdict_keeper.h"
 
@@ -66,7 +67,11 @@ class Sheet {
     return !busy() && !comparison_ && !measurement_ && !verdicts_.pending();
   }
   /// The colours wait for nothing.
-  [[nodiscard]] bool coloured() const { return !fields_.pending(); }
+  [[nodiscard]] bool coloured() const {
+    return !fields_.pending() && !texture_.pending() && !openness_;
+  }
+  /// The pictures on the surface; null where none are shown.
+  [[nodiscard]] const SurfaceTexture* texture() const { return texture_.texture().get(); }
 
   /// Brings facts and drawings up to date. `undisturbed`: nothing else of the session goes on.
   /// Judging and measuring take about `budget`; without one all is done at once. O(what changed).
@@ -132,6 +137,9 @@ class Sheet {
   void draw_selection();
   void draw_hovered();
   [[nodiscard]] Shown shown() const;
+  [[nodiscard]] const Mesh& drawn_mesh() const;
+  void refresh_openness();
+  void refresh_ground();
 
   const View& view_;
   bool undisturbed_ = true;
@@ -152,6 +160,7 @@ class Sheet {
   std::chrono::steady_clock::time_point skin_due_{};  ///< while the mesh is on its way
   ReferenceDrawing reference_;
   FieldKeeper fields_;
+  TextureKeeper texture_;
   HistogramKeeper histograms_;
   VerdictKeeper verdicts_;
   Picker picker_;
@@ -162,6 +171,9 @@ class Sheet {
   StepSides drawn_sides_;
   std::uint64_t drawn_selection_ = 0;
   EntityRef drawn_hover_;
+  std::unique_ptr<Background<std::vector<std::uint8_t>>> openness_;
+  std::optional<HistoryPlace> openness_of_;  ///< what it is known of, or being worked out for
+  std::optional<std::pair<std::uint64_t, UpAxis>> ground_of_;  ///< revision of the surface
   std::vector<EntityRef> pointed_out_;
   bool points_anew_ = false;
 };

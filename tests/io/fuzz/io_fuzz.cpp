@@ -40,8 +40,8 @@ void check(const aomd::io::ReadResult& result) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  constexpr const char* names[] = {"f.obj",  "f.ply", "f.off", "f.stl", "f.msh",
-                                   "f.mesh", "f.vtk", "f.vtu", "f.su2", "f"};
+  constexpr const char* names[] = {"f.obj", "f.ply", "f.off", "f.stl",  "f.msh", "f.mesh",
+                                   "f.vtk", "f.vtu", "f.su2", "f.gltf", "f"};
   const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
     check(aomd::io::read_bytes(names[data[0] % std::size(names)], bytes));

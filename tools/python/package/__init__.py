@@ -70,7 +70,8 @@ class Mesh:
         return cls._of(*_aomd.from_bytes(data, name))
 
     def to_bytes(self, format: str, *, binary: bool | None = None) -> bytes:
-        """The bytes of a file: "ply", "obj", "off", "stl", "msh", "mesh", "vtk", "vtu" or "su2".
+        """The bytes of a file: "ply", "obj", "off", "stl", "glb", "gltf", "msh", "mesh", "vtk",
+        "vtu" or "su2".
 
         Raises WriteError for what the format cannot hold, ValueError for another format.
         """

@@ -54,7 +54,8 @@ class Mesh:
         """From the bytes of a file; `name` stands in messages. Raises as `read` does."""
 
     def to_bytes(self, format: str, *, binary: bool | None=None) -> bytes:
-        """The bytes of a file: "ply", "obj", "off", "stl", "msh", "mesh", "vtk", "vtu" or "su2".
+        """The bytes of a file: "ply", "obj", "off", "stl", "glb", "gltf", "msh", "mesh", "vtk",
+        "vtu" or "su2".
 
         Raises WriteError for what the format cannot hold, ValueError for another format.
         """
