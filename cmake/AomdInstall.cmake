@@ -19,6 +19,10 @@ if(TARGET aomd_shared)
     LIBRARY COMPONENT runtime NAMELINK_COMPONENT library)
   list(APPEND exported shared)
 endif()
+if(TARGET aomd_scene)
+  install(TARGETS aomd_scene EXPORT aomd-scene-targets COMPONENT library)
+  list(APPEND exported scene)
+endif()
 foreach(component IN LISTS exported)
   install(EXPORT aomd-${component}-targets NAMESPACE aomd::
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aomd COMPONENT library)
@@ -37,9 +41,14 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/aomd.pc
 if(TARGET aomd_python)
   set(AOMD_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python packages go, below the prefix")
   install(TARGETS aomd_python LIBRARY DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
-  foreach(file __init__.py __init__.pyi options.py py.typed)
+  foreach(file __init__.py __init__.pyi options.py py.typed pytest_plugin.py)
     install(FILES tools/python/package/${file} DESTINATION ${AOMD_PYTHON_DIR}/aomd COMPONENT python)
   endforeach()
+  get_target_property(interpreter aomd_python AOMD_PYTHON)
+  install(CODE "execute_process(COMMAND \"${interpreter}\" -B
+    \"${PROJECT_SOURCE_DIR}/tools/package/aomd_wheel.py\"
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${AOMD_PYTHON_DIR}\" COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT python)
 endif()
 
 if(AOMD_BUILD_VIEWER)

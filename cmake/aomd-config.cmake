@@ -1,10 +1,16 @@
-# find_package(aomd [COMPONENTS shared core]): the shared library aomd::shared and the archive
-# aomd::core. Both where none is named.
+# find_package(aomd [COMPONENTS shared core scene]): the shared library aomd::shared, the archive
+# aomd::core, and aomd::scene, sessions of the viewer without a window. core and shared where none is
+# named.
 include(CMakeFindDependencyMacro)
 set(aomd_wanted ${aomd_FIND_COMPONENTS})
 if(NOT aomd_wanted)
   set(aomd_wanted core shared)
 endif()
+if("scene" IN_LIST aomd_wanted)
+  list(PREPEND aomd_wanted core)
+  find_dependency(nlohmann_json)
+endif()
+list(REMOVE_DUPLICATES aomd_wanted)
 find_dependency(glm)
 if("core" IN_LIST aomd_wanted)
   find_dependency(JPEG)
@@ -14,6 +20,7 @@ if("core" IN_LIST aomd_wanted)
   find_dependency(Threads)
   find_dependency(ZLIB)
 endif()
+
 foreach(component IN LISTS aomd_wanted)
   include(${CMAKE_CURRENT_LIST_DIR}/aomd-${component}-targets.cmake
     OPTIONAL RESULT_VARIABLE aomd_${component}_FOUND)
@@ -22,6 +29,11 @@ set(aomd_FOUND TRUE)
 foreach(component IN LISTS aomd_FIND_COMPONENTS)
   if(aomd_FIND_REQUIRED_${component} AND NOT aomd_${component}_FOUND)
     set(aomd_FOUND FALSE)
-    set(aomd_NOT_FOUND_MESSAGE "aomd has no component ${component}: there are core and shared")
+    file(GLOB aomd_present ${CMAKE_CURRENT_LIST_DIR}/aomd-*-targets.cmake)
+    list(TRANSFORM aomd_present REPLACE ".*/aomd-(.*)-targets.cmake" "\\1")
+    list(JOIN aomd_present ", " aomd_present)
+    set(aomd_NOT_FOUND_MESSAGE "aomd has no component ${component} here: there are ${aomd_present}")
   endif()
 endforeach()
+unset(aomd_present)
+unset(aomd_wanted)

@@ -5,6 +5,7 @@ layout(location = 0) in vec3 a;
 layout(location = 1) in vec3 b;
 layout(location = 2) in vec4 color;
 layout(location = 3) in float thickness_px;  // a line's width or a disc's radius
+layout(location = 4) in float room;          // how far the next disc is; 0: whatever is there
 
 uniform mat4 view;
 uniform mat4 projection;
@@ -31,13 +32,15 @@ void main() {
   float half_width = thickness_px * half_width_per_thickness * pixel_scale;
   vec3 p = (view * vec4(a, 1.0)).xyz;
   vec3 q = (view * vec4(b, 1.0)).xyz;
+  float apart_px = room / (orthographic != 0 ? pixel_size : max(-p.z, near_depth) * pixel_size);
+  float crowded = room > 0.0 ? smoothstep(1.2, 2.4, apart_px / (half_width + outline_px * pixel_scale)) : 1.0;
   bool at_b = (gl_VertexID & 1) != 0;
-  stroke_color = color;
+  stroke_color = vec4(color.rgb, color.a * crowded);
   gl_ClipDistance[0] = dot(clip_plane, vec4(at_b ? b : a, 1.0));
   // What lies behind the eye has no place on the screen: cut the line at the near plane.
   float p_in = -p.z - near_depth;
   float q_in = -q.z - near_depth;
-  if (half_width <= 0.0 || (p_in < 0.0 && q_in < 0.0)) {
+  if (half_width <= 0.0 || crowded <= 0.0 || (p_in < 0.0 && q_in < 0.0)) {
     half_extent_px = vec2(0.0);
     place_px = vec2(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,6 +1,6 @@
 #version 330 core
 in vec3 eye_normal;
-in vec3 face_color;
+in vec4 face_color;  // its alpha: how much light from all sides comes here
 noperspective in vec3 corner_weight;
 flat in uint face_flags;
 in vec2 picture_place;
@@ -19,13 +19,14 @@ uniform vec3 code_colors[16];
 
 out vec4 color;
 
-// The key light is fixed to the camera, so that shape reads from every side.
-const vec3 key_direction = vec3(-0.369, 0.527, 0.766);
-const vec3 half_direction = vec3(-0.196, 0.280, 0.940);  // between the key light and the eye
-const vec3 fill_direction = vec3(0.873, -0.218, 0.436);
+uniform float strength;  // of the colour
+uniform vec3 key_direction;
+uniform vec3 half_direction;  // between the key light and the eye
+uniform vec3 fill_direction;
+uniform vec3 sky_direction;
 
-vec3 lit(vec3 base, vec3 n) {
-  float sky = 0.5 + 0.5 * n.y;
+vec3 lit(vec3 base, vec3 n, float open) {
+  float sky = 0.5 + 0.5 * dot(n, sky_direction);
   vec3 ambient = mix(vec3(0.29, 0.28, 0.275), vec3(0.43, 0.44, 0.46), sky);
   float key = max(dot(n, key_direction), 0.0);
   float fill = max(dot(n, fill_direction), 0.0);
@@ -36,8 +37,10 @@ vec3 lit(vec3 base, vec3 n) {
   gloss *= gloss;
   gloss *= gloss;
   gloss *= gloss;
-  vec3 light = ambient + key * vec3(0.60, 0.59, 0.57) + fill * vec3(0.17, 0.18, 0.20);
-  return base * light + vec3(0.045 * gloss) + 0.10 * rim * rim * rim * sky;
+  // What lies deep gets less of the sky, and some less of the lights, which are not small.
+  ambient *= open * open;
+  vec3 light = ambient + (key * vec3(0.60, 0.59, 0.57) + fill * vec3(0.17, 0.18, 0.20)) * open;
+  return base * light + (vec3(0.045 * gloss) + 0.10 * rim * rim * rim * sky) * open;
 }
 
 // How much of this pixel is covered by the face's edges, in [0,1].
@@ -71,12 +74,14 @@ void main() {
     return;
   }
   vec3 n = normalize(eye_normal);
-  vec3 base = show_edge_codes != 0 ? code_color() : face_color;
+  vec3 base = show_edge_codes != 0 ? code_color() : face_color.rgb * strength;
   if (picture > 0) {
     vec4 shown = texture(picture_colors, picture_place);
     base *= mix(vec3(1.0), shown.rgb, shown.a);
   }
-  if (!gl_FrontFacing) {
+  if ((face_flags & 16u) != 0u) {
+    if (n.z < 0.0) n = -n;
+  } else if (!gl_FrontFacing) {
     n = -n;
     // Stripes tell a back from a face of that colour, also to colour-blind eyes.
     float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / (10.0 * pixel_scale)));
@@ -84,6 +89,6 @@ void main() {
   }
   if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
   // Squares and roots stand in for the sRGB curve.
-  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n), 1.0)) : base;
+  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, face_color.a), 1.0)) : base;
   color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
 }

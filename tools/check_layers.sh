@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h"
+below_decimate="core/base core/mesh core/parts core/model core/fields core/io core/operators core/decimate/options.h core/decimate/counted_values.h core/decimate/quadric.h core/decimate/original_samples.h"
 below_session="viewer/base viewer/document viewer/drawing viewer/explain viewer/lessons"
 scene="$below_session viewer/session viewer/commands"
 declare -A may_include=(
@@ -16,13 +16,14 @@ declare -A may_include=(
   [core/io]="core/base core/mesh core/model core/fields core/io"
   [core/operators]="core/base core/mesh core/model core/fields core/io core/operators"
   [core/decimate]="core/base core/mesh core/model core/fields core/io core/operators core/decimate"
-  [core/decimate/curves]="$below_decimate core/decimate/quality/quadric.h core/decimate/curves"
+  [core/decimate/curves]="$below_decimate core/decimate/curves"
   [core/decimate/spacing]="$below_decimate core/decimate/spacing"
   [core/decimate/guard]="$below_decimate core/decimate/guard"
   [core/decimate/explain]="$below_decimate core/decimate/explain"
   [core/decimate/paper]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/paper"
   [core/decimate/quality]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/quality"
   [core/decimate/volume]="$below_decimate core/decimate/spacing core/decimate/guard core/decimate/explain core/decimate/curves core/decimate/loop.h core/decimate/quality core/decimate/volume"
+  [core/blocks]="core/base core/mesh core/parts core/model core/io core/decimate core/operators core/blocks"
   [core/measure]="core/base core/mesh core/model core/fields core/io core/measure"
   [core/repair]="core/base core/mesh core/model core/fields core/io core/repair"
   [core/samples]="core/base core/mesh core/model core/fields core/io core/samples"
@@ -40,6 +41,7 @@ declare -A may_include=(
   [viewer/ui]="core $scene viewer/render viewer/ui"
   [viewer/app]="core $scene viewer/suite viewer/render viewer/ui viewer/app"
   [tools/aomd]="core tools/aomd"
+  [tools/mpi]="core tools/aomd tools/mpi"
   [tools/python]="core viewer tools/aomd tools/python"
   [tools/bench]="core viewer tools/bench"
 )

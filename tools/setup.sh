@@ -9,10 +9,11 @@ aomd_packages=(build-essential cmake ninja-build pkg-config
   libglm-dev libtinyobjloader-dev libpng-dev libjpeg-dev libpugixml-dev libmuparser-dev zlib1g-dev libcgal-dev libcli11-dev nlohmann-json3-dev libgtest-dev
   libglfw3-dev libimgui-dev libstb-dev libtomlplusplus-dev libgl-dev libegl-dev libgl1-mesa-dri fonts-inter fonts-jetbrains-mono)
 # Used where the distribution has them: Mesa 25.1 dropped OSMesa, EGL then draws without a display; Gmsh reads CAD models;
-# tinygltf reads and writes glTF;
-# tests drive the real window on a screen of Xvfb; help2man makes manual pages; pybind11 and NumPy make `import aomd`.
+# tinygltf reads and writes glTF; tests drive the real window on a screen of Xvfb; help2man makes manual pages; pybind11
+# and NumPy make `import aomd`; MPI makes `aomd-mpi`.
 aomd_optional_packages=(libosmesa6-dev libgmsh-dev xvfb libxtst-dev help2man
-  libtinygltf-dev pybind11-dev python3-dev python3-numpy python3-pytest)
+  libtinygltf-dev pybind11-dev python3-dev python3-numpy python3-pytest
+  libopenmpi-dev openmpi-bin)
 
 aomd_fail() {
   echo "$(basename "$0"): $*" >&2

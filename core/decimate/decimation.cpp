@@ -212,6 +212,7 @@ double Decimation::progress() const { return loop_->progress(); }
 const std::vector<SweepStatistics>& Decimation::sweeps() const { return loop_->sweeps(); }
 double Decimation::spacing(Vertex v) const { return loop_->spacing(v); }
 Reason Decimation::last_refusal(Edge e) const { return loop_->last_refusal(e); }
+OriginalSamples Decimation::original() { return loop_->original(); }
 Verdict Decimation::judge(Edge edge, Vertex& deleted) { return loop_->judge(edge, deleted); }
 std::uint32_t Decimation::swap_pass() { return loop_->swap_pass(); }
 std::uint32_t Decimation::smooth_pass() { return loop_->smooth_pass(); }

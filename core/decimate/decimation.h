@@ -95,6 +95,10 @@ class Decimation {
   /// judges them by where the original's points lie, which it finds out after that.
   [[nodiscard]] std::optional<SwapOutlook> swap_outlook(Edge edge);
   [[nodiscard]] std::optional<MoveOutlook> move_outlook(Vertex v);
+  /// Of Quality on a surface: the points of the original that it holds, each with the face that is
+  /// nearest now, so that another decimation can go on from the mesh as it is
+  /// (DecimationOptions::original). Nothing for others. O(points).
+  [[nodiscard]] OriginalSamples original();
 
  private:
   void begin(const DecimationOptions& options);

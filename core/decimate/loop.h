@@ -69,6 +69,8 @@ class Loop {
   [[nodiscard]] virtual double spacing(Vertex v) const = 0;
   /// A guess in [0,1].
   [[nodiscard]] virtual double progress() const = 0;
+  /// What it knows of the surface that it started from; nothing where it holds no points.
+  [[nodiscard]] virtual OriginalSamples original() { return {}; }
 
   [[nodiscard]] const DecimationOptions& options() const { return options_; }
   [[nodiscard]] Phase phase() const { return phase_; }

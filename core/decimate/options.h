@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/decimate/counted_values.h"
+#include "core/decimate/original_samples.h"
 #include "core/mesh/column.h"
 #include "core/mesh/journal.h"
 #include "core/mesh/mesh.h"
@@ -82,9 +83,16 @@ struct DecimationOptions {
   /// Vertices (nonzero) that stay where they are, and so do faces between three of them; none: all
   /// may go.
   std::shared_ptr<const Column<Vertex, std::uint8_t>> keep = {};
+  /// Quality, of a surface: nothing collapses into vertices that are kept either. Without swaps no
+  /// edge between two of them is new then, and pieces of a surface fit together again where they
+  /// have been cut.
+  bool seal_kept = false;
   /// Quality, of a surface: numbers on its vertices, as it is when the decimation is made, that
   /// the result is to keep beside its shape; none: the shape alone counts.
   std::shared_ptr<const CountedValues> values = {};
+  /// Quality, of a surface: points of what the mesh, as it is when the decimation is made, stands
+  /// for already; none: the mesh is the original.
+  std::shared_ptr<const OriginalSamples> original = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
   /// mesh lies on (check_against) and outlive the decimation.
   const Model* model = nullptr;

@@ -19,6 +19,7 @@
 #include "core/io/output_target.h"
 #include "core/io/text_cursor.h"
 #include "core/io/text_file.h"
+#include "core/mesh/orient_regions.h"
 
 namespace aomd::io {
 namespace {
@@ -150,6 +151,20 @@ void refuse_foreign(const Source& source) {
   }
 }
 
+/// Regions that the file lists inside out are listed the other way round; a note counts them.
+void orient(ReadResult& result) {
+  result.turned = orient_regions(result.mesh);
+  std::array<std::size_t, builtin_shapes> counts{};
+  for (const std::uint32_t region : result.turned)
+    ++counts[static_cast<std::size_t>(result.mesh.regions.shapes[region])];
+  std::vector<std::string> words;
+  for (std::size_t shape = 0; shape < counts.size(); ++shape)
+    if (counts[shape] > 0)
+      words.push_back(counted(counts[shape], shape_template(static_cast<Shape>(shape)).name));
+  if (!words.empty())
+    result.notes.push_back(joined(words, " and ") + " listed inside out renumbered");
+}
+
 ReadResult read_source(const Source& source) {
   const auto named = format_of_name(source.name);
   const auto found = format_of_content(source);
@@ -164,6 +179,7 @@ ReadResult read_source(const Source& source) {
     result.notes.push_back("read as " + std::string(extension_of(*found)) +
                            ", which is what the content is");
   }
+  orient(result);
   result.notes = limited_lines(std::move(result.notes));
   return result;
 }

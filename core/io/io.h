@@ -1,6 +1,7 @@
 #pragma once
 // Reading and writing meshes: the format is chosen by content, then by extension.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,8 @@ struct ReadResult {
   /// One line each, printable, at most 20: "12 polygons triangulated", "left out: normals".
   std::vector<std::string> notes;
   bool whole = true;  ///< Medit: the mesh has all vertices and elements of the file as they are
+  /// The regions that the file lists inside out, ascending: their vertices were renumbered.
+  std::vector<std::uint32_t> turned{};
 };
 
 struct WriteOptions {
@@ -53,15 +56,16 @@ struct EncodedMesh {
 };
 
 /// Reads a mesh. Faces of more than 4 vertices become triangles, and quads too in OBJ, PLY, OFF and
-/// STL; regions keep their shapes and the orientation that the file gives them. Vertices that
-/// nothing uses are kept, nodes that only higher-order elements use are not. What follows the last
-/// face that is promised is passed over, and so are elements of PLY and lines of OBJ that we do not
-/// know; a note names them. Of several arrays of one name and dimension the later ones are
-/// renamed ("u (2)"). Faces lose repeated corners, and are dropped, as edges are, where
-/// fewer than 3 different ones (2 for edges) are left: a note counts them. A byte order mark means
-/// nothing. Cost: linear in the file; memory bounded by the file's size, whatever its header
-/// promises. Throws ReadError (missing, folder, empty, truncated, index out of range, NaN, repeated
-/// vertex in a region, unknown format) with line or byte, or LimitError.
+/// STL; regions keep their shapes, and those that the file lists inside out are renumbered
+/// (core/mesh/orient_regions.h). Vertices that nothing uses are kept, nodes that only higher-order
+/// elements use are not. What follows the last face that is promised is passed over, and so are
+/// elements of PLY and lines of OBJ that we do not know; a note names them. Of several arrays of
+/// one name and dimension the later ones are renamed ("u (2)"). Faces lose repeated corners, and
+/// are dropped, as edges are, where fewer than 3 different ones (2 for edges) are left: a note
+/// counts them. A byte order mark means nothing. Cost: linear in the file; memory bounded by the
+/// file's size, whatever its header promises. Throws ReadError (missing, folder, empty, truncated,
+/// index out of range, NaN, repeated vertex in a region, unknown format) with line or byte, or
+/// LimitError.
 [[nodiscard]] ReadResult read(const std::filesystem::path& path);
 
 /// Reads a mesh from bytes in memory, as read() does. `name` stands in messages; its extension

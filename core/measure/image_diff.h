@@ -1,5 +1,5 @@
 #pragma once
-// How far one picture is from another as a whole: for `aomd image-diff`. What is to be the same
+// How far one picture is from another as a whole: figures for people. Whether it is the same
 // picture is judged by core/measure/picture_verdict.
 
 #include <cstddef>

@@ -94,7 +94,9 @@ void count_volume_faces(const Mesh& mesh, Counts& counts) {
 double signed_volume(const Mesh& mesh, Region r) {
   VertexBuffer buffer;
   const auto v = mesh.vertices_of(r, buffer);
-  const glm::dvec3 origin = mesh.position(Vertex(v[0]));
+  const auto at = [&](std::size_t i) { return mesh.position(Vertex(v[i])); };
+  if (mesh.shape(r) == Shape::Tetrahedron) return six_volumes(at(0), at(1), at(2), at(3)) / 6;
+  const glm::dvec3 origin = at(0);
   const ShapeTemplate& shape = shape_template(mesh.shape(r));
   double sum = 0;
   for (int k = 0; k < shape.face_count; ++k) {
@@ -104,24 +106,12 @@ double signed_volume(const Mesh& mesh, Region r) {
   return sum / 6;
 }
 
-namespace {
-
-double volume_of(const Mesh& mesh, Region r) {
-  if (mesh.shape(r) != Shape::Tetrahedron) return signed_volume(mesh, r);
-  VertexBuffer buffer;
-  const auto v = mesh.vertices_of(r, buffer);
-  const auto at = [&](std::size_t i) { return mesh.position(Vertex(v[i])); };
-  return six_volumes(at(0), at(1), at(2), at(3)) / 6;
-}
-
-}  // namespace
-
 std::vector<RegionVolume> region_volumes(const Mesh& mesh) {
   std::map<ModelRef, RegionVolume> found;
   for (const Region r : mesh.regions()) {
     RegionVolume& all = found[mesh.classification(r)];
     ++all.regions;
-    all.volume += volume_of(mesh, r);
+    all.volume += signed_volume(mesh, r);
   }
   std::vector<RegionVolume> list;
   for (auto& [model, all] : found) {

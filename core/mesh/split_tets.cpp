@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/text.h"
+#include "core/mesh/orient_regions.h"
 #include "core/mesh/side_index.h"
 
 namespace aomd {
@@ -100,28 +101,12 @@ class Splitter {
     });
   }
 
-  void add_tetrahedron(Corners v) {
-    const bool turn = volume(from_, v) < 0;
-    if (turn) std::swap(v[0], v[1]);
-    result_.turned += turn;
-    add_piece(3, Shape::Tetrahedron, v);
-  }
-
-  // The pieces of a region that the file turned inside out are turned back.
   void add_region(Shape shape, Vertices v) {
-    if (shape == Shape::Tetrahedron) return add_tetrahedron({v[0], v[1], v[2], v[3]});
-    pieces_.clear();
-    double whole = 0;
+    if (shape == Shape::Tetrahedron) return add_piece(3, shape, v);
     each_tetrahedron(shape_template(shape), v, [&](const Corners& corners) {
-      pieces_.push_back({corners, volume(from_, corners)});
-      whole += pieces_.back().volume;
+      result_.inverted += !(volume(from_, corners) > 0);
+      add_piece(3, Shape::Tetrahedron, corners);
     });
-    result_.turned += whole < 0;
-    for (Piece& piece : pieces_) {
-      result_.inverted += !(whole < 0 ? piece.volume < 0 : piece.volume > 0);
-      if (whole < 0) std::swap(piece.corners[0], piece.corners[1]);
-      add_piece(3, Shape::Tetrahedron, piece.corners);
-    }
   }
 
   void take(const Attribute& a) {
@@ -135,25 +120,20 @@ class Splitter {
         for (std::size_t k = 0; k < n; ++k) pieces.values.push_back(a.values[n * i + k]);
   }
 
-  struct Piece {
-    Corners corners;
-    double volume;
-  };
-
   const MeshData& from_;
-  std::vector<Piece> pieces_;  ///< of one region
   SplitToTets result_;
   std::array<std::vector<std::size_t>, 4> begin_;  ///< by level: the first piece of each entity
 };
 
 }  // namespace
 
-SplitToTets split_to_tets(const MeshData& mesh) {
+SplitToTets split_to_tets(MeshData mesh) {
   if (mesh.regions.empty()) {
     SplitToTets same;
-    same.mesh = mesh;
+    same.mesh = std::move(mesh);
     return same;
   }
+  orient_regions(mesh);
   return Splitter(mesh).run();
 }
 

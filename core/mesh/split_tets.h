@@ -14,7 +14,6 @@ struct SplitToTets {
   MeshData mesh;
   std::array<std::size_t, max_shapes> cut{};     ///< entities cut into pieces, indexed by Shape
   std::array<std::size_t, max_shapes> pieces{};  ///< what those of each shape became
-  std::size_t turned = 0;    ///< regions that were inside out; their pieces are not
   std::size_t inverted = 0;  ///< pieces without positive volume: of regions that are not convex
 
   /// "8 hexahedra into 48 tetrahedra, 34 quads into 68 triangles"; empty where nothing was cut.
@@ -26,8 +25,8 @@ struct SplitToTets {
 /// agree, and a region becomes the tetrahedra between its smallest vertex and the triangles of the
 /// sides that do not have it ("pulling"; J. Dompierre, P. Labbe, M.-G. Vallet, R. Camarero, How to
 /// subdivide pyramids, prisms and hexahedra into tetrahedra, 8th Meshing Roundtable, 1999). Pieces
-/// stand where the whole stood, with its class and its attributes. Tetrahedra that are inside out
-/// are turned. A mesh without regions stays as it is. O(size).
-[[nodiscard]] SplitToTets split_to_tets(const MeshData& mesh);
+/// stand where the whole stood, with its class and its attributes. Regions that are listed inside
+/// out are renumbered before. A mesh without regions stays as it is. O(size).
+[[nodiscard]] SplitToTets split_to_tets(MeshData mesh);
 
 }  // namespace aomd

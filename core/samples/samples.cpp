@@ -87,7 +87,7 @@ constexpr std::array<Maker, 18> makers{{
     {{"ball-in-box", "two materials of tetrahedra: a ball inside a cube, with their interface", 3,
       "layers of the ball", 3},
      1,
-     16,
+     20,
      sample::make_ball_in_box},
     {{"tet-bracket", "an L-shaped bracket of tetrahedra with a hole, fully classified", 4,
       "cells across the thickness", 3},

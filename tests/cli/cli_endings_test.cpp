@@ -103,6 +103,25 @@ TEST_F(Endings, ByCtrlCLeaveAllOldOrAllNew) { expect_whole_after(SIGINT); }
 TEST_F(Endings, BySigtermLeaveAllOldOrAllNew) { expect_whole_after(SIGTERM); }
 TEST_F(Endings, BySighupLeaveAllOldOrAllNew) { expect_whole_after(SIGHUP); }
 
+TEST_F(Endings, ByCtrlCOfABatchLeaveEachFileOldOrNew) {
+  sample("scan", "t.ply", 2000);
+  std::filesystem::create_directory(at("d"));
+  const std::array outputs = {"d/s.ply", "d/t.ply"};
+  words_ = {AOMD_PROGRAM, "decimate",       "--to", at("d"),  at("s.ply"),
+            at("t.ply"),  "--target-faces", "1500", "--jobs", "2"};
+  ASSERT_EQ(Child(words_, {}, "/dev/null").wait(), 0);
+  const std::array whole = {text(outputs[0]), text(outputs[1])};
+  for (int moment = 0; moment < moments; moment += 2) {
+    for (const char* each : outputs) put(each, "old");
+    const int code = ended_by(SIGINT, moment);
+    SCOPED_TRACE("moment " + std::to_string(moment) + ": " + text("log"));
+    EXPECT_TRUE(code == 0 || code == 130) << code;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      EXPECT_TRUE(text(outputs[i]) == whole[i] || (code != 0 && text(outputs[i]) == "old"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(at("d")), {}), 2);
+  }
+}
+
 TEST_F(Endings, ByKillLeaveWholeFilesAndWhatTheNextRunRemoves) {
   put_old();
   for (int moment = 0; moment < moments; ++moment) {

@@ -187,7 +187,9 @@ TEST_F(OutputCommand, NamesThatAreOddAreShownOnOneLine) {
 TEST_F(OutputCommand, WrongWordsAreNamedInTheOrderInWhichTheyStand) {
   expect_failure("classify a.ply b.ply --feature-angle off", 2,
                  "there is no option --feature-angle (aomd classify --help lists what there is)");
-  expect_failure("info a.ply b.ply c.ply", 2, "one argument too many: b.ply (aomd info --help");
+  expect_failure("compare a.ply b.ply c.ply", 2, "one argument too many: c.ply (aomd compare --");
+  expect_failure("convert a.ply b.ply c.ply", 2,
+                 "one argument too many: c.ply; several meshes go with --to DIR (aomd convert --");
   expect_failure("decimate a.ply b.ply --feature-angle", 2, "--feature-angle needs a value");
   expect_failure("sample box o.ply --size 1.5", 2,
                  "--size: must be a whole number between 1 and 2147483647, not 1.5");

@@ -91,14 +91,39 @@ TEST_F(VolumeWords, RepeatedTetrahedraAreRefused) {
   EXPECT_EQ(aomd("decimate once.mesh o.msh --coarsest").code, 0);
 }
 
+// The fifth vertex lies on the wrong side of the face that both have.
 TEST_F(VolumeWords, SomeThatStandInsideOutAreCounted) {
-  put("turned.mesh",
-      "MeshVersionFormatted 2\nDimension 3\nVertices\n8\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
-      "5 0 0 0\n6 0 0 0\n5 1 0 0\n5 0 1 0\nTetrahedra\n2\n1 2 3 4 1\n5 7 6 8 1\nEnd\n");
-  EXPECT_NE(said("decimate turned.mesh o.msh --coarsest")
-                .find("1 of 2 tetrahedra stand inside out or are flat, and may stay so: aomd check "
-                      "names them"),
-            std::string::npos);
+  put("tangled.mesh",
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+      "0.1 0.1 0.1 0\nTetrahedra\n2\n1 2 3 4 1\n1 3 2 5 1\nEnd\n");
+  EXPECT_EQ(
+      said("decimate tangled.mesh o.msh --coarsest"),
+      "aomd: note: tangled.mesh: 1 of 2 tetrahedra stand inside out or are flat, and may stay "
+      "so: aomd check names them\n");
+  const Outcome check = aomd("check tangled.mesh");
+  EXPECT_EQ(check.code, 1);
+  EXPECT_EQ(check.out,
+            "inverted region: region 1: its volume is zero or negative\n"
+            "tangled.mesh: 1 finding\n");
+}
+
+// The regions of such a file are let go of while it is decimated: their data are not.
+TEST_F(VolumeWords, WhatMeditSaysOfVerticesStaysWhereNothingIsDone) {
+  const std::string head = "MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n";
+  put("one.mesh", head +
+                      "4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 1\n"
+                      "Normals\n1\n0 0 -1\nNormalAtVertices\n1\n2 1\nEnd\n");
+  EXPECT_EQ(said("decimate one.mesh o.mesh --coarsest"), "");
+  const MeshData before = io::read(at("one.mesh")).mesh, after = io::read(at("o.mesh")).mesh;
+  ASSERT_EQ(before.attributes.size(), 1u);
+  EXPECT_EQ(after.attributes, before.attributes);
+  sample("tet-box", "box.mesh", 4);
+  std::string file = text("box.mesh");
+  put("box.mesh",
+      file.substr(0, file.rfind("End")) + "Normals\n1\n0 0 -1\nNormalAtVertices\n1\n2 1\nEnd\n");
+  EXPECT_EQ(said("decimate box.mesh o.mesh --target-tets 50%"),
+            "aomd: note: o.mesh: left out, as it does not follow the operations: "
+            "\"medit:normal\"\n");
 }
 
 // Labels too large for tags count as 1, 2; in the result each region has that of its class.
@@ -155,24 +180,33 @@ TEST_F(VolumeWords, NoOptionIsProposedThatHardlyHelps) {
   EXPECT_EQ(would_help("mixed.msh o.msh --target-tets 1"), "aomd convert --split-to-tets");
 }
 
-TEST_F(VolumeWords, AllInsideOut) {
-  sample("tet-box", "v.msh", 2);
+// Their neighbours tell which tetrahedra are listed inside out: the result is that of the right
+// file, byte for byte.
+TEST_F(VolumeWords, ListedInsideOut) {
+  sample("tet-drilled", "v.msh", 4);
   MeshData mesh = io::read(at("v.msh")).mesh;
   std::vector<std::uint32_t>& v = mesh.regions.vertices;
   const std::size_t n = mesh.regions.size();
-  const std::string note = "all tetrahedra (" + std::to_string(n) +
-                           ") stand inside out: aomd convert --split-to-tets turns them";
-  for (std::size_t i = 0; i < v.size(); i += 4) std::swap(v[i], v[i + 1]);
-  io::write(at("in.msh"), mesh);
-  EXPECT_NE(said("decimate in.msh o.msh").find("aomd: note: in.msh: " + note + '\n'),
-            std::string::npos);
-  EXPECT_EQ(said("convert --split-to-tets in.msh out.msh"),
-            "aomd: note: in.msh: nothing but tetrahedra\naomd: note: in.msh: " + std::to_string(n) +
-                " regions inside out, turned\n");
-  EXPECT_EQ(aomd("check out.msh").code, 0);
-  std::swap(v[0], v[1]);  // one of them upright: turning the others may be wrong
+  for (std::size_t i = 0; i < v.size(); i += 4 * 50) std::swap(v[i + 1], v[i + 2]);
   io::write(at("some.msh"), mesh);
-  EXPECT_EQ(said("decimate some.msh o.msh").find("inside out: aomd"), std::string::npos);
+  const std::string note = "aomd: note: some.msh: " + counted((n + 49) / 50, "tetrahedron") +
+                           " listed inside out renumbered\n";
+  EXPECT_EQ(said("convert some.msh w.msh"), note);
+  EXPECT_EQ(text("w.msh"), text("v.msh"));
+  EXPECT_EQ(aomd("check w.msh").code, 0);
+  EXPECT_EQ(said("info some.msh"), note);
+  EXPECT_EQ(said("decimate some.msh o.msh --target-tets 50%"), note);
+  ASSERT_EQ(aomd("decimate v.msh r.msh --target-tets 50%").code, 0);
+  EXPECT_EQ(text("o.msh"), text("r.msh"));
+  const auto check = nlohmann::json::parse(aomd("check some.msh --json").out);
+  EXPECT_EQ(check["findings"].size(), (n + 49) / 50);
+  EXPECT_EQ(check["findings"][1]["entity"], "region 50");
+  for (std::size_t i = 0; i < v.size(); i += 4)
+    if (i % (4 * 50) != 0) std::swap(v[i + 1], v[i + 2]);
+  io::write(at("all.msh"), mesh);
+  EXPECT_EQ(said("convert all.msh w.msh"), "aomd: note: all.msh: " + counted(n, "tetrahedron") +
+                                               " listed inside out renumbered\n");
+  EXPECT_EQ(text("w.msh"), text("v.msh"));
 }
 
 }  // namespace

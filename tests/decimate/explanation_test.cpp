@@ -55,9 +55,8 @@ std::shared_ptr<const Column<Vertex, double>> everywhere(double length) {
 //                                   0--1--2--3
 TEST(Explanation, ClassificationSaysWhatTheVertexLiesOn) {
   Bench b(zoo::grid(3));
-  const std::string corner = std::to_string(b.mesh.classification(Vertex(0)).tag());
   const std::string side = std::to_string(b.mesh.classification(Vertex(1)).tag());
-  EXPECT_EQ(b.collapse(0, 1), "Vertex 0 is model vertex " + corner + ", and these stay.");
+  EXPECT_EQ(b.collapse(0, 1), "Vertex 0 is a model vertex, and these stay.");
   EXPECT_EQ(b.collapse(1, 5),
             "Vertex 1 lies on model edge " + side +
                 " and the edge on model face 1: a vertex goes only along what it lies on.");
@@ -167,7 +166,7 @@ TEST(Explanation, QualityPlacesTheVertexAndHasACost) {
   Bench square(zoo::square(), {.strategy = Strategy::Quality, .coarsest = true});
   const std::string words = explain_collapse(
       square.mesh, square.decimation->outlook(square.edge(0, 1))[0], square.decimation->options());
-  EXPECT_EQ(words.rfind("Both ends are model vertices (", 0), 0u) << words;
+  EXPECT_EQ(words, "Both ends are model vertices, and these stay.");
 }
 
 // Asking must not change what is done afterwards.

@@ -129,6 +129,34 @@ TEST(QualityOptionsTest, ACubeKeepsItsCornersWithoutModelEdges) {
       }
 }
 
+/// How many edges of the result between kept vertices the mesh before did not have, where a third
+/// of them, in bands, is kept.
+std::size_t new_edges_between_kept(bool sealed) {
+  const MeshData data = make_sample("torus", 60);
+  const auto keep =
+      std::make_shared<Column<Vertex, std::uint8_t>>(data.positions.size(), std::uint8_t{0});
+  for (std::uint32_t v = 0; v < data.positions.size(); ++v) (*keep)[Vertex(v)] = v / 40 % 3 == 0;
+  Mesh mesh = classified(data), before = classified(data);
+  DecimationOptions options = quality(1);
+  options.keep = keep;
+  options.seal_kept = sealed;
+  options.swap = false;
+  Decimation(mesh, options).run();
+  EXPECT_EQ(finding(mesh), "");
+  EXPECT_LT(mesh.count(0), before.count(0));
+  std::size_t fresh = 0;
+  for (const Edge e : mesh.edges()) {
+    const auto [a, b] = mesh.edge_vertices(e);
+    fresh += options.kept(a) && options.kept(b) && !before.find_edge(a, b).valid();
+  }
+  return fresh;
+}
+
+TEST(QualityOptionsTest, NoEdgeBetweenSealedVerticesIsNew) {
+  EXPECT_GT(new_edges_between_kept(false), 10u);
+  EXPECT_EQ(new_edges_between_kept(true), 0u);
+}
+
 TEST(QualityOptionsTest, KeptVerticesStayWhereTheyAre) {
   Mesh mesh = classified(make_sample("torus", 60));
   const auto keep =

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "core/decimate/quadric.h"
 #include "core/decimate/quality/original_surface.h"
-#include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/model/triangle_tree.h"
 

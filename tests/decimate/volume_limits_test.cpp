@@ -14,6 +14,7 @@
 #include "core/decimate/spacing/spacing.h"
 #include "core/measure/volume_comparison.h"
 #include "core/mesh/tet_geometry.h"
+#include "core/model/discrete_model.h"
 #include "tests/support/tet_zoo.h"
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
@@ -192,6 +193,78 @@ TEST(VolumeLimits, WhereTheFloorIsLoweredNoAngleFallsBelowTenDegrees) {
   EXPECT_GE(smallest_dihedral(b.mesh), 10);
   EXPECT_LT(b.mesh.count(3), 2500u) << "of 3456";
   EXPECT_EQ(b.finding(), "");
+}
+
+// Collapses, removals, moves, moves onto a model and the payment of debts: the least angle is
+// nearly that of the input, and every stage would come to lie below it.
+TEST(VolumeLimits, EveryStageKeepsTheLeastDihedralAngle) {
+  const MeshData data = make_sample("ball-in-box", 3);
+  const double start = smallest_dihedral(Mesh(data));
+  ASSERT_GT(start, 38);
+  for (const bool snaps : {false, true}) {
+    VolumeBench b(data, Levels::Listed);
+    const DiscreteModel model(b.mesh);
+    DecimationOptions options = quality(b.mesh, 0.1);
+    options.min_dihedral_deg = 36;
+    if (snaps) options.model = &model;
+    Decimation(b.mesh, options).run();
+    EXPECT_GE(smallest_dihedral(b.mesh), 36 - 1e-9) << snaps;
+    EXPECT_LT(b.mesh.count(3), 0.6 * data.regions.size());
+  }
+}
+
+TEST(VolumeLimits, ARefusedAngleSaysWhatTheLimitIs) {
+  VolumeBench b(make_sample("ball-in-box", 2), Levels::Complete);
+  DecimationOptions options = quality(b.mesh, 0.1);
+  options.min_dihedral_deg = 36;
+  Decimation decimation(b.mesh, options);
+  decimation.run();
+  int said = 0;
+  for (const Edge e : b.mesh.edges()) {
+    const auto o = decimation.swap_outlook(e);
+    ASSERT_EQ(o->limits.min_dihedral_deg, 36);
+    if (o->verdict.reason != Reason::Shape) continue;
+    ++said;
+    EXPECT_TRUE(explain_swap(b.mesh, e, *o).ends_with(" degrees; the limit is 36."))
+        << explain_swap(b.mesh, e, *o);
+  }
+  EXPECT_GT(said, 0);
+}
+
+// The rims of a drilled hole, and what its wall owes at the end: curves count in what a collapse
+// costs, and debts spread before they are paid, so that none makes a bump.
+TEST(VolumeLimits, RimsAndWallsStayClose) {
+  VolumeBench b(make_sample("tet-drilled", 6), Levels::Listed);
+  const Mesh original(to_data(b.mesh));
+  Decimation(b.mesh, quality(b.mesh, 0.2)).run();
+  const Mesh result(to_data(b.mesh));
+  const measure::VolumeComparison c =
+      compare_volumes(measure::Volume(original), measure::Volume(result), 50'000);
+  EXPECT_LT(c.curves.both.rms, 0.0013 * c.diagonal);
+  EXPECT_LT(distance_over(c.interfaces, true)->max, 0.018 * c.diagonal);
+}
+
+// No edge between two vertices that are to stay makes way, poor as the tetrahedra around it are.
+TEST(VolumeLimits, EdgesBetweenKeptVerticesStay) {
+  MeshData data = make_sample("tet-box", 6);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-0.04, 0.04);
+  for (std::size_t v = 0; v < data.positions.size(); ++v)
+    if (data.vertex_classes[v].dimension() == 3)
+      data.positions[v] += glm::dvec3(place(random), place(random), place(random));
+  VolumeBench b(data, Levels::Complete);
+  DecimationOptions options = quality(b.mesh, 0.9);
+  auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(b.mesh.capacity(0), std::uint8_t{0});
+  for (const Vertex v : b.mesh.vertices()) (*keep)[v] = b.mesh.position(v).x > 0.3;
+  options.keep = keep;
+  std::vector<std::array<Vertex, 2>> between;
+  for (const Edge e : b.mesh.edges()) {
+    const auto [p, q] = b.mesh.edge_vertices(e);
+    if ((*keep)[p] != 0 && (*keep)[q] != 0) between.push_back({p, q});
+  }
+  Decimation(b.mesh, options).run();
+  EXPECT_LT(b.mesh.count(3), 0.95 * data.regions.size());
+  for (const auto& [p, q] : between) EXPECT_TRUE(b.mesh.find_edge(p, q).valid());
 }
 
 double mean_length(const Mesh& mesh, double low, double high) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "core/decimate/volume/region_balance.h"
@@ -170,6 +171,44 @@ TEST(VertexRelaxationTest, LeadsToTheMiddleOfACubeAndNotAcrossWhatIsClosed) {
     b.mesh.move(inner, b.mesh.position(inner) + x);
   }
   EXPECT_LT(glm::length(b.mesh.position(inner) - middle), 0.05);
+}
+
+// Around the inner vertex of shaken boxes: no step leaves a smaller dihedral angle than all were,
+// where the limit is above them all.
+TEST(VertexRelaxationTest, StepsKeepTheLeastDihedralAngle) {
+  const MeshData box = make_sample("tet-box", 2);
+  const auto inner = std::find_if(box.vertex_classes.begin(), box.vertex_classes.end(),
+                                  [](ModelRef on) { return on.dimension() == 3; });
+  const Vertex v(static_cast<std::uint32_t>(inner - box.vertex_classes.begin()));
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-0.15, 0.15);
+  int worse = 0, held = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    MeshData data = box;
+    for (glm::dvec3& p : data.positions)
+      p += glm::dvec3(place(random), place(random), place(random));
+    const auto smallest_at = [&](const glm::dvec3& x) {
+      Mesh mesh(data);
+      mesh.move(v, mesh.position(v) + x);
+      return smallest_dihedral(mesh);
+    };
+    VolumeBench b(data, Levels::Listed);
+    Ball ball;
+    gather(b.mesh, v, ball);
+    VertexRelaxation relaxation;
+    relaxation.begin(b.mesh, v, ball);
+    if (!(relaxation.worst_shape(glm::dvec3(0.0)) > 0)) continue;
+    const double before = smallest_at(glm::dvec3(0.0));
+    glm::dvec3 x(0.0);
+    worse += relaxation.step(0, glm::dvec3(0.0), x) && smallest_at(x) < before - 1e-6;
+    relaxation.limit_dihedrals(LeastAngle(70));
+    EXPECT_TRUE(relaxation.keeps_dihedrals(glm::dvec3(0.0)));
+    if (!relaxation.step(0, glm::dvec3(0.0), x)) continue;
+    ++held;
+    EXPECT_GE(smallest_at(x), before - 1e-9);
+  }
+  EXPECT_GT(worse, 5);
+  EXPECT_GT(held, 100);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ done
 offered() {
   PATH=$work/usr/bin:$PATH bash -c '
     _init_completion() { words=("${COMP_WORDS[@]}") cword=$COMP_CWORD cur=${words[cword]} prev=${words[cword - 1]}; }
-    _filedir() { COMPREPLY=(files); }
+    _filedir() { COMPREPLY=("${1:-files}"); }
     source "$1"
     shift
     COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
@@ -43,6 +43,8 @@ expect "compare convert" aomd co
 expect "--target-error --target-faces --target-tets" aomd decimate a.ply --target
 expect "paper quality" aomd decimate --strategy ""
 expect "files" aomd decimate ""
+expect "--to" aomd convert --t
+expect "-d" aomd convert --to ""
 expect "sphere" aomd sample sph
 
 command -v help2man >/dev/null || exit 77

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "core/samples/samples.h"
 #include "tests/support/volume_helpers.h"
 
 namespace aomd {
@@ -72,8 +73,10 @@ TEST(Volumes, BrickOfPrisms) {
   expect_vtk_round_trips(r.mesh);
 }
 
+const char* const knowles_note = "2624 pyramids and 3680 hexahedra listed inside out renumbered";
+
 /// The file's own hexahedra are inside out, and so are two thirds of its pyramids: SU2 turns them
-/// when it reads. They stay as they are.
+/// when it reads, and so do we.
 void expect_knowles(const MeshData& mesh) {
   EXPECT_EQ(mesh.positions.size(), 9161u);
   EXPECT_EQ(mesh.regions.size(), 3936u + 4128 + 3680);
@@ -82,9 +85,8 @@ void expect_knowles(const MeshData& mesh) {
   EXPECT_EQ(count(mesh.regions, Shape::Hexahedron), 3680u);
   std::map<Shape, Signs> s = signs(mesh);
   EXPECT_EQ(s[Shape::Prism].positive, 4128);
-  EXPECT_EQ(s[Shape::Hexahedron].negative, 3680);
-  EXPECT_EQ(s[Shape::Pyramid].negative, 2624);
-  EXPECT_EQ(s[Shape::Pyramid].positive, 1312);
+  EXPECT_EQ(s[Shape::Hexahedron].positive, 3680);
+  EXPECT_EQ(s[Shape::Pyramid].positive, 3936);
 }
 
 TEST(Volumes, MixedCells) {
@@ -105,7 +107,7 @@ TEST(Volumes, MixedCellsWithMarkers) {
   ASSERT_EQ(r.mesh.model.groups.size(), 2u);
   EXPECT_EQ(r.mesh.model.groups[0], (PhysicalGroup{2, 1, "clamped"}));
   EXPECT_EQ(r.mesh.model.groups[1], (PhysicalGroup{2, 2, "load"}));
-  EXPECT_TRUE(r.notes.empty());
+  EXPECT_EQ(r.notes, (std::vector<std::string>{knowles_note}));
   test::expect_same(test::written_and_read("a.su2", r.mesh).mesh, r.mesh);
   expect_vtk_round_trips(r.mesh);
 }
@@ -186,6 +188,40 @@ TEST(Volumes, OneOfEachThroughEveryFormat) {
   faces_only.model.groups = {{2, 1, "marker_1"}, {2, 2, "marker_2"}};
   faces_only.model.entities = {{ModelRef(2, 1), {1}, {}, {}}, {ModelRef(2, 2), {2}, {}, {}}};
   test::expect_same(test::written_and_read("a.su2", mesh).mesh, faces_only);
+}
+
+/// Every shape, in every format: what is listed inside out comes back right.
+TEST(Volumes, RegionsListedInsideOutAreRenumbered) {
+  MeshData right = make_sample("mixed", 2);
+  right.edges = right.faces = {};
+  right.vertex_classes.clear();
+  right.regions.classes.clear();
+  right.model = {};
+  MeshData listed = right;
+  std::vector<std::uint32_t> odd;
+  std::size_t first = 0;
+  for (std::uint32_t r = 0; r < right.regions.size(); ++r) {
+    const auto n = static_cast<std::size_t>(shape_template(right.regions.shapes[r]).vertex_count);
+    std::uint32_t* const v = &listed.regions.vertices[first];
+    first += n;
+    if (r % 3 != 0) continue;
+    odd.push_back(r);
+    for (const std::size_t base : {std::size_t{0}, n / 2}) {
+      const bool quads = n == 5 || n == 8;
+      if (base == 0 || n >= 6) std::swap(v[base + 1], v[base + (quads ? 3 : 2)]);
+    }
+  }
+  for (const char* name : {"a.msh", "a.mesh", "a.meshb", "a.vtk", "a.vtu", "a.su2"})
+    for (const bool binary : {false, true}) {
+      SCOPED_TRACE(std::string(name) + (binary ? " binary" : " text"));
+      const MeshData expected = test::written_and_read(name, right, binary).mesh;
+      const io::ReadResult read = test::written_and_read(name, listed, binary);
+      test::expect_same(read.mesh, expected);
+      EXPECT_EQ(read.turned.size(), odd.size());
+      ASSERT_EQ(read.notes.size(), 1u);
+      EXPECT_TRUE(read.notes[0].ends_with(" listed inside out renumbered")) << read.notes[0];
+    }
+  EXPECT_EQ(test::written_and_read("a.vtu", listed).turned, odd);
 }
 
 TEST(Volumes, AttributesOfSomeDimensionsOnly) {

@@ -1,6 +1,8 @@
 """Meshes from and to NumPy, and files."""
 
 import gc
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -58,6 +60,40 @@ def test_arrays_need_not_be_contiguous():
     wide = np.zeros((4, 6), dtype=int)
     wide[:, ::2] = FACES
     assert aomd.Mesh(TET, wide[:, ::2]) == surface()
+    assert aomd.Mesh(TET[::-1][::-1], FACES[:, ::-1][:, ::-1]) == surface()
+
+
+@pytest.mark.parametrize("kind", ["f4", ">f8", "f2", "i8", "u1"])
+def test_vertices_may_have_any_type_of_numbers(kind):
+    assert aomd.Mesh(TET.astype(kind), FACES.astype(">i4")) == surface()
+
+
+MEASURES = """
+import pathlib, re, sys
+import numpy as np
+import aomd
+
+def memory(line):
+    text = pathlib.Path("/proc/self/status").read_text()
+    return 1024 * int(re.search(line + r":\\s+(\\d+) kB", text).group(1))
+
+n = 1_000_000
+vertices = np.ones((n, 3), sys.argv[1])
+faces = np.zeros((n, 3), sys.argv[2])
+faces[:] = np.arange(3)
+pathlib.Path("/proc/self/clear_refs").write_text("5")  # the peak begins anew
+before = memory("VmRSS")
+mesh = aomd.Mesh(vertices, faces)
+print(memory("VmHWM") - before)
+"""
+
+
+@pytest.mark.parametrize("kinds", [("f8", "u4"), ("f8", "i8"), ("f4", "i4")])
+def test_making_a_mesh_takes_one_copy_at_most(kinds):
+    """24 MB of coordinates, 12 of faces, 1 of shapes: what Python has of them is not converted."""
+    told = subprocess.run([sys.executable, "-c", MEASURES, *kinds], check=True,
+                          capture_output=True, text=True).stdout
+    assert 36_000_000 < int(told) < 41_000_000
 
 
 @pytest.mark.parametrize("vertices, faces, words", [

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -21,32 +22,38 @@ struct Segment {
   Color color;
 };
 
-double side_of(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
-  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+/// Where a sample lies: each of a pixel has a row and a column of its own, as in multisampling.
+double along(int at, int across) { return (at + (across % samples + 0.5) / samples) / samples; }
+
+/// How far a place lies to the left of the line through two others, times their distance. Affine,
+/// so that it can be asked of many places at once.
+struct Side {
+  double x, y, constant;
+  Side(glm::dvec2 a, glm::dvec2 b) : x(a.y - b.y), y(b.x - a.x), constant(-(x * a.x + y * a.y)) {}
+  [[nodiscard]] double of(double px, double py) const { return x * px + y * py + constant; }
+};
+
+double squared_distance(const Segment& s, double px, double py) {
+  const double ax = s.b.x - s.a.x, ay = s.b.y - s.a.y;
+  const double t =
+      std::clamp(((px - s.a.x) * ax + (py - s.a.y) * ay) / (ax * ax + ay * ay), 0.0, 1.0);
+  const double dx = px - s.a.x - t * ax, dy = py - s.a.y - t * ay;
+  return dx * dx + dy * dy;
 }
 
-/// Each sample of a pixel lies in a row and a column of its own, as in multisampling.
-glm::dvec2 place_of(int x, int y) {
-  const auto within = [](int other) { return (other % samples + 0.5) / samples; };
-  return {(x + within(y)) / samples, (y + within(x)) / samples};
-}
-
-double distance_to(const Segment& s, glm::dvec2 p) {
-  const glm::dvec2 along = s.b - s.a;
-  const double t = std::clamp(glm::dot(p - s.a, along) / glm::dot(along, along), 0.0, 1.0);
-  return glm::length(p - s.a - t * along);
-}
-
-/// The body's faces toward the eye and their edges, in pixels.
+/// The body's faces toward the eye and their edges, in pixels. A sample holds the number of its
+/// colour: so many samples are painted that their size is what painting costs.
 class Painter {
  public:
   explicit Painter(const PaintedScene& scene)
       : scene_(scene),
         columns_(2 * scene.rows),
-        sums_(static_cast<std::size_t>(scene.width * samples) *
-              static_cast<std::size_t>(scene.height * samples)) {
-    for (int y = 0; y < scene.height * samples; ++y)
-      for (int x = 0; x < scene.width * samples; ++x) at(x, y) = background(y);
+        painted_(static_cast<std::size_t>(scene.width * samples) *
+                 static_cast<std::size_t>(scene.height * samples)) {
+    for (int y = 0; y < scene.height * samples; ++y) {
+      const Number number = number_of(background(y));
+      std::fill_n(line(y), scene.width * samples, number);
+    }
     for (int row = 0; row < scene.rows; ++row)
       for (int column = 0; column < columns_; ++column) paint_face(row, column);
     int edge = 0;
@@ -64,7 +71,7 @@ class Painter {
       for (int x = 0; x < scene_.width; ++x) {
         Color sum{};
         for (int v = 0; v < samples; ++v)
-          for (int u = 0; u < samples; ++u) sum += at(x * samples + u, y * samples + v);
+          for (int u = 0; u < samples; ++u) sum += colors_[line(y * samples + v)[x * samples + u]];
         for (int c = 0; c < 3; ++c)
           image.pixel(x, y)[c] = static_cast<std::uint8_t>(
               std::lround(std::clamp(sum[c] / (samples * samples), 0.0, 255.0)));
@@ -74,9 +81,14 @@ class Painter {
   }
 
  private:
-  [[nodiscard]] Color& at(int x, int y) {
-    return sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.width * samples) +
-                 static_cast<std::size_t>(x)];
+  using Number = std::uint16_t;
+  [[nodiscard]] Number number_of(const Color& color) {
+    colors_.push_back(color);
+    return static_cast<Number>(colors_.size() - 1);
+  }
+  [[nodiscard]] Number* line(int y) {
+    return painted_.data() +
+           static_cast<std::size_t>(y) * static_cast<std::size_t>(scene_.width * samples);
   }
   [[nodiscard]] Color background(int y) const {
     const double t = static_cast<double>(y) / (scene_.height * samples);
@@ -97,14 +109,16 @@ class Painter {
     return {0.5 * scene_.width + scale * p.x + scene_.shifted_px,
             0.5 * scene_.height - scale * p.y + scene_.shifted_px};
   }
-  template <typename Visit>
-  void for_samples_in(glm::dvec2 low, glm::dvec2 high, Visit&& visit) {
+  /// The samples that a box from `low` to `high` touches: columns and rows.
+  struct Samples {
+    int left, right, top, bottom;
+  };
+  [[nodiscard]] Samples samples_in(glm::dvec2 low, glm::dvec2 high) const {
     const auto index = [](double px, int most) {
       return std::clamp(static_cast<int>(std::floor(px * samples)), 0, most * samples - 1);
     };
-    for (int y = index(low.y, scene_.height); y <= index(high.y, scene_.height); ++y)
-      for (int x = index(low.x, scene_.width); x <= index(high.x, scene_.width); ++x)
-        visit(x, y, place_of(x, y));
+    return {index(low.x, scene_.width), index(high.x, scene_.width), index(low.y, scene_.height),
+            index(high.y, scene_.height)};
   }
   void paint_face(int row, int column) {
     const glm::dvec3 a = vertex(row, column), b = vertex(row, column + 1),
@@ -121,12 +135,15 @@ class Painter {
     Color color = light * Color(150, 175, 210) + Color(scene_.brighter);
     if (face == scene_.selected_face) color = Color(255, 170, 40);
     const glm::dvec2 p = on_screen(a), q = on_screen(b), r = on_screen(c);
-    for_samples_in(glm::min(glm::min(p, q), r), glm::max(glm::max(p, q), r),
-                   [&](int x, int y, glm::dvec2 s) {
-                     const double u = side_of(p, q, s), v = side_of(q, r, s), w = side_of(r, p, s);
-                     if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))
-                       at(x, y) = color;
-                   });
+    const Side first(p, q), second(q, r), third(r, p);
+    const Number number = number_of(color);
+    const Samples in = samples_in(glm::min(glm::min(p, q), r), glm::max(glm::max(p, q), r));
+    for (int y = in.top; y <= in.bottom; ++y)
+      for (int x = in.left; x <= in.right; ++x) {
+        const double px = along(x, y), py = along(y, x);
+        const double u = first.of(px, py), v = second.of(px, py), w = third.of(px, py);
+        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) line(y)[x] = number;
+      }
   }
   void paint_edge(int edge, int row, int column, int end_row, int end_column) {
     const glm::dvec3 a = vertex(row, column), b = vertex(end_row, end_column);
@@ -138,10 +155,12 @@ class Painter {
   }
   void paint_segment(const Segment& s) {
     const glm::dvec2 margin(s.width);
-    for_samples_in(glm::min(s.a, s.b) - margin, glm::max(s.a, s.b) + margin,
-                   [&](int x, int y, glm::dvec2 p) {
-                     if (distance_to(s, p) <= s.width / 2) at(x, y) = s.color;
-                   });
+    const Samples in = samples_in(glm::min(s.a, s.b) - margin, glm::max(s.a, s.b) + margin);
+    const Number number = number_of(s.color);
+    const double most = s.width * s.width / 4;
+    for (int y = in.top; y <= in.bottom; ++y)
+      for (int x = in.left; x <= in.right; ++x)
+        if (squared_distance(s, along(x, y), along(y, x)) <= most) line(y)[x] = number;
   }
   void paint_axes() {
     const glm::dvec2 o(12, scene_.height - 12);
@@ -152,7 +171,8 @@ class Painter {
 
   const PaintedScene& scene_;
   int columns_;
-  std::vector<Color> sums_;
+  std::vector<Color> colors_;
+  std::vector<Number> painted_;
 };
 
 }  // namespace

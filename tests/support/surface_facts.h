@@ -19,7 +19,7 @@ namespace aomd::test {
 /// The samples that are surfaces (2) or volumes (3).
 inline std::vector<SampleInfo> samples_of(int dimension) {
   std::vector<SampleInfo> list;
-  for (const SampleInfo& info : samples())
+  for (const SampleInfo& info : aomd::samples())
     if (info.dimension == dimension) list.push_back(info);
   return list;
 }

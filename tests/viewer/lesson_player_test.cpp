@@ -146,7 +146,7 @@ TEST(LessonPlayer, AnotherMeshEndsIt) {
 
 TEST(LessonPlayer, UnsavedWorkIsAskedAboutAndPracticeIsNone) {
   Session s;
-  drive(s, {"sample sphere 8", "coarsest on", "angle 60", "step"});
+  drive(s, {"sample sphere 8", "promote edge 0", "coarsest on", "step"});
   EXPECT_TRUE(asks_first(s, "lesson stored"));
   EXPECT_EQ(s.view.dialog, Dialog::Unsaved);
   drive(s, {"lesson collapses", "coarsest on", "step"});

@@ -21,11 +21,17 @@ TEST(LookLines, LeadToEachLook) {
       wanted.view.panels.timeline = (bits & 8) != 0;
       wanted.view.panels.runs = (bits & 16) != 0;
       wanted.view.panels.page = page;
+      wanted.view.occlusion = bits % 3 == 1;
+      wanted.view.ground = bits % 5 == 1;
+      wanted.view.text_scale = bits % 4 == 0 ? 1.25 : 1;
       wanted.view.panels.mesh_ems = bits % 3 == 0 ? 17.25f : 0;
       wanted.view.panels.side_ems = bits % 3 == 1 ? 33.5f : 0;
       for (const std::string& line : look_lines(wanted.view)) test::drive(led, {line});
       EXPECT_TRUE(led.view.panels == wanted.view.panels) << bits;
       EXPECT_EQ(led.view.theme, wanted.view.theme) << bits;
+      EXPECT_EQ(led.view.occlusion, wanted.view.occlusion) << bits;
+      EXPECT_EQ(led.view.ground, wanted.view.ground) << bits;
+      EXPECT_EQ(led.view.text_scale, wanted.view.text_scale) << bits;
     }
 }
 

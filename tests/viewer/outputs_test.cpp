@@ -50,6 +50,60 @@ TEST_F(Outputs, AScreenshotIsAsLargeAsTheWindowOrAsAsked) {
   EXPECT_FALSE(picture("b.png") == picture("c.png"));
 }
 
+/// How many pixels are nearly black: what lines cover.
+int dark_pixels(const io::Image& image) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto* p = image.pixel(x, y);
+      count += p[3] > 200 && p[0] < 110 && p[1] < 110 && p[2] < 110;
+    }
+  return count;
+}
+
+TEST_F(Outputs, LinesGrowByAFactorAndWithLargePicturesByThemselves) {
+  ASSERT_EQ(run("sample cylinder 8\ncolor none\nshow edges off\nscreenshot a.png no-ui transparent "
+                "800x600\n"
+                "screenshot b.png no-ui transparent 800x600 scale 3\n"
+                "screenshot c.png no-ui transparent 2160x2160\n"
+                "screenshot d.png no-ui transparent 2160x2160 scale 1\n"
+                "screenshot again.png no-ui transparent 800x600\n"),
+            0)
+      << text("err.txt");
+  EXPECT_GT(dark_pixels(picture("b.png")), 2 * dark_pixels(picture("a.png")));
+  EXPECT_GT(dark_pixels(picture("c.png")), 3 * dark_pixels(picture("d.png")) / 2);
+  EXPECT_TRUE(picture("a.png") == picture("again.png"));
+}
+
+TEST_F(Outputs, FewerFacesLookAlike) {
+  ASSERT_EQ(run("sample scan 120000\nshow edges off\nshow model-vertices off\n"
+                "screenshot full.png no-ui\ndetail coarse\nscreenshot coarse.png no-ui\n"
+                "detail full\nscreenshot again.png no-ui\n",
+                "--size 480x360"),
+            0)
+      << text("err.txt");
+  EXPECT_FALSE(picture("full.png") == picture("coarse.png"));
+  EXPECT_GT(measure::compare_images(picture("full.png"), picture("coarse.png")).ssim, 0.97);
+  EXPECT_TRUE(picture("full.png") == picture("again.png"));
+}
+
+TEST_F(Outputs, FoldsGroundAndLightShow) {
+  ASSERT_EQ(run("sample torus 24\nscreenshot plain.png no-ui\nshow occlusion on\n"
+                "screenshot folds.png no-ui\nshow occlusion off\nshow ground on\n"
+                "screenshot ground.png no-ui\ncamera bottom\nscreenshot below.png no-ui\n"
+                "show ground off\nscreenshot without.png no-ui\ncamera iso\nlight stay\n"
+                "screenshot stays.png no-ui\norbit 120 0\nscreenshot behind.png no-ui\n"
+                "light follow\nscreenshot follows.png no-ui\n"),
+            0)
+      << text("err.txt");
+  EXPECT_FALSE(picture("plain.png") == picture("folds.png"));
+  EXPECT_FALSE(picture("plain.png") == picture("ground.png"));
+  EXPECT_TRUE(picture("below.png") == picture("without.png"))
+      << "from below nothing hides the mesh";
+  EXPECT_GT(measure::compare_images(picture("plain.png"), picture("stays.png")).ssim, 0.99);
+  EXPECT_LT(measure::compare_images(picture("behind.png"), picture("follows.png")).ssim, 0.99);
+}
+
 /// Whether a pixel is another one in two pictures.
 bool others(const io::Image& a, const io::Image& b, int x, int y) {
   return !std::equal(a.pixel(x, y), a.pixel(x, y) + 4, b.pixel(x, y));

@@ -17,6 +17,8 @@ Settings some() {
   s.panels.mesh = false;
   s.panels.page = scene::Page::Selection;
   s.panels.side_ems = 24.25f;
+  s.text_scale = 1.25;
+  s.occlusion = s.ground = true;
   s.window = WindowPlace{{-1200, 40}, {1500, 900}, true};
   s.recent_commands = {"factor 3", "show edges on"};
   s.play_speed = {2.5, 40};
@@ -48,7 +50,7 @@ TEST(Settings, WhatMakesNoSenseIsPassedOver) {
   const Settings odd = parse_settings(
       "theme=mauve\nmesh-panel=perhaps\nmesh-width=-4\nside-width=1e9\nwindow=1 2\nwindow=0 0 5 5\n"
       "window=0 0 999999999 1\nsize\n=\nfuture=yes\ntimeline=off\nplay-speed=-1\n"
-      "play-whole=0\nplay-speed=nan\n");
+      "play-whole=0\nplay-speed=nan\ntext-size=0\ntext-size=9\n");
   Settings expected;
   expected.panels.timeline = false;
   EXPECT_EQ(odd, expected);

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
 #include "viewer/drawing/palette.h"
 
@@ -239,6 +240,13 @@ TEST(Volume, WithoutAnyClassGetsOneFromItsAngles) {
   EXPECT_EQ(drawn(), 1u);
   drive(s, {"undo", "expect model-faces = 6"});
   EXPECT_EQ(drawn(), 6u);
+}
+
+TEST(Volume, ThatItsFileClassifiesSaysWhatDerivesOtherModelEdges) {
+  Session s;
+  drive(s, {"sample tet-box"});
+  const std::string why = aomd::test::message([&] { execute(s, "feature-angle 30"); });
+  EXPECT_NE(why.find("aomd classify IN OUT --replace --angle DEG"), std::string::npos) << why;
 }
 
 TEST(Quads, AreCountedAndDrawnButNotDecimated) {

@@ -101,9 +101,17 @@ TEST(Unsaved, AFailedSaveLeavesItUnsaved) {
   EXPECT_TRUE(s.document().unsaved());
 }
 
+/// A mesh of one's own, and the line that opens it.
+struct SphereFile {
+  SphereFile() { io::write(folder / "sphere.ply", make_sample("sphere", 12)); }
+  aomd::test::TemporaryFolder folder;
+  std::string open = "open " + (folder / "sphere.ply").string();
+};
+
 TEST(AsksFirst, OnlyBeforeWhatLosesTheWork) {
+  const SphereFile sphere;
   Session s;
-  drive(s, {"sample sphere 12"});
+  drive(s, {sphere.open});
   EXPECT_FALSE(asks_first(s, "quit"));
   drive(s, {"step"});
   for (const char* line : {"quit", "open x.ply", " sample torus", "recover", "recover 2"}) {
@@ -116,6 +124,20 @@ TEST(AsksFirst, OnlyBeforeWhatLosesTheWork) {
     EXPECT_FALSE(asks_first(s, line)) << line;
 }
 
+TEST(AsksFirst, NotForWhatARunMadeOfASample) {
+  const aomd::test::TemporaryFolder folder;
+  Session s;
+  drive(s, {"sample sphere 12", "step", "run"});
+  EXPECT_TRUE(s.document().unsaved()) << "it is kept in case the program dies";
+  EXPECT_FALSE(asks_first(s, "quit"));
+  drive(s, {"reset", "promote edge 3"});
+  EXPECT_TRUE(asks_first(s, "quit")) << "somebody chose that by hand";
+  drive(s, {"undo"});
+  EXPECT_FALSE(asks_first(s, "quit"));
+  drive(s, {"save " + (folder / "own.ply").string(), "step"});
+  EXPECT_TRUE(asks_first(s, "quit")) << "it is one's own file by now";
+}
+
 TEST(AsksFirst, ScriptsAreNotAsked) {
   Session s;
   drive(s, {"sample sphere 12", "step", "sample sphere 8"});
@@ -126,8 +148,9 @@ TEST(AsksFirst, ScriptsAreNotAsked) {
 }
 
 TEST(AsksFirst, DiscardGoesOnAndCancelDoesNot) {
+  const SphereFile sphere;
   Session s;
-  drive(s, {"sample sphere 12", "step"});
+  drive(s, {sphere.open, "step"});
   ASSERT_TRUE(asks_first(s, "quit"));
   drive(s, {"unsaved cancel"});
   EXPECT_FALSE(s.next_line);
@@ -140,8 +163,9 @@ TEST(AsksFirst, DiscardGoesOnAndCancelDoesNot) {
 
 TEST(AsksFirst, SaveAsksForAFileOnceAndThenGoesOn) {
   const aomd::test::TemporaryFolder folder;
+  const SphereFile sphere;
   Session s;
-  drive(s, {"sample sphere 12", "step"});
+  drive(s, {sphere.open, "step"});
   ASSERT_TRUE(asks_first(s, "quit"));
   drive(s, {"unsaved save"});
   EXPECT_EQ(s.view.dialog, Dialog::Save);
@@ -159,8 +183,9 @@ TEST(AsksFirst, SaveAsksForAFileOnceAndThenGoesOn) {
 
 TEST(AsksFirst, GivingUpTheSaveDialogGivesUpTheLine) {
   const aomd::test::TemporaryFolder folder;
+  const SphereFile sphere;
   Session s;
-  drive(s, {"sample sphere 12", "step"});
+  drive(s, {sphere.open, "step"});
   ASSERT_TRUE(asks_first(s, "quit"));
   drive(s, {"unsaved save", "dialog none", "save " + (folder / "a.ply").string()});
   EXPECT_FALSE(s.next_line);

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/mesh/names.h"
 #include "core/mesh/verify.h"
+#include "tools/aomd/batch.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/in_memory.h"
 #include "tools/aomd/report.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct CheckArguments {
   std::string file;
-  bool json = false, unused = false;
+  bool json = false, in_one_line = false, unused = false;
   std::vector<std::string> required;  ///< names of properties
 };
 
@@ -94,10 +95,14 @@ void look_at_volume(const Mesh& mesh, Checked& result) {
   result.volume = volume_json(complex, quality);
 }
 
-Checked checked(const CheckArguments& options, const MeshData& data) {
+// `turned` are the regions that were renumbered when the file was read.
+Checked checked(const CheckArguments& options, const MeshData& data,
+                const std::vector<std::uint32_t>& turned = {}) {
   const Mesh mesh(data);
   Checked result;
   result.mesh = verify(mesh, {options.unused});
+  for (const std::uint32_t region : turned)
+    result.mesh.push_back({"inverted region", Region(region), "the file lists it inside out"});
   look_at_volume(mesh, result);
   look_at_surface(options, data, mesh, result);
   return result;
@@ -118,7 +123,7 @@ void print(const std::string& file, const Checked& result) {
   for (const Finding& f : result.mesh)
     std::cout << f.name << ": " << entity_text(f.entity) << ": " << f.text << '\n';
   for (const SurfaceFinding& f : result.surface) std::cout << line_of(f, file) << '\n';
-  std::cout << file << ": " << summary(result) << '\n';
+  std::cout << printable(file) << ": " << summary(result) << '\n';
 }
 
 Json json_of(const CheckArguments& options, const Checked& result) {
@@ -135,9 +140,10 @@ Json json_of(const CheckArguments& options, const Checked& result) {
 }
 
 int run(const CheckArguments& options) {
-  const Checked result = checked(options, read_mesh(options.file).mesh);
+  const io::ReadResult read = read_mesh(options.file);
+  const Checked result = checked(options, read.mesh, read.turned);
   if (options.json)
-    std::cout << text_of(json_of(options, result));
+    std::cout << text_of(json_of(options, result), options.in_one_line);
   else
     print(options.file, result);
   return result.mesh.empty() && result.missing.empty() ? done : says_no;
@@ -148,7 +154,7 @@ int run(const CheckArguments& options) {
 Json check(const std::string& name, const MeshData& mesh, bool unused,
            const std::vector<std::string>& required) {
   for (const std::string& word : required) check_property(word);
-  const CheckArguments options{name, true, unused, required};
+  const CheckArguments options{name, true, false, unused, required};
   return json_of(options, checked(options, mesh));
 }
 
@@ -158,8 +164,9 @@ void add_check(CLI::App& app, Action& action) {
       "Names what is wrong with a mesh, exit code 1 when anything is, and what is dirty in a "
       "surface");
   const auto options = std::make_shared<CheckArguments>();
-  command->add_option("FILE", options->file, "The mesh")->required();
-  command->add_flag("--json", options->json, "As JSON");
+  const auto batch = std::make_shared<Batch>();
+  add_files(*command, *batch);
+  command->add_flag("--json", batch->json, "As JSON; of several meshes a line each");
   command->add_flag("--unused", options->unused,
                     "Also names vertices, edges and faces that nothing uses");
   const std::vector<std::string> words = property_names();
@@ -169,8 +176,17 @@ void add_check(CLI::App& app, Action& action) {
                        ".\nclean is all but closed")
       ->type_name("WORD,...")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->transform(CLI::IsMember(words, CLI::ignore_case).description(""));
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+  command->callback([&action, options, batch] {
+    action = reading(batch, [options, batch](const BatchFile& file) {
+      CheckArguments one = *options;
+      one.file = file.input;
+      one.json = batch->json;
+      one.in_one_line = file.one_of_several();
+      return run(one);
+    });
+  });
 }
 
 }  // namespace aomd::cli

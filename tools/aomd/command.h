@@ -10,6 +10,10 @@
 
 #include "core/io/io.h"
 
+namespace aomd {
+class Exchange;
+}
+
 namespace aomd::cli {
 
 /// Exit codes, as scripts rely on them.
@@ -46,6 +50,8 @@ struct InternalFault : std::runtime_error {
 /// is set.
 void add_info(CLI::App& app, Action& action);
 void add_decimate(CLI::App& app, Action& action);
+/// The same for processes that share the blocks of an input; the first one does all the rest.
+void add_shared_decimate(CLI::App& app, Action& action, Exchange& exchange);
 void add_check(CLI::App& app, Action& action);
 void add_classify(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);

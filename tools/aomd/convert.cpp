@@ -5,8 +5,10 @@
 
 #include "core/base/text.h"
 #include "core/mesh/split_tets.h"
+#include "tools/aomd/batch.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
+#include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
 
 namespace aomd::cli {
@@ -14,18 +16,23 @@ namespace {
 
 struct ConvertArguments {
   std::string input, output, format;
-  bool ascii = false, binary = false, msh2 = false, split_to_tets = false;
+  bool ascii = false, binary = false, msh2 = false, split_to_tets = false, json = false,
+       in_one_line = false;
 };
 
+Json counted_json(const std::string& file, const MeshData& mesh) {
+  return counts_json(file, measure::count_entities(Mesh(mesh)));
+}
+
 /// The mesh in tetrahedra; a note says what was cut.
-MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
-  SplitToTets split = split_to_tets(mesh);
+MeshData in_tetrahedra(const ConvertArguments& options, MeshData mesh) {
+  SplitToTets split = split_to_tets(std::move(mesh));
   std::vector<std::string> notes;
   if (const std::string text = split.text(); !text.empty())
     notes.emplace_back("cut " + text);
   else
-    notes.emplace_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
-  if (split.turned > 0) notes.push_back(counted(split.turned, "region") + " inside out, turned");
+    notes.emplace_back(split.mesh.regions.empty() ? "has no regions to cut"
+                                                  : "nothing but tetrahedra");
   if (split.inverted > 0)
     notes.push_back(counted(split.inverted, "tetrahedron") +
                     " of regions that are not convex without positive volume");
@@ -35,13 +42,19 @@ MeshData in_tetrahedra(const ConvertArguments& options, const MeshData& mesh) {
 
 int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
-  check_files({{"IN", options.input}}, {{"OUT", options.output}});
+  const std::vector<NamedFile> outputs = {{"OUT", options.output}};
+  check_files({{"IN", options.input}}, outputs);
   io::ReadResult read = read_mesh(options.input);
-  if (options.split_to_tets) read.mesh = in_tetrahedra(options, read.mesh);
+  const Json before = options.json ? counted_json(options.input, read.mesh) : Json();
+  if (options.split_to_tets) read.mesh = in_tetrahedra(options, std::move(read.mesh));
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
   write_mesh(options.output, format, read.mesh, false, how);
+  if (options.json)
+    stream_beside(outputs) << text_of(
+        {{"schema", 1}, {"input", before}, {"output", counted_json(options.output, read.mesh)}},
+        options.in_one_line);
   return done;
 }
 
@@ -51,18 +64,20 @@ void add_convert(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("convert", "Writes a mesh in the format that OUT's extension names");
   const auto options = std::make_shared<ConvertArguments>();
-  command->add_option("IN", options->input, "The mesh; - is standard input")
+  const auto batch = std::make_shared<Batch>();
+  command->add_option("IN", batch->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());
   command
       ->add_option(
-          "OUT", options->output,
+          "OUT", batch->output,
           "Where to write it: .obj, .ply, .off, .stl, .gltf, .glb; with regions .msh, .mesh, .vtk, "
           ".vtu or .su2; - is "
           "standard output")
       ->required()
       ->check(not_empty());
-  add_format(*command, options->format);
+  add_folder(*command, *batch);
+  add_format(*command, batch->format);
   CLI::Option* ascii =
       command->add_flag("--ascii", options->ascii, "As text, where the format has both");
   command->add_flag("--binary", options->binary, "As binary, where the format has both")
@@ -70,7 +85,19 @@ void add_convert(CLI::App& app, Action& action) {
   command->add_flag("--msh2", options->msh2, "MSH version 2.2 instead of 4.1");
   command->add_flag("--split-to-tets", options->split_to_tets,
                     "Cuts hexahedra, prisms and pyramids into tetrahedra, and quads beside them");
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+  command->add_flag("--json", batch->json,
+                    "Prints what was read and written as JSON; of several meshes a line each");
+  command->callback([&action, options, batch] {
+    action = writing(batch, [options, batch](const BatchFile& file) {
+      ConvertArguments one = *options;
+      one.input = file.input;
+      one.output = file.output;
+      one.format = batch->format;
+      one.json = batch->json;
+      one.in_one_line = file.one_of_several();
+      return run(one);
+    });
+  });
 }
 
 }  // namespace aomd::cli

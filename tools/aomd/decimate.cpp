@@ -1,5 +1,6 @@
 // aomd decimate: read, classify, decimate, check, write, report.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -28,8 +29,10 @@
 #include "core/model/gmsh_model.h"
 #include "core/model/mesh_on_model.h"
 #include "tools/aomd/attribute_weights.h"
+#include "tools/aomd/block_input.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/compare_arguments.h"
+#include "tools/aomd/decimate_batch.h"
 #include "tools/aomd/decimate_input.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
@@ -44,6 +47,8 @@
 
 namespace aomd::cli {
 namespace {
+
+constexpr const char* about = "Makes a mesh coarser and writes it";
 
 void leave_as_it_is(DecimationOptions& steps) {
   steps.target_faces = no_index;
@@ -60,10 +65,12 @@ std::vector<NamedFile> beside_mesh(std::vector<NamedFile> files) {
 class Run {
  public:
   /// With a listener the mesh is in memory.
-  explicit Run(const DecimateOptions& options, const Listener* listener = nullptr)
+  Run(const DecimateOptions& options, Exchange& exchange, const Listener* listener = nullptr)
       : options_(options),
+        exchange_(exchange),
         listener_(listener),
-        progress_(listener ? Progress(listener->progress) : Progress(options.quiet)),
+        progress_(listener ? Progress(listener->progress)
+                           : Progress(options.quiet || options.one_of_several)),
         steps_(options.for_library()),
         asked_(options.for_classification()) {}
 
@@ -71,20 +78,21 @@ class Run {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
     check_files(options_.inputs(), options_.outputs());
+    if (exchange_.rank() > 0) return help();
     read();
     meet_target();
     check();
     write();
     progress_.wipe();
-    if (!options_.quiet) print_summary();
+    print_summary();
     return did_.missed && options_.strict ? says_no : done;
   }
 
   /// The same without files for the meshes.
-  Decimated run(MeshData mesh) {
+  Decimated run(const MeshData& mesh) {
     options_.check_spacing();
     check_files(beside_mesh(options_.inputs()), beside_mesh(options_.outputs()));
-    take(std::move(mesh));
+    take(mesh);
     meet_target();
     check();
     write();
@@ -93,6 +101,12 @@ class Run {
   }
 
  private:
+  // Of one that is not the first of those who share the blocks.
+  int help() {
+    if (options_.blocks > 1) static_cast<void>(read_in_blocks(options_, exchange_, progress_));
+    return done;
+  }
+
   // All notes of a run pass here: to whoever listens, else to standard error.
   void print_notes(const std::string& file, const std::vector<std::string>& notes) const {
     if (listener_ == nullptr) return cli::print_notes(file, notes);
@@ -100,33 +114,56 @@ class Run {
   }
 
   void read() {
+    if (options_.blocks > 1) return read_blocks();
     progress_.show("reading");
     io::ReadResult read = read_input(options_.input);
     progress_.wipe();
     note(options_.input, read.notes);
-    take(std::move(read.mesh));
+    own_ = std::move(read.mesh);
+    take(own_);
   }
 
-  void take(MeshData mesh) {
-    original_ = std::move(mesh);
+  // What is coarser already stands for the file.
+  void read_blocks() {
+    std::optional<CoarseSurface> input = read_in_blocks(options_, exchange_, progress_);
+    progress_.wipe();
+    note(options_.input, notes_of(*input));
+    steps_.original = std::move(input->samples);
+    own_ = std::move(input->mesh);
+    did_.in_blocks = InBlocks{input->vertices, input->faces};
+    lap("blocks");
+    take(own_);
+  }
+
+  void take(const MeshData& mesh) {
+    given_ = &mesh;
     lap("read");
-    if (options_.triangulate) note(options_.input, cut_quads(original_));
+    if (options_.triangulate) note(options_.input, cut_quads(own()));
     if (options_.repair) repair_mesh();
-    mesh_ = Mesh(original_);
+    mesh_ = Mesh(given());
     check_decimable(mesh_, options_.input);
     options_.check_kind(volume());
     if (volume() && steps_.exchange)
       note(options_.input, {"--exchange changes nothing: a volume keeps T(0,3) throughout"});
     count_cells();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
-    diagonal_ = diagonal_of(original_);
+    diagonal_ = diagonal_of(given());
     if (volume()) forget_regions();
     lap("read");
+  }
+
+  [[nodiscard]] const MeshData& given() const { return *given_; }
+  /// The same to be changed: what another program holds is copied first.
+  MeshData& own() {
+    if (given_ != &own_) own_ = *given_;
+    given_ = &own_;
+    return own_;
   }
 
   /// A stage may come several times.
   void lap(const char* stage) {
     did_.seconds[stage] = did_.seconds.value(stage, 0.0) + watch_.lap();
+    if (listener_ != nullptr) give_back_memory();
   }
 
   /// Said once, also where it is found again.
@@ -155,7 +192,7 @@ class Run {
     steps_.keep = {};
     steps_.model = nullptr;
     if (options_.model.empty()) model_.reset();
-    mesh_ = Mesh(original_);
+    mesh_ = Mesh(given());
     record_ = {};
     did_.missed.reset();
     watch_.lap();
@@ -177,7 +214,7 @@ class Run {
 
   // The coarsest result that is no further off; where there is none, what was read.
   void meet_error() {
-    const Mesh start(original_);
+    const Mesh start(given());
     const measure::Surface original(start, steps_.threads);
     ErrorSearch search(options_.target_error_pct);
     double last = 0;
@@ -201,23 +238,30 @@ class Run {
       run(best);
   }
 
-  [[nodiscard]] bool volume() const { return !original_.regions.empty(); }
+  [[nodiscard]] bool volume() const { return !given().regions.empty(); }
 
   // Their vertices, a fifth of what a decimation takes, are asked for where data go with them, and
   // where something is to be blamed on the input, which can be read again.
   void forget_regions() {
     const bool again = listener_ == nullptr && options_.input != "-" &&
                        std::filesystem::is_regular_file(options_.input);
-    if (options_.reach) return;
-    if (!again || !original_.attributes.empty() || !original_.periodic.empty()) return;
-    original_.regions.vertices = std::vector<std::uint32_t>();
+    if (options_.reach || options_.triangulate) return;
+    if (!again || data_need_regions() || !given().periodic.empty()) return;
+    own_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;
+  }
+
+  // What Medit says of vertices, edges and faces is followed without the regions, or not at all.
+  [[nodiscard]] bool data_need_regions() const {
+    return std::any_of(
+        given().attributes.begin(), given().attributes.end(),
+        [](const Attribute& a) { return a.dimension == 3 || !a.name.starts_with("medit:"); });
   }
 
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
-    did_.target = options_.target_count(volume(), cells());
+    did_.target = options_.target_count(volume(), did_.in_blocks ? did_.in_blocks->faces : cells());
     steps_.target_faces = did_.target > 0 ? did_.target + did_.others : 0;
   }
 
@@ -229,7 +273,7 @@ class Run {
   void repair_mesh() {
     progress_.show("repairing");
     std::vector<std::string> notes;
-    did_.repaired = mend(original_, options_, notes);
+    did_.repaired = mend(own(), options_, notes);
     progress_.wipe();
     note(options_.input, notes);
     lap("repair");
@@ -239,7 +283,7 @@ class Run {
     progress_.show("classifying");
     const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
     how_.complete = looks_at_all || options_.paper();
-    if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(original_);
+    if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(given());
     if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
     if (!looks_at_all) {
@@ -252,7 +296,7 @@ class Run {
       record_.start = io::fingerprint(mesh_);
       mesh_.attach(&record_.journal);
     }
-    if (model_) fit_to_model(mesh_, original_.classified(), *model_, options_);
+    if (model_) fit_to_model(mesh_, given().classified(), *model_, options_);
     if (options_.snaps() && !model_) model_ = std::make_unique<DiscreteModel>(mesh_);
     if (options_.snaps()) check_snapping(mesh_, *model_, options_);
     if (options_.snaps()) steps_.model = model_.get();
@@ -266,7 +310,7 @@ class Run {
 
   /// What keeps a surface from its target, or what does not fit together in a volume.
   [[nodiscard]] std::vector<std::string> what_is_wrong() const {
-    if (!volume()) return dirt_notes(original_, did_.input, false);
+    if (!volume()) return dirt_notes(given(), did_.input, false);
     std::vector<std::string> notes =
         notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
     for (const SurfaceFinding& finding :
@@ -285,7 +329,7 @@ class Run {
                       steps_.target_faces > 0 && how_.feature_angle_deg;
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
-    mesh_ = Mesh(original_);
+    mesh_ = Mesh(given());
     classify(mesh_, how_);
     note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
@@ -302,7 +346,7 @@ class Run {
       note(options_.input, {counted(required, "required vertex") + " kept in place"});
     if (!volume() && !options_.paper())
       steps_.values =
-          counted_values(original_, mesh_, attribute_weights(original_, options_.attributes));
+          counted_values(given(), mesh_, attribute_weights(given(), options_.attributes));
     const auto source = options_.spacing_source();
     if (!source) return;
     progress_.show("spacing");
@@ -333,8 +377,8 @@ class Run {
     if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
     did_.missed = {decimation.edges_left(), {}};
-    did_.missed->help = what_would_help(did_.missed->edges, options_, steps_, original_, did_.input,
-                                        mesh_.count(2));
+    did_.missed->help =
+        what_would_help(did_.missed->edges, options_, steps_, given(), did_.input, mesh_.count(2));
   }
 
   void check() {
@@ -351,7 +395,7 @@ class Run {
   }
 
   void count_flips() {
-    const TriangleTree original(measure::distinct(triangles_of(original_).corners).triangles,
+    const TriangleTree original(measure::distinct(triangles_of(given()).corners).triangles,
                                 steps_.threads);
     did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
   }
@@ -368,7 +412,7 @@ class Run {
   /// The result contradicts itself: because the input did, or because of a fault in this program.
   /// Nothing is written then but the journal, which shows the operation at fault.
   [[noreturn]] void blame(const Finding& finding) const {
-    Mesh start(forgotten_ ? read_input(options_.input).mesh : original_);
+    Mesh start(forgotten_ ? read_input(options_.input).mesh : given());
     classify(start, how_);
     if (const auto findings = verify(start); !findings.empty())
       throw io::ReadError(options_.input, {}, "cannot be decimated: " + findings.front().text);
@@ -382,7 +426,7 @@ class Run {
   void write() {
     progress_.show("writing");
     result_ = to_data(mesh_);
-    GivenClasses(original_).apply(result_);
+    GivenClasses(given()).apply(result_);
     carry_arrays(result_);
     io::OutputFiles files;
     io::EncodedMesh encoded;
@@ -405,16 +449,24 @@ class Run {
     if (!options_.quiet) print_notes(options_.output, encoded.notes);
   }
 
+  // Where nothing was done all data stay, which regions have to be compared for.
   void carry_arrays(MeshData& result) {
-    io::CarriedAlong along = io::carry_along(original_, result, steps_.threads);
+    const bool same_count = result.regions.size() == given().regions.size();
+    if (forgotten_ && same_count && !given().attributes.empty())
+      own_ = read_input(options_.input).mesh;
+    io::CarriedAlong along = io::carry_along(given(), result, steps_.threads);
     did_.fields = std::move(along.fields);
     if (!did_.fields.empty()) lap("fields");
     if (!options_.quiet) print_notes(options_.output, along.notes);
   }
 
   void print_summary() const {
-    print_decimation(stream_beside(options_.outputs()), options_, did_);
-    note_target();
+    std::ostream& out = stream_beside(options_.outputs());
+    if (options_.prints_json)
+      out << text_of(report_, options_.one_of_several);
+    else if (!options_.quiet)
+      print_decimation(out, options_, did_);
+    if (!options_.quiet) note_target();
   }
 
   [[nodiscard]] std::string missed_words() const {
@@ -426,19 +478,21 @@ class Run {
     if (!did_.let_go.empty()) print_notes(options_.output, {words_of_let_go(did_.let_go)});
     if (!did_.missed) return;
     print_notes(options_.output, {missed_words()});
-    print_notes(options_.input, dirt_notes(original_, did_.input, true));
+    print_notes(options_.input, dirt_notes(given(), did_.input, true));
   }
 
   const DecimateOptions& options_;
+  Exchange& exchange_;        ///< those who share the blocks
   const Listener* listener_;  ///< null: the mesh comes from a file and goes into one
   Progress progress_;
   io::Format format_ = io::Format::Ply;
   DecimationOptions steps_;
   ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
-  MeshData original_;  ///< as read, or as repaired
+  MeshData own_;  ///< as read, or as repaired
+  const MeshData* given_ = &own_;
   double diagonal_ = 0;
-  bool forgotten_ = false;      ///< the vertices of the regions of `original_`
+  bool forgotten_ = false;      ///< the vertices of the regions of `own_`
   bool repeated_ = false;       ///< the attempt is not the first
   bool given_classes_ = false;  ///< by the file or a model: the angle had no say
   Mesh mesh_;
@@ -454,15 +508,33 @@ class Run {
 
 }  // namespace
 
-Decimated decimate(const DecimateOptions& options, MeshData mesh, const Listener& listener) {
-  return Run(options, &listener).run(std::move(mesh));
+Decimated decimate(const DecimateOptions& options, const MeshData& mesh, const Listener& listener) {
+  NoExchange alone;
+  return Run(options, alone, &listener).run(mesh);
+}
+
+void add_shared_decimate(CLI::App& app, Action& action, Exchange& exchange) {
+  CLI::App* command = app.add_subcommand("decimate", about);
+  const auto o = std::make_shared<DecimateOptions>();
+  add_decimate_options(*command, *o);
+  command->callback(
+      [&action, &exchange, o] { action = [&exchange, o] { return Run(*o, exchange).run(); }; });
 }
 
 void add_decimate(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("decimate", "Makes a mesh coarser and writes it");
+  CLI::App* command = app.add_subcommand("decimate", about);
   const auto o = std::make_shared<DecimateOptions>();
+  const auto batch = std::make_shared<Batch>();
   add_decimate_options(*command, *o);
-  command->callback([&action, o] { action = [o] { return Run(*o).run(); }; });
+  add_batch_options(*command, *batch, *o);
+  command->callback([&action, o, batch] {
+    take_files(*batch, *o);
+    const auto work = [o](const BatchFile& file) {
+      NoExchange alone;
+      return Run(one_of_batch(*o, file), alone).run();
+    };
+    action = writing(batch, work, beside_mesh(o->inputs()));
+  });
 }
 
 }  // namespace aomd::cli

@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "core/blocks/block_cut.h"
 #include "core/decimate/spacing/spacing_expression.h"
 #include "tools/aomd/values.h"
 
@@ -140,7 +141,10 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "over the whole range counts like 0.1 % of the diagonal, at 0 it does not.\n"
       "Colours and texture coordinates do by themselves; after none only what\n"
       "follows");
-  attributes->type_name("NAME[=WEIGHT],...|none")->delimiter(',')->check(not_empty());
+  attributes->type_name("NAME[=WEIGHT],...|none")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(not_empty());
   CLI::Option* improve =
       command.add_option("--improve", o.decimation.improve_passes,
                          "For paper: sweeps that are followed by swaps and smoothing");
@@ -169,7 +173,10 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
           idea_list());
-  without->type_name("IDEA,...")->delimiter(',')->transform(one_of(idea_names()));
+  without->type_name("IDEA,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->transform(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, seams, attributes, improve, exchange, no_swap,
                    no_smooth, snap, model, triangulate, repair, weld, without,
                    add_threads(command, o.threads)});
@@ -221,6 +228,23 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
   for (CLI::Option* each : {keep, only}) each->type_name("FILE")->check(not_empty());
   put_into("Guarantees",
            {turn, smallest, dihedral, distance, intersections, volume, topology, keep, only});
+}
+
+// A block knows its own faces alone, and what is found in it has no numbers of the whole.
+void add_blocks(CLI::App& command, DecimateOptions& o) {
+  CLI::Option* blocks = command.add_option(
+      "--blocks", o.blocks,
+      "For surfaces that do not fit into memory (binary PLY): cuts the input into so\nmany pieces, "
+      "makes one after the other coarser, then all of it together");
+  blocks->type_name("N")
+      ->transform(whole_number(1, static_cast<int>(BlockCut::most_blocks)))
+      ->capture_default_str()
+      ->needs(command.get_option("--target-faces"));
+  for (const char* other :
+       {"--reach", "--spacing", "--attributes", "--model", "--snap", "--repair", "--triangulate",
+        "--max-distance", "--no-intersections", "--topology", "--keep", "--only", "--journal"})
+    blocks->excludes(command.get_option(other));
+  put_into("How", {blocks});
 }
 
 void add_outputs(CLI::App& command, DecimateOptions& o) {
@@ -276,6 +300,7 @@ void DecimateOptions::check_kind(bool volume) const {
     throw UsageError("--volume keep is for --strategy quality: the printed loop places no vertex");
   if (volume_rule == "keep" && snaps())
     throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
+  if (blocks > 1 && paper()) throw UsageError("--blocks is for --strategy quality");
   if (reach && target.empty() && target_tets.empty())
     throw UsageError("--reach is for --target-faces and --target-tets");
 }
@@ -364,6 +389,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"swap", steps.swap},
       {"smooth", steps.smooth},
       {"threads", steps.threads},
+      {"blocks", blocks},
       {"topology", topology},
       {"volume", volume && !paper() ? Json(steps.keep_volumes ? "keep" : "free") : Json(nullptr)},
       {"keep", or_null(keep)},
@@ -394,6 +420,7 @@ void add_decimate_options(CLI::App& command, DecimateOptions& options) {
   add_ways(command, options);
   add_guarantees(command, options);
   add_outputs(command, options);
+  add_blocks(command, options);
 }
 
 }  // namespace aomd::cli

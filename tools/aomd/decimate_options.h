@@ -40,9 +40,11 @@ struct DecimateOptions {
   bool min_dihedral_given = false;
   double max_distance_pct = 0;  ///< of the diagonal of the input's box
   int threads = 0;              ///< 0: all cores
+  std::size_t blocks = 1;       ///< that the input is cut into
   // What is written
   std::string report, journal;
-  bool quiet = false, strict = false;
+  bool quiet = false, strict = false, prints_json = false;
+  bool one_of_several = false;   ///< other processes write to the same terminal
   DecimationOptions decimation;  ///< takes the numbers that need nothing else
 
   [[nodiscard]] bool paper() const { return strategy == "paper"; }

@@ -44,8 +44,9 @@ Json all_quality_json(const DecimateReport& r) {
 }
 
 std::string change_words(const DecimateReport& r) {
-  const std::string before = r.volume() ? counted(r.input.regions - r.others, "tetrahedron")
-                                        : counted(r.input.faces, "face");
+  const std::size_t faces = r.in_blocks ? r.in_blocks->faces : r.input.faces;
+  const std::string before =
+      r.volume() ? counted(r.input.regions - r.others, "tetrahedron") : counted(faces, "face");
   return before + " -> " + std::to_string(r.cells());
 }
 
@@ -56,13 +57,21 @@ std::string state_words(const DecimateReport& r) {
          number_text(largest_percent(r.volumes), 2) + " %";
 }
 
+// Of one that was read in blocks the rest would have to be looked for in all of the file.
+Json input_json(const DecimateOptions& options, const DecimateReport& r) {
+  if (!r.in_blocks) return counts_json(options.input, r.input);
+  return {{"file", options.input},       {"vertices", r.in_blocks->vertices},
+          {"faces", r.in_blocks->faces}, {"regions", 0},
+          {"euler", r.input.euler},      {"of_blocks", counts_json(options.input, r.input)}};
+}
+
 }  // namespace
 
 Json report_json(const DecimateOptions& options, const DecimationOptions& steps,
                  const ClassifyOptions& how, const DecimateReport& r) {
   const bool volume = r.volume();
   return {{"schema", 1},
-          {"input", counts_json(options.input, r.input)},
+          {"input", input_json(options, r)},
           {"output", counts_json(options.output, r.output)},
           {"options", options_json(options, steps, how, r)},
           {"repair", options.repair ? Json{{"done", items_json(r.repaired.done)},

@@ -19,8 +19,14 @@
 
 namespace aomd::cli {
 
+/// What is known of an input that was read in blocks.
+struct InBlocks {
+  std::uint32_t vertices = 0, faces = 0;
+};
+
 struct DecimateReport {
   measure::Counts input, output;
+  std::optional<InBlocks> in_blocks;  ///< `input` is then what blocks came to, put together
   measure::Quality quality;
   RepairReport repaired;
   std::vector<SweepStatistics> sweeps;

@@ -1,9 +1,10 @@
-// aomd image-diff: how far one picture is from another.
+// aomd image-diff: whether one picture is another one, by the verdict of aomd-view --compare.
 
 #include <iostream>
 #include <memory>
 
 #include "core/measure/image_diff.h"
+#include "core/measure/picture_verdict.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/values.h"
@@ -13,7 +14,7 @@ namespace {
 
 struct ImageDiffArguments {
   std::string a, b, output;
-  double threshold = 0.99;
+  double threshold = measure::PictureLimits().threshold;
 };
 
 int run(const ImageDiffArguments& options) {
@@ -27,7 +28,10 @@ int run(const ImageDiffArguments& options) {
   std::cout << "ssim " << difference.ssim << ", " << difference.differing_pixels << " of "
             << difference.pixels << " pixels differ, by " << difference.largest_channel_difference
             << " of 255 at most\n";
-  return difference.ssim >= options.threshold ? done : says_no;
+  const measure::PictureVerdict verdict =
+      measure::judge_pictures(a, b, measure::PictureLimits::with_threshold(options.threshold));
+  std::cout << (verdict.same ? "the same picture" : "another picture: " + verdict.why) << '\n';
+  return verdict.same ? done : says_no;
 }
 
 }  // namespace
@@ -40,7 +44,8 @@ void add_image_diff(CLI::App& app, Action& action) {
   command->add_option("B", options->b, "The other one")->required();
   command
       ->add_option("--threshold", options->threshold,
-                   "Structural similarity that counts as equal; 1 is identical")
+                   "Structural similarity that each tile of 32x32 pixels must have; with 1 nothing "
+                   "is forgiven")
       ->type_name("S")
       ->check(between(0, 1))
       ->capture_default_str();

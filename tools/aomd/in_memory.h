@@ -31,8 +31,9 @@ struct Decimated {
 };
 
 /// `aomd decimate` between reading and writing. Writes what --journal and --report ask for; the
-/// names of input and output stand in messages alone.
-[[nodiscard]] Decimated decimate(const DecimateOptions& options, MeshData mesh,
+/// names of input and output stand in messages alone. The mesh is looked at where it is, and must
+/// stay what it is until the end.
+[[nodiscard]] Decimated decimate(const DecimateOptions& options, const MeshData& mesh,
                                  const Listener& listener);
 
 /// `aomd info`.

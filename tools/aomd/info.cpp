@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
+#include "tools/aomd/batch.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/field_report.h"
 #include "tools/aomd/in_memory.h"
@@ -18,7 +19,7 @@ namespace {
 
 struct InfoArguments {
   std::string file;
-  bool json = false;
+  bool json = false, in_one_line = false;
 };
 
 template <typename Value>
@@ -130,7 +131,7 @@ int run(const InfoArguments& options) {
   const double seconds = watch.lap();
   const Facts facts(read.mesh);
   if (options.json)
-    std::cout << text_of(json_of(options.file, facts, seconds, read.notes));
+    std::cout << text_of(json_of(options.file, facts, seconds, read.notes), options.in_one_line);
   else
     print(options.file, facts);
   return done;
@@ -144,11 +145,15 @@ Json info(const std::string& name, const MeshData& mesh) {
 
 void add_info(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("info", "Counts, topology, classification, quality and memory of a mesh");
-  const auto options = std::make_shared<InfoArguments>();
-  command->add_option("FILE", options->file, "The mesh")->required();
-  command->add_flag("--json", options->json, "As JSON");
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+      app.add_subcommand("info", "Counts, topology, classification, quality and memory of meshes");
+  const auto batch = std::make_shared<Batch>();
+  add_files(*command, *batch);
+  command->add_flag("--json", batch->json, "As JSON; of several meshes a line each");
+  command->callback([&action, batch] {
+    action = reading(batch, [batch](const BatchFile& file) {
+      return run({file.input, batch->json, file.one_of_several()});
+    });
+  });
 }
 
 }  // namespace aomd::cli

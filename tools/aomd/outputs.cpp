@@ -4,6 +4,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/text.h"
@@ -23,33 +24,30 @@ bool is_standard_output(const NamedFile& file) {
   return !file.path.empty() && output_path(file.path) == "/dev/stdout";
 }
 
-struct KnownFile {
-  const NamedFile* file;
-  std::string identity;
-};
+/// Files by what tells them apart; the first of several is kept.
+using KnownFiles = std::unordered_map<std::string, const NamedFile*>;
 
-std::vector<KnownFile> identified(const std::vector<NamedFile>& inputs) {
-  std::vector<KnownFile> known;
+KnownFiles identified(const std::vector<NamedFile>& inputs) {
+  KnownFiles known;
   for (const NamedFile& input : inputs)
     if (auto identity = input_identity(input.path == "-" ? "/dev/stdin" : input.path))
-      known.push_back({&input, std::move(*identity)});
+      known.emplace(std::move(*identity), &input);
   return known;
 }
 
 }  // namespace
 
 void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
-  std::vector<KnownFile> known = identified(inputs);
+  KnownFiles known = identified(inputs);
   for (const NamedFile& output : outputs) {
     if (output.path.empty()) continue;
     io::OutputFiles::probe(output_path(output.path));
     const auto identity = output_identity(output_path(output.path));
     if (!identity) continue;
-    for (const KnownFile& other : known)
-      if (other.identity == *identity)
-        throw UsageError(std::string(other.file->name) + " and " + output.name +
-                         " are one file: " + output.path);
-    known.push_back({&output, *identity});
+    const auto [other, is_new] = known.emplace(*identity, &output);
+    if (!is_new)
+      throw UsageError(std::string(other->second->name) + " and " + output.name +
+                       " are one file: " + output.path);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/text.h"
+#include "tools/aomd/batch.h"
 #include "tools/aomd/command.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/repair_items.h"
@@ -17,7 +18,7 @@ struct RepairArguments {
   std::string input, output, format;
   RepairOptions repair;
   WeldOption weld;
-  bool json = false, quiet = false;
+  bool json = false, in_one_line = false, quiet = false;
 };
 
 void print(std::ostream& out, const std::string& file, const std::vector<RepairItem>& items) {
@@ -62,7 +63,8 @@ int run(RepairArguments& options) {
          {"output", counts_json(options.output, measure::count_entities(Mesh(read.mesh)))},
          {"done", items_json(report.done)},
          {"left", items_json(report.left)},
-         {"seconds", {{"read", reading}, {"repair", repairing}}}});
+         {"seconds", {{"read", reading}, {"repair", repairing}}}},
+        options.in_one_line);
   } else if (!options.quiet) {
     print(out, options.output, report.done);
     print(out, options.output, report.left);
@@ -97,18 +99,31 @@ void add_repair(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "repair", "Mends what is safe to mend in a dirty surface, and says what it did");
   const auto options = std::make_shared<RepairArguments>();
-  command->add_option("IN", options->input, "The mesh; - is standard input")
+  const auto batch = std::make_shared<Batch>();
+  command->add_option("IN", batch->input, "The mesh; - is standard input")
       ->required()
       ->check(not_empty());
-  command->add_option("OUT", options->output, "Where to write it; - is standard output")
+  command->add_option("OUT", batch->output, "Where to write it; - is standard output")
       ->required()
       ->check(not_empty());
-  add_format(*command, options->format);
+  add_folder(*command, *batch);
+  add_format(*command, batch->format);
   add_weld(*command, options->weld);
   add_switches(*command, options->repair);
-  command->add_flag("--json", options->json, "Prints what was done as JSON");
+  command->add_flag("--json", batch->json,
+                    "Prints what was done as JSON; of several meshes a line each");
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+  command->callback([&action, options, batch] {
+    action = writing(batch, [options, batch](const BatchFile& file) {
+      RepairArguments one = *options;
+      one.input = file.input;
+      one.output = file.output;
+      one.format = batch->format;
+      one.json = batch->json;
+      one.in_one_line = file.one_of_several();
+      return run(one);
+    });
+  });
 }
 
 }  // namespace aomd::cli

@@ -2,6 +2,10 @@
 
 #include <sys/resource.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace aomd::cli {
 
 Json counts_json(const std::string& file, const measure::Counts& counts) {
@@ -63,8 +67,14 @@ std::size_t peak_bytes() {
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+void give_back_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
+std::string text_of(const Json& json, bool in_one_line) {
+  return json.dump(in_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 double Stopwatch::lap() {

@@ -30,8 +30,12 @@ void add_volume_quality(Json& quality, const measure::VolumeQuality& volume);
 /// Largest memory of this process so far, in bytes.
 [[nodiscard]] std::size_t peak_bytes();
 
-/// JSON as text that ends with a newline.
-[[nodiscard]] std::string text_of(const Json& json);
+/// Gives freed memory back to the system, so that what one stage of work needs does not add to what
+/// the next one does. Within another program only: that of `aomd` goes back by itself (main.cpp).
+void give_back_memory();
+
+/// JSON as text that ends with a newline: indented, or all in one line.
+[[nodiscard]] std::string text_of(const Json& json, bool in_one_line = false);
 
 /// Measures stages of work by the wall clock.
 class Stopwatch {

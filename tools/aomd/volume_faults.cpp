@@ -6,11 +6,8 @@
 namespace aomd::cli {
 namespace {
 
-// Where some are upright the others may be folded, which turning does not mend; they stay so.
+// Those that their neighbours prove to be numbered inside out are none of these: readers turn them.
 std::string inverted_note(const VolumeFaults& faults, const std::string& kind) {
-  if (faults.turned == faults.regions)
-    return "all " + kind + " (" + grouped(faults.turned) +
-           ") stand inside out: aomd convert --split-to-tets turns them";
   return grouped(faults.inverted) + " of " + grouped(faults.regions) + " " + kind +
          " stand inside out or are flat, and may stay so: aomd check names them";
 }
@@ -19,11 +16,7 @@ std::string inverted_note(const VolumeFaults& faults, const std::string& kind) {
 
 VolumeFaults::VolumeFaults(const Mesh& mesh, const measure::Counts& counts)
     : regions(counts.regions), crowded(counts.nonmanifold_faces), folded(counts.folded_faces) {
-  for (const Region r : mesh.regions()) {
-    const double volume = measure::signed_volume(mesh, r);
-    inverted += !(volume > 0);
-    turned += volume < 0;
-  }
+  for (const Region r : mesh.regions()) inverted += !(measure::signed_volume(mesh, r) > 0);
 }
 
 std::vector<std::string> notes_of(const VolumeFaults& faults, const char* kind) {

@@ -16,7 +16,6 @@ struct VolumeFaults {
 
   std::size_t regions;
   std::size_t inverted = 0;  ///< regions whose volume is zero or negative
-  std::size_t turned = 0;    ///< of those: negative
   std::size_t crowded;       ///< faces of three or more regions
   std::size_t folded;        ///< faces of two regions on one side of them
 };

@@ -1,6 +1,8 @@
 #include "tools/python/arrays.h"
 
 #include <cmath>
+#include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -10,17 +12,49 @@
 namespace aomd::python {
 namespace {
 
-using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-using Real = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Hands over all numbers of an array, row by row, where it holds T in whatever order; false where
+/// it does not.
+template <typename T, typename Take>
+bool taken_as(const py::array& array, const Take& take) {
+  if (!py::isinstance<py::array_t<T>>(array)) return false;
+  const bool rows_alone = array.ndim() < 2;
+  const auto* const first = static_cast<const char*>(array.data());
+  const py::ssize_t columns = rows_alone ? 1 : array.shape(1);
+  const py::ssize_t across = rows_alone ? 0 : array.strides(1);
+  for (py::ssize_t row = 0; row < array.shape(0); ++row)
+    for (py::ssize_t column = 0; column < columns; ++column) {
+      T number;
+      std::memcpy(&number, first + row * array.strides(0) + column * across, sizeof number);
+      take(number);
+    }
+  return true;
+}
+
+/// The same for any array of one or two dimensions. The usual types are not converted first, which
+/// would be a copy of all of it.
+template <typename Take>
+void take_whole(const py::array& array, const Take& take) {
+  const auto whole = [&](auto number) { take(static_cast<std::int64_t>(number)); };
+  if (taken_as<std::uint32_t>(array, whole) || taken_as<std::int32_t>(array, whole) ||
+      taken_as<std::int64_t>(array, whole) || taken_as<std::uint64_t>(array, whole))
+    return;
+  taken_as<std::int64_t>(py::array_t<std::int64_t, py::array::forcecast>(array), take);
+}
+
+template <typename Take>
+void take_real(const py::array& array, const Take& take) {
+  const auto real = [&](auto number) { take(static_cast<double>(number)); };
+  if (taken_as<double>(array, real) || taken_as<float>(array, real)) return;
+  taken_as<double>(py::array_t<double, py::array::forcecast>(array), take);
+}
 
 std::string shape_text(const py::array& array) { return py::str(array.attr("shape")); }
 
-Whole whole_numbers(const py::array& array, const std::string& what) {
+void check_whole(const py::array& array, const std::string& what) {
   const char kind = array.dtype().kind();
   if (kind != 'i' && kind != 'u' && array.size() > 0)
     throw std::invalid_argument(what + ": must be whole numbers, not " +
                                 std::string(py::str(array.dtype())));
-  return Whole(array);
 }
 
 Shape shape_with(int dimension, py::ssize_t corners, const std::string& what) {
@@ -37,18 +71,20 @@ void append(EntityList& list, const py::array& array, int dimension, std::size_t
     throw std::invalid_argument(what + ": must have the shape (n, vertices of each), not " +
                                 shape_text(array));
   const Shape shape = shape_with(dimension, array.shape(1), what);
-  const Whole numbers = whole_numbers(array, what);
+  check_whole(array, what);
   const auto rows = static_cast<std::size_t>(array.shape(0));
   const auto columns = static_cast<std::size_t>(array.shape(1));
   list.shapes.insert(list.shapes.end(), rows, shape);
   list.vertices.reserve(list.vertices.size() + rows * columns);
-  const std::int64_t* const values = numbers.data();
-  for (std::size_t i = 0; i < rows * columns; ++i) {
-    if (values[i] < 0 || static_cast<std::size_t>(values[i]) >= vertices)
-      throw std::invalid_argument(what + ": row " + std::to_string(i / columns) + " names vertex " +
-                                  std::to_string(values[i]) + " of " + std::to_string(vertices));
-    list.vertices.push_back(static_cast<std::uint32_t>(values[i]));
-  }
+  std::size_t count = 0;
+  take_whole(array, [&](std::int64_t vertex) {
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertices)
+      throw std::invalid_argument(what + ": row " + std::to_string(count / columns) +
+                                  " names vertex " + std::to_string(vertex) + " of " +
+                                  std::to_string(vertices));
+    list.vertices.push_back(static_cast<std::uint32_t>(vertex));
+    ++count;
+  });
 }
 
 bool is_list(const py::object& arrays) {
@@ -70,13 +106,15 @@ ModelRef class_of(std::int64_t dimension, std::int64_t tag, std::size_t row) {
 std::vector<glm::dvec3> positions_from(const py::array& array) {
   if (array.ndim() != 2 || array.shape(1) != 3)
     throw std::invalid_argument("vertices: must have the shape (n, 3), not " + shape_text(array));
-  const Real numbers(array);
-  const auto* const first = reinterpret_cast<const glm::dvec3*>(numbers.data());
-  std::vector<glm::dvec3> positions(first, first + numbers.shape(0));
-  for (std::size_t v = 0; v < positions.size(); ++v)
-    for (int k = 0; k < 3; ++k)
-      if (!std::isfinite(positions[v][k]))
-        throw std::invalid_argument("vertices: vertex " + std::to_string(v) + " is not finite");
+  std::vector<glm::dvec3> positions(static_cast<std::size_t>(array.shape(0)));
+  std::size_t count = 0;
+  take_real(array, [&](double coordinate) {
+    if (!std::isfinite(coordinate))
+      throw std::invalid_argument("vertices: vertex " + std::to_string(count / 3) +
+                                  " is not finite");
+    positions[count / 3][static_cast<int>(count % 3)] = coordinate;
+    ++count;
+  });
   return positions;
 }
 
@@ -97,11 +135,18 @@ std::vector<ModelRef> classes_from(const py::array& array, int dimension, std::s
     throw std::invalid_argument("classes of " + std::string(entity_plural(dimension)) +
                                 ": must have the shape (" + std::to_string(count) + ",) or (" +
                                 std::to_string(count) + ", 2), not " + shape_text(array));
-  const Whole numbers = whole_numbers(array, "classes");
-  std::vector<ModelRef> classes(count);
-  for (std::size_t i = 0; i < count; ++i)
-    classes[i] = pairs ? class_of(numbers.data()[2 * i], numbers.data()[2 * i + 1], i)
-                       : class_of(dimension, numbers.data()[i], i);
+  check_whole(array, "classes");
+  std::vector<ModelRef> classes;
+  classes.reserve(count);
+  std::optional<std::int64_t> first;  // of a pair
+  take_whole(array, [&](std::int64_t number) {
+    if (pairs && !first) {
+      first = number;
+      return;
+    }
+    classes.push_back(class_of(first.value_or(dimension), number, classes.size()));
+    first.reset();
+  });
   return classes;
 }
 
@@ -124,13 +169,13 @@ Attribute attribute_from(const std::string& name, const py::array& values, int d
     throw std::invalid_argument(shown(name) + ": must be numbers of the shape (" +
                                 std::to_string(count) + ",) or (" + std::to_string(count) +
                                 ", k), not " + shape_text(values));
-  const Real numbers(values);
   Attribute attribute;
   attribute.name = name;
   attribute.dimension = dimension;
   attribute.components = values.ndim() == 2 ? static_cast<int>(values.shape(1)) : 1;
   attribute.integer = kind != 'f';
-  attribute.values.assign(numbers.data(), numbers.data() + numbers.size());
+  attribute.values.reserve(static_cast<std::size_t>(values.size()));
+  take_real(values, [&](double number) { attribute.values.push_back(number); });
   return attribute;
 }
 

@@ -6,7 +6,6 @@
 
 #include "core/base/parallel.h"
 #include "core/io/left_out.h"
-#include "core/measure/image_diff.h"
 #include "core/measure/intersections.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -86,26 +85,6 @@ std::vector<std::uint32_t> intersections(const MeshData& data) {
   return pairs;
 }
 
-using Pixels = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
-
-io::Image image_from(const Pixels& pixels) {
-  if (pixels.ndim() != 3 || pixels.shape(2) != 4)
-    throw std::invalid_argument("a picture has the shape (height, width, 4)");
-  io::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)));
-  std::copy_n(pixels.data(), image.rgba.size(), image.rgba.begin());
-  return image;
-}
-
-py::dict image_difference(const Pixels& first, const Pixels& second) {
-  const auto found = measure::compare_images(image_from(first), image_from(second));
-  py::dict result;
-  result["same_size"] = found.same_size;
-  result["ssim"] = found.ssim;
-  result["differing_pixels"] = found.differing_pixels;
-  result["largest_channel_difference"] = found.largest_channel_difference;
-  return result;
-}
-
 void add_repair_options(py::module_& module) {
   py::class_<RepairOptions>(module, "RepairOptions")
       .def(py::init<>())
@@ -156,7 +135,6 @@ void add_commands(py::module_& module) {
     }
     return owned(std::move(pairs), 2);
   });
-  module.def("image_difference", &image_difference);
 }
 
 }  // namespace aomd::python

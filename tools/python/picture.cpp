@@ -2,11 +2,10 @@
 
 #include <memory>
 #include <mutex>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "tools/python/arrays.h"
+#include "tools/python/images.h"
 #include "viewer/app/viewer.h"
 #include "viewer/commands/commands.h"
 
@@ -42,27 +41,14 @@ py::array picture(const MeshHandle& mesh, int width, int height,
     const py::gil_scoped_release unlocked;
     image = drawn(mesh, {width, height}, commands, transparent);
   }
-  auto* const pixels = new std::vector<std::uint8_t>(std::move(image.rgba));
-  const py::capsule owner(pixels,
-                          [](void* p) { delete static_cast<std::vector<std::uint8_t>*>(p); });
-  return py::array_t<std::uint8_t>({image.height, image.width, 4}, pixels->data(), owner);
-}
-
-using RgbaArray = py::array_t<std::uint8_t, py::array::c_style>;
-
-py::bytes png_of(const RgbaArray& pixels) {
-  if (pixels.ndim() != 3 || pixels.shape(2) != 4)
-    throw std::invalid_argument("a picture has the shape (height, width, 4)");
-  io::Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)));
-  image.rgba.assign(pixels.data(), pixels.data() + pixels.size());
-  return io::to_png(image);
+  return array_of(std::move(image));
 }
 
 }  // namespace
 
 void add_picture(py::module_& module) {
   module.def("render", &picture);
-  module.def("to_png", &png_of);
+  add_images(module);
 }
 
 }  // namespace aomd::python

@@ -4,11 +4,11 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "core/base/processes.h"
 #include "core/base/text.h"
 #include "core/io/output_files.h"
 #include "viewer/app/case_runner.h"
 #include "viewer/app/options.h"
-#include "viewer/app/processes.h"
 #include "viewer/app/test_options.h"
 #include "viewer/suite/report.h"
 
@@ -68,9 +68,10 @@ std::vector<Finished> carry_out(const suite::Suite& suite,
                                 const std::vector<const suite::Case*>& cases,
                                 const TestOptions& options, const fs::path& work) {
   CaseRunner runner(suite, work, options.update);
-  const auto pieces = share_among_processes(cases.size(), options.jobs, [&](std::size_t i) {
-    return suite::to_json(runner.run(*cases[i]));
-  });
+  Sharing how;
+  how.jobs = options.jobs;
+  const auto pieces = share_among_processes(
+      cases.size(), how, [&](std::size_t i) { return suite::to_json(runner.run(*cases[i])); });
   std::vector<Finished> finished;
   for (std::size_t i = 0; i < cases.size(); ++i)
     finished.push_back({cases[i], result_of(pieces[i])});

@@ -14,6 +14,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/commands/lesson_commands.h"
 #include "viewer/commands/look_lines.h"
+#include "viewer/drawing/ground.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::app {
@@ -26,6 +27,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::microseconds least_budget{8000};
 constexpr std::chrono::microseconds most_budget{60000};
 constexpr double idle_wait_s = 0.5;
+// Drawing that takes longer is too slow to turn the mesh by, and a hand that rests so long has
+// turned it to where it wants it.
+constexpr std::chrono::milliseconds slow_drawing{50}, rest_of_camera{250};
 constexpr int frames_after_event = 3;  // ImGui needs a few to settle
 
 /// Each press and release takes a frame of its own, so that slow drawing would make two clicks of
@@ -101,6 +105,9 @@ void Viewer::restore_settings() {
   const ui::Settings settings = ui::read_settings(ui::settings_path());
   session_.view.theme = options_.theme.value_or(settings.theme);
   session_.view.panels = settings.panels;
+  session_.view.text_scale = settings.text_scale;
+  session_.view.occlusion = settings.occlusion;
+  session_.view.ground = settings.ground;
   session_.view.play_speed = settings.play_speed;
   interface_.recent_commands() = settings.recent_commands;
   session_.lesson.completed = {settings.lessons_done.begin(), settings.lessons_done.end()};
@@ -115,7 +122,10 @@ void Viewer::restore_settings() {
 void Viewer::save_settings() {
   ui::write_settings(ui::settings_path(),
                      {session_.view.theme,
-                      session_.view.panels,
+                      session_.view.presenting.value_or(session_.view.panels),
+                      session_.view.text_scale,
+                      session_.view.occlusion,
+                      session_.view.ground,
                       window_.place(),
                       interface_.recent_commands(),
                       session_.view.play_speed,
@@ -132,7 +142,15 @@ void Viewer::connect_clipboard() {
   };
 }
 
-void Viewer::update_look(float scale) {
+/// Of lines and dots, and where nobody changes that of text.
+float Viewer::drawing_scale() const {
+  const double own = options_.scale ? *options_.scale : window_.content_scale();
+  const double presented = session_.view.presenting ? scene::presentation_scale : 1;
+  return static_cast<float>(own * presented * picture_scale_);
+}
+
+void Viewer::update_look() {
+  const float scale = drawing_scale() * static_cast<float>(session_.view.text_scale);
   if (scale == scale_ && theme_ == session_.view.theme) return;
   if (scale != scale_) {
     fonts_ = ui::load_fonts(scale);
@@ -166,25 +184,47 @@ render::RenderSettings Viewer::settings(bool transparent) const {
   render::RenderSettings settings;
   settings.transparent = transparent;
   settings.show_surface = session_.view.surface;
-  settings.light = session_.view.light;
+  settings.lit = session_.view.light;
   settings.hidden_lines = session_.view.hidden_lines;
   settings.show_edge_codes = session_.sheet().verdicts() != nullptr;
   settings.show_edges = session_.view.edges;
   settings.show_model_edges = session_.view.model_edges;
   settings.show_model_vertices = session_.view.model_vertices;
+  settings.draft = moving_;
+  settings.quiet = session_.view.coloring == scene::Coloring::Classification ||
+                   session_.view.coloring == scene::Coloring::None;
+  const scene::View& view = session_.view;
+  if (view.light_from)
+    settings.light =
+        glm::mat3(view.camera.view()) * glm::transpose(glm::mat3(view.light_from->view()));
+  if (view.ground && !session_.document().empty()) {
+    const int up = view.camera.up_axis == scene::UpAxis::Z ? 2 : 1;
+    const scene::Box& bounds = session_.document().content().bounds;
+    settings.show_ground =
+        view.camera.eye()[up] > scene::ground_height(bounds, view.camera.up_axis);
+  }
   settings.glass = session_.view.interior_edges && !session_.document().empty() &&
                    session_.document().content().volume();
   settings.glass_plane = session_.sheet().preview_cut();
   settings.glass = settings.glass || settings.glass_plane;
   if (const auto& clip = session_.view.clip; clip && !clip->cells && !session_.document().empty())
     settings.clip_plane = clip->plane(session_.document().content().bounds, scene::clip_hair);
-  settings.pixel_scale = scale_ * ImGui::GetIO().DisplayFramebufferScale.x;
+  settings.pixel_scale = drawing_scale() * ImGui::GetIO().DisplayFramebufferScale.x;
   settings.theme = ui::scene_theme(ui::theme_kind(session_.view.theme));
   return settings;
 }
 
+/// Before each frame of a window.
+void Viewer::choose_detail() {
+  const auto now = Clock::now();
+  if (session_.view.camera != drawn_from_) moved_at_ = now;
+  drawn_from_ = session_.view.camera;
+  moving_ = session_.view.detail == scene::Detail::Automatic && full_time_ > slow_drawing &&
+            now - moved_at_ < rest_of_camera;
+}
+
 void Viewer::lay_out_frame() {
-  update_look(options_.scale ? static_cast<float>(*options_.scale) : window_.content_scale());
+  update_look();
   session_.refresh();
   ImGui::NewFrame();
   em_ = ui::em();
@@ -196,9 +236,11 @@ void Viewer::lay_out_frame() {
 /// One picture, or two of the same size with a line between them.
 void Viewer::draw_scene(const scene::Camera& camera, const render::PixelRect& rect,
                         GLuint destination, bool transparent) {
-  buffers_.upload(session_.sheet().drawing().drawable());
+  const bool coarse =
+      session_.view.surface && (moving_ || session_.view.detail == scene::Detail::Coarse);
+  buffers_.upload(session_.sheet().drawing().drawable(), coarse);
   scene::SurfaceDrawing* original = session_.sheet().reference_drawing();
-  if (original != nullptr) original_buffers_.upload(original->drawable());
+  if (original != nullptr) original_buffers_.upload(original->drawable(), coarse);
   render::RenderSettings how = settings(transparent);
   if (original == nullptr || !session_.sheet().side_by_side()) {
     if (original != nullptr) how.ghost = &original_buffers_;
@@ -292,7 +334,10 @@ void Viewer::after_loading() {
   const bool first = !std::exchange(shown_any_, true);
   const scene::LoadedMesh& content = session_.document().content();
   window_.set_title(content.name + " \u2013 AOMD Studio");
-  if (!content.file.empty()) interface_.recent.add(content.file);
+  if (!content.file.empty()) {
+    interface_.recent.add(content.file);
+    interface_.remember_folder(std::filesystem::absolute(content.file).parent_path());
+  }
   if (first && !options_.camera.empty()) execute("camera " + options_.camera);
   if (first && !options_.model.empty())
     take_model("model " + scene::in_quotes(options_.model.string()));
@@ -339,23 +384,32 @@ void Viewer::run_window() {
   while (!session_.quit) {
     const bool waits = session_.idle() && script_.done() && awake <= 0;
     const auto before = Clock::now();
-    const Events events = window_.poll(ImGui::GetIO(), waits ? idle_wait_s : 0);
+    const double wait_s =
+        moving_ ? std::chrono::duration<double>(rest_of_camera).count() : idle_wait_s;
+    const Events events = window_.poll(ImGui::GetIO(), waits ? wait_s : 0);
     take_events(events);
     if (window_.should_close()) ask_to_close();
     const auto now = Clock::now();
-    const bool timed_out = std::chrono::duration<double>(now - before).count() >= idle_wait_s;
+    const bool timed_out = std::chrono::duration<double>(now - before).count() >= wait_s;
     if (events.input || (waits && !timed_out)) awake = frames_after_event;
     session_.keep();
+    if (const std::string line = session_.look_at_file(now); !line.empty()) {
+      execute_or_tell(line);
+      awake = frames_after_event;
+    }
+    if (!session_.warnings.empty()) awake = frames_after_event;
     tell_warnings();
-    if (waits && timed_out && !ImGui::GetIO().WantTextInput) continue;
+    if (waits && timed_out && awake <= 0 && !moving_ && !ImGui::GetIO().WantTextInput) continue;
     awake = session_.idle() ? awake - 1 : frames_after_event;
     tick(std::chrono::duration<double>(now - last).count());
     last = now;
     advance_script();
+    choose_detail();
     const auto drawing = Clock::now();
     draw_frame(window_.framebuffer_size(), 0);
     window_.present();
     drawing_time_ = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - drawing);
+    if (!moving_) full_time_ = drawing_time_;
     ImGui::GetIO().MouseDoubleClickTime = double_click_time(drawing_time_);
     if (!lines_.empty()) awake = frames_after_event;
     for (const std::string& line : std::exchange(lines_, {})) execute_or_tell(line);

@@ -42,9 +42,10 @@ class Viewer {
   /// Loads, carries out the script, and returns. Throws what went wrong.
   void run_headless();
   /// Everything as a picture of `size` pixels; without a background where asked.
-  [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false);
+  [[nodiscard]] io::Image picture(glm::ivec2 size, bool transparent = false, double scale = 1);
   /// The scene alone, whatever panels there are. What they show goes on as it was.
-  [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false);
+  [[nodiscard]] io::Image scene_picture(glm::ivec2 size, bool transparent = false,
+                                        double scale = 1);
   /// Where the scene stands in a picture of so many pixels, with the panels as they were last.
   [[nodiscard]] measure::PixelArea scene_area(glm::ivec2 pixels) const;
 
@@ -73,7 +74,9 @@ class Viewer {
   void take_screenshots();
   void tell_warnings();
   void print_log();
-  void update_look(float scale);
+  [[nodiscard]] float drawing_scale() const;
+  void choose_detail();
+  void update_look();
   void update_aspect();
   [[nodiscard]] double farther(double before, double now) const;
   /// The panels of the next frame, not drawn yet: a picture lets them settle first, which costs no
@@ -103,11 +106,16 @@ class Viewer {
   std::ofstream record_;
   std::vector<std::string> lines_;  ///< what the interface emitted in the last frame
   float scale_ = 0;                 ///< what fonts and theme were made for
+  double picture_scale_ = 1;        ///< how much larger a picture is drawn than the window
   scene::Theme theme_ = scene::Theme::Light;
   float em_ = 16;
   bool shown_any_ = false;  ///< a mesh has arrived already
   bool in_script_ = false;
   std::chrono::microseconds drawing_time_{0};  ///< of the last frame in the window
+  std::chrono::microseconds full_time_{0};     ///< of the last with all faces
+  scene::Camera drawn_from_;
+  std::chrono::steady_clock::time_point moved_at_{};
+  bool moving_ = false;  ///< fewer faces are drawn, because the camera moves
 };
 
 }  // namespace aomd::app

@@ -13,6 +13,12 @@ namespace aomd::app {
 namespace {
 
 constexpr int frames_of_picture = 3;
+constexpr double usual_height_px = 1080;
+
+/// Lines of one pixel are lost in a picture that is looked at as a whole and has many.
+double scale_for(glm::ivec2 size) {
+  return std::max(1.0, std::min(size.x, size.y) / usual_height_px);
+}
 
 }  // namespace
 
@@ -23,8 +29,10 @@ scene::Camera Viewer::camera_for(double before, double now) const {
   return camera;
 }
 
-io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
+io::Image Viewer::picture(glm::ivec2 size, bool transparent, double scale) {
   ImGuiIO& io = ImGui::GetIO();
+  picture_scale_ = scale;
+  moving_ = false;
   const scene::Camera camera = session_.view.camera;
   const double aspect = session_.view.aspect;
   const ImVec2 display = io.DisplaySize;
@@ -43,19 +51,23 @@ io::Image Viewer::picture(glm::ivec2 size, bool transparent) {
   io::Image image = target.read(transparent);
   session_.view.camera = camera;
   session_.view.aspect = aspect;
+  picture_scale_ = 1;
   io.DisplaySize = display;
   io.MousePos = mouse;
   return image;
 }
 
-io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent) {
+io::Image Viewer::scene_picture(glm::ivec2 size, bool transparent, double scale) {
   session_.refresh();
+  picture_scale_ = scale;
+  moving_ = false;
   const double aspect = static_cast<double>(size.x) / size.y;
   const scene::Camera before = session_.view.camera;
   session_.view.camera = camera_for(session_.view.aspect, aspect);
   const render::PictureTarget target(gl_, size);
   draw_scene(session_.view.camera, {0, 0, size.x, size.y}, target.framebuffer(), transparent);
   draw_scales(size, target.framebuffer());
+  picture_scale_ = 1;
   session_.view.camera = before;
   return target.read(transparent);
 }
@@ -66,6 +78,7 @@ void Viewer::draw_scales(glm::ivec2 size, GLuint destination) {
   const ImVec2 display = io.DisplaySize;
   io.DisplaySize = ImVec2(static_cast<float>(size.x) / io.DisplayFramebufferScale.x,
                           static_cast<float>(size.y) / io.DisplayFramebufferScale.y);
+  update_look();
   ImGui::NewFrame();
   interface_.draw_scales(session_, fonts_);
   ImGui::Render();
@@ -78,8 +91,10 @@ void Viewer::take_screenshots() {
     const scene::ScreenshotRequest request = session_.screenshots.front();
     session_.screenshots.pop_front();
     const glm::ivec2 size = request.size.value_or(window_.framebuffer_size());
-    io::write_png(request.file, request.interface ? picture(size, request.transparent)
-                                                  : scene_picture(size, request.transparent));
+    const double scale = request.scale.value_or(request.interface ? 1 : scale_for(size));
+    io::write_png(request.file,
+                  request.interface ? picture(size, request.transparent, scale)
+                                    : scene_picture(size, request.transparent, scale));
     if (session_.series() == nullptr) session_.status = "Saved " + request.file.string();
   }
   session_.advance_series();

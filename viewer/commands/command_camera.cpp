@@ -11,8 +11,24 @@ namespace {
 
 constexpr std::size_t longest_camera_text = 1000;  // whatever else the clipboard may hold
 
+/// One of those before the last jumps. A key: where there was none a word is enough.
+void recent_camera(Session& session, Arguments& arguments) {
+  const auto count = static_cast<long long>(session.cameras_before().size());
+  const long long number = arguments.done() || count == 0
+                               ? 1
+                               : arguments.integer("a number of a recent camera", 1, count);
+  arguments.end();
+  if (count == 0)
+    session.status = "The camera has not jumped yet";
+  else
+    session.jump_back(static_cast<std::size_t>(number - 1));
+}
+
 void camera(Session& session, Arguments& arguments) {
   need_mesh(session);
+  Arguments again = arguments;
+  if (!again.done() && again.word("a view or its parameters") == "recent")
+    return recent_camera(session, again);
   std::string text = arguments.rest("a view or its parameters");
   if (text == "copy") {
     session.clipboard.set(session.view.camera.to_text());
@@ -25,6 +41,7 @@ void camera(Session& session, Arguments& arguments) {
                                        session.document().content().bounds, session.view.aspect);
   if (!spec.camera && pasted) throw CommandError("the clipboard holds no camera: " + spec.error);
   if (!spec.camera) arguments.fail(spec.error);
+  session.note_jump();
   session.view.camera = *spec.camera;
   if (pasted) session.status = "Pasted the camera";
 }
@@ -77,6 +94,7 @@ void fit_model_entity(Session& session, Arguments& arguments) {
 
 void fit(Session& session, Arguments& arguments) {
   need_mesh(session);
+  session.note_jump();
   if (arguments.done())
     return session.view.camera.fit(session.document().content().bounds, session.view.aspect);
   Arguments ahead = arguments;
@@ -117,12 +135,13 @@ void zoom(Session& session, Arguments& arguments) {
 std::vector<Command> camera_commands() {
   return {
       {"camera",
-       "VIEW|SPEC|copy|paste",
+       "VIEW|SPEC|copy|paste|recent [N]",
        "iso, front, back, left, right, top, bottom; or azimuth=DEG elevation=DEG distance=L "
        "target=X,Y,Z "
        "zoom=F fov=DEG up=y|z perspective orthographic fit. copy and paste: the present one as "
        "such a text, "
-       "through the clipboard.",
+       "through the clipboard. recent: back to where the camera stood before its last jump, or "
+       "before the Nth last.",
        CommandGroup::View,
        camera,
        {{"1", "camera front"},
@@ -132,6 +151,7 @@ std::vector<Command> camera_commands() {
         {"5", "camera top"},
         {"6", "camera bottom"},
         {"7", "camera iso"},
+        {"Backspace", "camera recent"},
         {"Ctrl+Shift+C", "camera copy"},
         {"Ctrl+Shift+V", "camera paste"}}},
       {"fit",

@@ -38,6 +38,33 @@ void sample(Session& session, Arguments& arguments) {
   session.start_loading(std::move(request));
 }
 
+bool read_from_file(const Session& session) {
+  return !session.document().empty() && !session.document().content().file.empty();
+}
+
+/// A key: where there is nothing to read a word is enough.
+void reload(Session& session, Arguments& arguments) {
+  arguments.end();
+  if (!read_from_file(session)) {
+    session.status = "The present mesh was not read from a file";
+    return;
+  }
+  LoadRequest request;
+  request.file = session.document().content().file;
+  request.classify = session.document().classify_options();
+  session.view.dialog = Dialog::None;
+  session.start_loading(std::move(request));
+}
+
+void watch(Session& session, Arguments& arguments) {
+  const bool on = arguments.flag(session.watching());
+  arguments.end();
+  if (on && !read_from_file(session))
+    throw CommandError("the present mesh was not read from a file");
+  session.watch(on);
+  session.status = on ? "Watching " + session.document().content().name : "Not watching";
+}
+
 void model(Session& session, Arguments& arguments) {
   const std::string file = arguments.rest("a CAD file, or none");
   if (file == "none") {
@@ -58,6 +85,7 @@ void save(Session& session, Arguments& arguments) {
   const WholeData whole = whole_data(session.document());
   const std::vector<std::string> notes = io::write(file, whole.data);
   session.document().mark_saved(file);
+  session.note_written(file);
   session.view.dialog = Dialog::None;
   session.status = "Saved " + printable(file.string());
   for (const std::string& note : whole.notes) session.status += "; " + note;
@@ -99,6 +127,20 @@ std::vector<Command> file_commands() {
        CommandGroup::File,
        open,
        {{"Ctrl+O", "dialog open"}}},
+      {"reload",
+       "",
+       "Reads the file of the present mesh again. The camera stays, as whenever a file is opened "
+       "that was shown before; so do clipping, shrinking and what is hidden.",
+       CommandGroup::File,
+       reload,
+       {{"F5", "reload"}}},
+      {"watch",
+       "[on|off|toggle]",
+       "In a window: reads the file of the present mesh again whenever it changes on disk. Where "
+       "that would lose unsaved work it says so instead.",
+       CommandGroup::File,
+       watch,
+       {}},
       {"sample",
        "NAME [SIZE]",
        "Makes one of the built-in meshes.",

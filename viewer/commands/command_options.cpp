@@ -61,6 +61,12 @@ void feature_angle(Session& session, Arguments& arguments) {
     options.feature_angle_deg =
         Arguments("feature-angle", "DEG|off", text).number("an angle in degrees", 0, 180);
   arguments.end();
+  // Of a volume all faces between regions would have to be there: no history can bring them.
+  const bool volume = !session.document().empty() && session.document().content().volume();
+  if (volume && !session.document().mesh().complete(2))
+    throw CommandError(
+        "this mesh of regions has the model faces and edges that its file says: 'aomd classify "
+        "IN OUT --replace --angle DEG' derives others");
   session.play(false);
   session.sheet().point_out({});
   session.document().end_trial();

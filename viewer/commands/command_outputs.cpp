@@ -28,14 +28,16 @@ void screenshot(Session& session, Arguments& arguments) {
   request.file = expanded(arguments.word("a file"));
   while (!arguments.done()) {
     Arguments again = arguments;
-    const std::string word = again.word("a size, transparent or no-ui");
+    const std::string word = again.word("a size, transparent, no-ui or scale");
     if (word == "transparent")
       request.transparent = true;
     else if (word == "no-ui")
       request.interface = false;
+    else if (word == "scale")
+      request.scale = again.number("a factor", 0.25, 8);
     else
-      request.size = picture_size(arguments);
-    if (word == "transparent" || word == "no-ui") arguments = again;
+      request.size = picture_size(again = arguments);
+    arguments = again;
   }
   session.screenshots.push_back(std::move(request));
 }
@@ -83,10 +85,12 @@ void copy(Session& session, Arguments& arguments) {
 std::vector<Command> output_commands() {
   return {
       {"screenshot",
-       "FILE [WxH] [transparent] [no-ui]",
+       "FILE [WxH] [transparent] [no-ui] [scale F]",
        "Writes a PNG of everything that is shown, as large as the window or WxH, which may be "
        "larger; "
-       "transparent leaves out what is behind the mesh, no-ui the panels.",
+       "transparent leaves out what is behind the mesh, no-ui the panels. scale makes text, lines "
+       "and dots F times as large; without it they are as in the window, but larger in pictures "
+       "without panels of more than 1080 pixels each way.",
        CommandGroup::File,
        screenshot,
        {{"Ctrl+P", "dialog screenshot"}}},

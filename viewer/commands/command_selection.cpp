@@ -105,6 +105,14 @@ void select(Session& session, Arguments& arguments) {
   say(session);
 }
 
+/// Where colours say that an edge is refused, a click asks why.
+void open_reason(Session& session, EntityRef picked) {
+  if (session.view.coloring != Coloring::Verdict || picked.dimension != 1 || !picked.valid())
+    return;
+  session.view.panels.side = true;
+  session.view.panels.page = Page::Selection;
+}
+
 void pick(Session& session, Arguments& arguments) {
   const glm::dvec2 at = place(arguments);
   const bool adds = !arguments.done();
@@ -116,6 +124,7 @@ void pick(Session& session, Arguments& arguments) {
   if (!adds)
     session.sheet().selection.replace(found.valid() ? std::vector{found}
                                                     : std::vector<EntityRef>());
+  if (!adds) open_reason(session, found);
   say(session);
 }
 
@@ -228,7 +237,8 @@ std::vector<Command> selection_commands() {
        "X Y [add]",
        "Selects what lies at a place (-1..1), as a click does; add is a click with Shift, which "
        "also takes "
-       "away.",
+       "away. While colours show why edges are refused it takes edges, and opens the page that "
+       "says why.",
        CommandGroup::Selection,
        pick,
        {}},

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
 
 namespace aomd::scene {
@@ -23,7 +24,7 @@ void color(Session& session, Arguments& arguments) {
 }
 
 void show(Session& session, Arguments& arguments) {
-  constexpr std::array<std::pair<std::string_view, bool View::*>, 13> choices = {
+  constexpr std::array<std::pair<std::string_view, bool View::*>, 15> choices = {
       {{"surface", &View::surface},
        {"hidden-lines", &View::hidden_lines},
        {"scale", &View::scale},
@@ -36,6 +37,8 @@ void show(Session& session, Arguments& arguments) {
        {"original", &View::original},
        {"axes", &View::axes},
        {"light", &View::light},
+       {"occlusion", &View::occlusion},
+       {"ground", &View::ground},
        {"operation", &View::operation}}};
   bool& shown = session.view.*arguments.choice(choices);
   shown = arguments.flag(shown);
@@ -106,6 +109,69 @@ void panel(Session& session, Arguments& arguments) {
   arguments.end();
 }
 
+/// The next of these sizes, in percent.
+double next_text_size(double present, bool larger) {
+  constexpr std::array<double, 11> sizes = {50, 67, 80, 90, 100, 110, 125, 150, 200, 250, 300};
+  constexpr double hair = 0.5;
+  double next = present;
+  for (const double size : sizes) {
+    if (larger && size > present + hair) return size;
+    if (!larger && size < present - hair) next = size;
+  }
+  return next;
+}
+
+void detail(Session& session, Arguments& arguments) {
+  constexpr std::array<std::pair<std::string_view, Detail>, 3> choices = {
+      {{"auto", Detail::Automatic}, {"full", Detail::Full}, {"coarse", Detail::Coarse}}};
+  session.view.detail = arguments.choice(choices);
+  arguments.end();
+}
+
+void light(Session& session, Arguments& arguments) {
+  const std::string word = arguments.one_of({"follow", "stay", "toggle"});
+  arguments.end();
+  View& view = session.view;
+  const bool stays = word == "stay" || (word == "toggle" && !view.light_from);
+  if (stays)
+    view.light_from = view.camera;
+  else
+    view.light_from.reset();
+}
+
+void text_size(Session& session, Arguments& arguments) {
+  Arguments again = arguments;
+  const std::string word = again.word("percent, larger, smaller or usual");
+  double percent = 100;
+  if (word == "larger" || word == "smaller") {
+    percent = next_text_size(100 * session.view.text_scale, word == "larger");
+    arguments = again;
+  } else if (word == "usual") {
+    arguments = again;
+  } else {
+    percent = arguments.number("percent", 100 * least_text_scale, 100 * largest_text_scale);
+  }
+  arguments.end();
+  session.view.text_scale = percent / 100;
+  session.status = "Text at " + short_number(percent, 1) + " % of its usual size";
+}
+
+/// A lesson's page stays: that is what is presented.
+void presentation(Session& session, Arguments& arguments) {
+  View& view = session.view;
+  const bool on = arguments.flag(view.presenting.has_value());
+  arguments.end();
+  if (on == view.presenting.has_value()) return;
+  if (!on) {
+    view.panels = *view.presenting;
+    view.presenting.reset();
+    return;
+  }
+  view.presenting = view.panels;
+  view.panels.menus = view.panels.side = view.panels.timeline = view.panels.runs = false;
+  view.panels.mesh = session.lesson.lesson() != nullptr;
+}
+
 void dialog(Session& session, Arguments& arguments) {
   constexpr std::array<std::pair<std::string_view, Dialog>, 9> choices = {
       {{"open", Dialog::Open},
@@ -146,7 +212,7 @@ std::vector<Command> view_commands() {
        {{"C", "color classification"}, {"N", "color none"}, {"Y", "color verdict"}}},
       {"show",
        "surface|hidden-lines|edges|model-edges|model-vertices|interfaces|interior-edges|original|"
-       "axes|light|scale|length-scale|operation [on|off|toggle]",
+       "axes|light|scale|length-scale|operation|occlusion|ground [on|off|toggle]",
        "interfaces are the faces between two model regions, seen where something is hidden; "
        "interior-edges "
        "are those inside a volume, whose surface turns to glass; original is the mesh as loaded "
@@ -157,7 +223,9 @@ std::vector<Command> view_commands() {
        "of the colours, length-scale says how long things are without perspective; "
        "operation is what "
        "the last single step "
-       "touched.",
+       "touched; occlusion makes folds and cavities darker, ground is a grid below the mesh with "
+       "its "
+       "shadow, seen from above.",
        CommandGroup::View,
        show,
        {{"E", "show edges toggle"},
@@ -184,6 +252,36 @@ std::vector<Command> view_commands() {
        CommandGroup::View,
        theme,
        {{"T", "theme toggle"}}},
+      {"light",
+       "follow|stay|toggle",
+       "Whether the light follows the camera, as at first, or stays where it is and the camera "
+       "goes round.",
+       CommandGroup::View,
+       light,
+       {}},
+      {"detail",
+       "auto|full|coarse",
+       "How many faces are drawn of a surface that has very many. auto: all, but in a window about "
+       "50,000 while the camera moves, where drawing all takes long; coarse: always so many.",
+       CommandGroup::View,
+       detail,
+       {}},
+      {"text-size",
+       "PERCENT|larger|smaller|usual",
+       "How large text and controls are, of what suits the screen: 50 to 300.",
+       CommandGroup::View,
+       text_size,
+       {{"Ctrl+=", "text-size larger"},
+        {"Ctrl++", "text-size larger"},
+        {"Ctrl+-", "text-size smaller"},
+        {"Ctrl+0", "text-size usual"}}},
+      {"presentation",
+       "[on|off|toggle]",
+       "For who shows something to others: no menus and panels but for the page of a lesson, and "
+       "text, lines and dots are larger. Keys work as ever, and those of panels open them.",
+       CommandGroup::View,
+       presentation,
+       {{"F11", "presentation toggle"}}},
       {"panel",
        "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
        "Which panels are there; decimation, adjacency, histograms and selection share the one on "

@@ -62,7 +62,8 @@ const Command* find_command(std::string_view name) {
 }
 
 bool replaces_mesh(std::string_view line) {
-  constexpr std::array<std::string_view, 5> names = {"lesson", "open", "quit", "recover", "sample"};
+  constexpr std::array<std::string_view, 6> names = {"lesson",  "open",   "quit",
+                                                     "recover", "reload", "sample"};
   const std::string_view name = line.substr(0, line.find(' '));
   return std::find(names.begin(), names.end(), name) != names.end() &&
          line.rfind("recover discard", 0) != 0;
@@ -76,7 +77,7 @@ bool is_command(std::string_view line) {
 
 bool asks_first(Session& session, std::string_view line) {
   line = command_text(line);
-  if (!replaces_mesh(line) || !session.document().unsaved()) return false;
+  if (!replaces_mesh(line) || !session.document().would_be_missed()) return false;
   session.asked = line;
   session.view.dialog = Dialog::Unsaved;
   return true;

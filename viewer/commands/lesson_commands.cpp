@@ -73,6 +73,7 @@ LessonPlayer::Stamp stamp(const Session& session) {
 void open_lesson(Session& session, const Lesson& lesson, std::size_t page) {
   session.cancel_loading();
   session.play(false);
+  if (session.lesson.lesson() == nullptr) session.remember_camera();
   Document& document = session.document();
   document.cancel_run();
   session.lesson.begin(lesson, page,

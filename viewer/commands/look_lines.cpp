@@ -23,6 +23,9 @@ std::vector<std::string> look_lines(const View& view) {
   const Panels& panels = view.panels;
   std::vector<std::string> lines;
   if (view.theme == Theme::Dark) lines.emplace_back("theme dark");
+  if (view.text_scale != 1) lines.push_back("text-size " + short_number(100 * view.text_scale, 4));
+  if (view.occlusion) lines.emplace_back("show occlusion on");
+  if (view.ground) lines.emplace_back("show ground on");
   add_side(panels, lines);
   if (!panels.mesh) lines.emplace_back("panel mesh off");
   if (!panels.timeline) lines.emplace_back("panel timeline off");

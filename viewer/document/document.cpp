@@ -23,6 +23,14 @@ bool Document::unsaved() const {
   return !tree_.saved_at(journal().cursor());
 }
 
+bool Document::would_be_missed() const {
+  if (!unsaved()) return false;
+  const bool sample = loaded_->file.empty() && !loaded_->source.data && saved_file_.empty();
+  return !sample || std::any_of(marks_.begin(), marks_.end(), [&](const HistoryMark& mark) {
+    return mark.begin < journal().cursor() && changes_classes(mark.label);
+  });
+}
+
 void Document::mark_saved(std::filesystem::path file) {
   saved_file_ = std::move(file);
   tree_.set_saved(journal().cursor());

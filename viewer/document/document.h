@@ -54,6 +54,9 @@ class Document {
   /// Whether the mesh differs from the one that was loaded or saved last. A mesh that was changed
   /// and changed back by new operations differs. One of a lesson never does.
   [[nodiscard]] bool unsaved() const;
+  /// Whether somebody would miss that: what runs have made of a sample can be made again at once,
+  /// as long as nothing was classified by hand and nothing of it is in a file.
+  [[nodiscard]] bool would_be_missed() const;
   /// Where the present mesh was saved last; empty where it was not.
   [[nodiscard]] const std::filesystem::path& saved_file() const { return saved_file_; }
   /// Why the present mesh cannot be decimated, as a sentence; empty where it can.

@@ -134,11 +134,13 @@ std::unique_ptr<LoadedMesh> load_source(const LoadRequest& request) {
   if (request.file.empty())
     return make_loaded(make_sample(request.sample, request.sample_size), request.sample,
                        request.classify);
+  const std::optional<FileStamp> stamp = stamp_of(request.file);
   io::ReadResult result = io::read(request.file);
   if (result.mesh.faces.empty() && result.mesh.regions.empty())
     throw io::ReadError(request.file.string(), {}, "there are no faces or regions in it");
   auto loaded = make_loaded(result.mesh, request.file.filename().string(), request.classify);
   loaded->file = request.file;
+  loaded->stamp = stamp;
   loaded->notes = std::move(result.notes);
   note_arrays_lost(result.mesh, *loaded);
   loaded->up = usual_up_axis(result.format);

@@ -19,6 +19,7 @@
 #include "viewer/base/box.h"
 #include "viewer/base/up_axis.h"
 #include "viewer/document/drawing_needs.h"
+#include "viewer/document/file_watch.h"
 #include "viewer/document/load_request.h"
 #include "viewer/document/skin.h"
 
@@ -47,9 +48,10 @@ struct VertexSeams {
 
 /// Not movable: the mesh, its journal and its decimation hold on to each other.
 struct LoadedMesh {
-  std::string name;            ///< "bunny.ply", or a sample's name
-  std::filesystem::path file;  ///< empty for a sample
-  LoadRequest source;          ///< what it was made from; names nothing for plain data
+  std::string name;                ///< "bunny.ply", or a sample's name
+  std::filesystem::path file;      ///< empty for a sample
+  std::optional<FileStamp> stamp;  ///< of that file when reading began
+  LoadRequest source;              ///< what it was made from; names nothing for plain data
   std::optional<io::MeshFingerprint>
       start;                       ///< of the mesh as loaded, where the source asks for it
   UpAxis up = UpAxis::Z;           ///< what the source usually means by up

@@ -22,7 +22,8 @@ enum CornerFlag : std::uint32_t {
       1u,  ///< no line from the slot's first corner to the second (a quad's diagonal, for instance)
   hide_edge_12 = 2u,
   hide_edge_20 = 4u,
-  highlighted = 8u,  ///< blended with the theme's highlight colour: the selection, a preview
+  without_back = 16u,  ///< either side is its front
+  highlighted = 8u,    ///< blended with the theme's highlight colour: the selection, a preview
 };
 /// The picture on a face, from 1 on (0: none), in the bits from here on: of Drawable::pictures.
 inline constexpr std::uint32_t picture_shift = 20, most_pictures = 4095;
@@ -33,10 +34,10 @@ inline constexpr std::uint32_t edge_code_shift = 8;
 /// One corner of a triangle; three in a row make a face slot. A dead slot has three equal
 /// positions.
 struct Corner {
-  glm::vec3 position{};      ///< relative to Drawable::origin
-  std::uint32_t normal = 0;  ///< pack_normal; need not be the geometric one
-  Color color = 0xffffffffu;
-  std::uint32_t flags = 0;  ///< CornerFlag
+  glm::vec3 position{};       ///< relative to Drawable::origin
+  std::uint32_t normal = 0;   ///< pack_normal; need not be the geometric one
+  Color color = 0xffffffffu;  ///< its alpha: how open the surface lies to light from all sides
+  std::uint32_t flags = 0;    ///< CornerFlag
 };
 static_assert(sizeof(Corner) == 24);
 
@@ -55,8 +56,9 @@ struct Disc {
   glm::vec3 center{};
   Color color = 0xff000000u;
   float radius_px = 0;  ///< at pixel scale 1, without the outline
+  float room = 0;       ///< how far the next one is: it fades where they crowd; 0: never
 };
-static_assert(sizeof(Disc) == 20);
+static_assert(sizeof(Disc) == 24);
 
 /// Things that are pointed at, drawn over the rest: tinted triangles (their normals and flags do
 /// not matter), lines and discs.
@@ -91,6 +93,8 @@ struct Drawable {
   Overlay selected, hovered;  ///< on the surface
   Overlay preview;            ///< of an operation: also drawn where the surface hides it
   Overlay rulers;             ///< along what is measured: likewise
+  Overlay ground;             ///< below it, seen from above
+  Box ground_bounds;          ///< of that and the rest
 };
 
 /// A unit normal as signed 10:10:10:2, x in the lowest bits; error below 0.1 degrees.

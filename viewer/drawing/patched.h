@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,38 +71,46 @@ class Patched {
 
   /// Replaces all elements.
   void assign(std::vector<T> values) {
+    ++revision_;
     values_ = std::move(values);
     dirty_.clear();
     dirty_.add({0, values_.size()});
   }
   /// Appended elements are value-initialised and dirty; cut ones are forgotten.
   void resize(std::size_t size) {
+    ++revision_;
     const std::size_t old = values_.size();
     values_.resize(size);
     dirty_.cut(size);
     dirty_.add({old, size});
   }
   void push_back(const T& value) {
+    ++revision_;
     values_.push_back(value);
     dirty_.add({values_.size() - 1, values_.size()});
   }
   void set(std::size_t i, const T& value) {
+    ++revision_;
     values_[i] = value;
     dirty_.add({i, i + 1});
   }
   /// `count` elements from `begin` on, to be written by the caller; dirty from now on. begin +
   /// count <= size().
   [[nodiscard]] std::span<T> edit(std::size_t begin, std::size_t count) {
+    ++revision_;
     dirty_.add({begin, begin + count});
     return std::span<T>(values_).subspan(begin, count);
   }
 
   [[nodiscard]] std::span<const ElementRange> dirty() const { return dirty_.ranges(); }
   void clean() { dirty_.clear(); }
+  /// Another number after each change, for whoever makes something of all of it.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:
   std::vector<T> values_;
   DirtyRanges dirty_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace aomd::scene

@@ -242,9 +242,14 @@ EntityRef Picker::at(const Shown& shown, const View& view, glm::dvec2 ndc) {
   const auto t = shown.drawn.triangle(hit->face);
   const Near near = nearest_parts(project, shown.drawn, hit->face, flags_of(shown, hit->face),
                                   Clipping(shown, view), at);
-  // On small faces there is less room for each.
-  const double vertex_reach = beside ? vertex_px : std::min(vertex_px, 0.7 * near.radius_px);
-  const double edge_reach = beside ? edge_px : std::min(edge_px, 0.5 * near.radius_px);
+  // On small faces there is less room for each. Colours of edges are asked about as such.
+  const bool asks_edges = !beside && view.coloring == Coloring::Verdict;
+  const double vertex_share = asks_edges ? 0.3 : 0.7;
+  const double vertex_reach =
+      beside ? vertex_px : std::min(vertex_px, vertex_share * near.radius_px);
+  const double edge_reach = asks_edges ? std::numeric_limits<double>::infinity()
+                            : beside   ? edge_px
+                                       : std::min(edge_px, 0.5 * near.radius_px);
   const bool some_corner = std::isfinite(near.corner_px);
   if (some_corner &&
       (view.pick_level == PickLevel::Vertex || (any && near.corner_px <= vertex_reach)))

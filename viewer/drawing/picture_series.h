@@ -17,6 +17,9 @@ struct ScreenshotRequest {
   std::optional<glm::ivec2> size;  ///< in pixels; none: as large as the window
   bool transparent = false;        ///< nothing behind the mesh
   bool interface = true;           ///< with panels, where there are any
+  /// How much larger text, lines and dots are; none: as in the window, without panels larger where
+  /// the picture has more than 1080 pixels each way.
+  std::optional<double> scale = {};
 };
 
 /// One after the other, so that whoever draws can show how far it is and be told to stop. Holds

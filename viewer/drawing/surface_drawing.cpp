@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/id_pool.h"
+#include "viewer/drawing/crowding.h"
 #include "viewer/drawing/step_before.h"
 
 namespace aomd::scene {
@@ -45,6 +46,18 @@ void set_at(Patched<T>& array, std::size_t i, const T& value) {
 glm::dvec3 center_of(const Mesh& mesh, Face f) {
   const auto [a, b, c] = mesh.triangle(f);
   return (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0;
+}
+
+/// A scale in steps has no colours in between: each face has the one of its mean. None where the
+/// scale is even, or each face has a number of its own.
+std::optional<Color> stepped_color(const ScalarField* field, const std::array<Vertex, 3>& corners) {
+  if (field == nullptr || field->by_face() || field->scale.steps == 0) return {};
+  double sum = 0;
+  for (const Vertex v : corners) {
+    if (v.index >= field->vertices.size()) return {};
+    sum += double{field->vertices[v]};
+  }
+  return field->scale.color(sum / 3);
 }
 
 using Side = std::pair<Vertex, Vertex>;
@@ -169,6 +182,7 @@ void SurfaceDrawing::rebuild(const Mesh& mesh) {
   draw_places();
   drawable_.model_edges.assign({});
   drawable_.model_vertices.assign({});
+  find_rooms(mesh);
   edge_slots_.clear(mesh.capacity(1));
   vertex_slots_.clear(mesh.capacity(0));
   for (const Edge e : mesh.edges())
@@ -195,6 +209,27 @@ void SurfaceDrawing::draw_places(Face face) {
   for (std::size_t i = 0; i < 3; ++i)
     if (drawable_.places[first + i] != painted.at[i])
       drawable_.places.set(first + i, painted.at[i]);
+}
+
+/// As they are now: of vertices that come later nothing is known, and none of them fades.
+void SurfaceDrawing::find_rooms(const Mesh& mesh) {
+  constexpr float limit = 0.03f;  // of the diagonal
+  std::vector<Vertex> vertices;
+  std::vector<glm::vec3> places;
+  for (const Vertex v : mesh.vertices())
+    if (mesh.classification(v).dimension() == 0) {
+      vertices.push_back(v);
+      places.push_back(place(mesh, v));
+    }
+  const std::vector<float> found =
+      rooms(places, limit * static_cast<float>(drawable_.bounds.diagonal()));
+  rooms_.assign(vertices.empty() ? 0 : mesh.capacity(0), 0);
+  for (std::size_t i = 0; i < vertices.size(); ++i) rooms_[vertices[i].index] = found[i];
+}
+
+void SurfaceDrawing::set_openness(const Mesh& mesh, std::vector<std::uint8_t> openness) {
+  openness_ = std::move(openness);
+  for (const Face f : mesh.faces()) draw_face(mesh, f);
 }
 
 void SurfaceDrawing::recolor(const Mesh& mesh) {
@@ -233,11 +268,14 @@ std::array<Corner, 3> SurfaceDrawing::corners_of(const Mesh& mesh, Face face,
     flags |= std::uint32_t{painted.picture} << picture_shift;
   const Color of_face = style_.texture ? painted.color : of_model;
   const auto vertices = mesh.triangle(face);
+  const auto stepped = stepped_color(style_.field.get(), vertices);
   for (std::size_t i = 0; i < 3; ++i) {
     glm::vec3 position = place(mesh, vertices[i]);
     if (pull > 0) position = glm::mix(position, glm::vec3(center - drawable_.origin), pull);
-    corners[i] = {position, 0, style_.field ? style_.field->color(face, vertices[i]) : of_face,
-                  flags};
+    const Color color = stepped        ? *stepped
+                        : style_.field ? style_.field->color(face, vertices[i])
+                                       : of_face;
+    corners[i] = {position, 0, dimmed(color, vertices[i]), flags};
   }
   return corners;
 }
@@ -332,9 +370,10 @@ void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
     return;
   }
   const bool bright = highlighted(model);
+  const float room = vertex.index < rooms_.size() && !bright ? rooms_[vertex.index] : 0;
   set_at(drawable_.model_vertices, vertex_slots_.take(vertex),
          Disc{place(mesh, vertex), bright ? highlight_color : color(model),
-              bright ? highlighted_vertex_px : style_.vertex_px});
+              bright ? highlighted_vertex_px : style_.vertex_px, room});
 }
 
 void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {

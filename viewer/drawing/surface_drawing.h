@@ -77,6 +77,9 @@ class SurfaceDrawing {
   void set_field(std::shared_ptr<const ScalarField> field) { field_ = std::move(field); }
   /// Pictures on faces instead of these colours; null: none. Drawn from the next update on.
   void set_texture(std::shared_ptr<const SurfaceTexture> texture) { texture_ = std::move(texture); }
+  /// How open the surface lies at each vertex, by id: see openness.h; empty: fully. O(size).
+  void set_openness(const Mesh& mesh, std::vector<std::uint8_t> openness);
+  [[nodiscard]] bool has_openness() const { return !openness_.empty(); }
   /// Whether faces are whole: those of a skin are parts of regions, which somebody else clips and
   /// shrinks.
   void set_whole_faces(bool whole) { whole_faces_ = whole; }
@@ -133,6 +136,11 @@ class SurfaceDrawing {
     return style_.highlighted == ref && ref.valid();
   }
   [[nodiscard]] Color color(ModelRef ref) const;
+  void find_rooms(const Mesh& mesh);
+  [[nodiscard]] Color dimmed(Color color, Vertex v) const {
+    if (v.index >= openness_.size()) return color;
+    return (color & 0x00ffffffu) | std::uint32_t{openness_[v.index]} << 24;
+  }
   [[nodiscard]] bool marked(Face face) const {
     return face.index < marked_faces_.size() && marked_faces_[face.index];
   }
@@ -151,7 +159,9 @@ class SurfaceDrawing {
   std::shared_ptr<const SurfaceTexture> texture_;
   bool whole_faces_ = true;
   std::vector<EntityRef> marked_;
-  std::vector<bool> marked_faces_;  ///< by id; empty: none
+  std::vector<bool> marked_faces_;      ///< by id; empty: none
+  std::vector<std::uint8_t> openness_;  ///< by vertex id; empty: 255
+  std::vector<float> rooms_;            ///< of model vertices, by vertex id: Disc::room
   Drawable drawable_;
   Style style_;
   CornerNormals normals_;

@@ -55,6 +55,11 @@ struct ScaleChoice {
 
 enum class HistogramKind { Angle, Length, Valence };
 enum class Theme { Light, Dark };
+
+/// How much larger text and controls may be made than they are at first.
+inline constexpr double least_text_scale = 0.5, largest_text_scale = 3;
+/// How much larger everything is while somebody presents.
+inline constexpr double presentation_scale = 1.4;
 enum class Dialog {
   None,
   Open,
@@ -71,6 +76,10 @@ enum class Dialog {
 /// What the panel on the right shows: one of them at a time, side by side there is no room.
 enum class Page { Decimation, Adjacency, Histograms, Selection };
 
+/// How many faces are drawn of a surface that has very many. Automatic: all of them, but fewer
+/// while the camera moves and drawing all takes long.
+enum class Detail { Automatic, Full, Coarse };
+
 /// Which sides of the last single step are pointed at.
 struct StepSides {
   bool before = true;
@@ -83,6 +92,7 @@ struct Panels {
   bool side = true;  ///< the one on the right
   bool timeline = true;
   bool runs = false;  ///< the table of kept states, below the picture
+  bool menus = true;  ///< the menu bar, and the line at the bottom
   Page page = Page::Decimation;
   float mesh_ems = 0;  ///< widths in units of the font's size; 0: the usual ones
   float side_ems = 0;
@@ -153,7 +163,12 @@ struct View : MeshView {
   bool model_vertices = true;
   bool interfaces = true;  ///< faces between two model regions, seen where something is hidden
   bool axes = true;        ///< where x, y and z point, in a corner
-  bool operation = true;   ///< what the last single step touched
+  bool occlusion = false;  ///< folds and cavities are darker
+  bool ground = false;     ///< a grid below the mesh, with its shadow
+  Detail detail = Detail::Automatic;
+  /// Where the light was fixed over the shoulder of this camera; none: it follows the camera.
+  std::optional<Camera> light_from;
+  bool operation = true;  ///< what the last single step touched
   StepSides step_sides;
   PlaySpeed play_speed;
   bool original = false;        ///< the reference as glass over the present mesh
@@ -169,7 +184,9 @@ struct View : MeshView {
   TensorSections sections;
   std::string bar_menu;  ///< which menu of the menu bar is open: "File"; empty: none by a command
   Theme theme = Theme::Light;
+  double text_scale = 1;  ///< of text and controls, beside that of the screen
   Panels panels;
+  std::optional<Panels> presenting;  ///< large text, no menus: the panels from before
   Dialog dialog = Dialog::None;
   std::string palette_text;  ///< what stands in the palette when it opens
 

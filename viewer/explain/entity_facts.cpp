@@ -28,7 +28,7 @@ double degrees(double cosine) {
 
 AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
   const AdjacencyPath path = explain(mesh, e.dimension, level);
-  AdjacentLevel result{level, {}, path.kind == AdjacencyPath::Kind::Stored, true, path.text()};
+  AdjacentLevel result{level, {}, path.kind == AdjacencyPath::Kind::Stored, true, {}, path.text()};
   if (result.stored) result.how = "stored";
   const bool no_hash = path.by_hash && !mesh.hash(level).built();
   if (path.kind == AdjacencyPath::Kind::None || no_hash ||
@@ -39,6 +39,13 @@ AdjacentLevel adjacent_level(const Mesh& mesh, EntityRef e, int level) {
     return result;
   }
   adjacent(mesh, e, level, result.ids);
+  if (!result.stored) return result;
+  for (const std::uint32_t id : result.ids) {
+    if (e.dimension == 2 && level == 1)
+      result.forwards.push_back(mesh.use_direction(Face(e.index), Edge(id)));
+    if (e.dimension == 3 && level == 2)
+      result.forwards.push_back(mesh.use_direction(Region(e.index), Face(id)));
+  }
   return result;
 }
 
@@ -126,6 +133,11 @@ std::string judgement_text(const EntityVerdict& j) {
 
 }  // namespace
 
+std::string adjacent_text(const AdjacentLevel& level, std::size_t which) {
+  const std::string id = std::to_string(level.ids[which]);
+  return level.forwards.empty() ? id : (level.forwards[which] ? "+" : "-") + id;
+}
+
 std::string entity_title(EntityRef e) { return capitalized(name_of(e)); }
 
 std::string entity_label(EntityRef e) {
@@ -155,7 +167,7 @@ std::string entity_facts_text(const EntityFacts& inspection, const EntityVerdict
   for (const AdjacentLevel& level : inspection.adjacent) {
     text += capitalized(entity_plural(level.level));
     if (level.known) text += " " + std::to_string(level.ids.size()) + ":";
-    for (const std::uint32_t id : level.ids) text += " " + std::to_string(id);
+    for (std::size_t i = 0; i < level.ids.size(); ++i) text += " " + adjacent_text(level, i);
     text += " (" + level.how + ")\n";
   }
   return judgement ? text + judgement_text(*judgement) : text;

@@ -16,7 +16,9 @@ struct AdjacentLevel {
   std::vector<std::uint32_t> ids;
   bool stored = false;
   bool known = true;  ///< false: nothing that is stored leads there
-  std::string how;    ///< "stored", or the path that answers it; where there is none, what to store
+  /// Of each id: whether it is used in its own direction; empty where no use directions are stored.
+  std::vector<bool> forwards = {};
+  std::string how;  ///< "stored", or the path that answers it; where there is none, what to store
 };
 
 struct EntityFacts {
@@ -28,6 +30,8 @@ struct EntityFacts {
 /// The entity must be alive. Through explain() (core/mesh/derive.h); never builds a hash set.
 [[nodiscard]] EntityFacts entity_facts(const Document& document, EntityRef e);
 
+/// "812", where a use direction is known "+812" or "-812".
+[[nodiscard]] std::string adjacent_text(const AdjacentLevel& level, std::size_t which);
 /// "Edge 812"
 [[nodiscard]] std::string entity_title(EntityRef e);
 /// "e812"

@@ -10,6 +10,10 @@ View view_for_lesson(const View& present) {
   view.aspect = present.aspect;
   view.height_px = present.height_px;
   view.theme = present.theme;
+  view.text_scale = present.text_scale;
+  view.occlusion = present.occlusion;
+  view.detail = present.detail;
+  view.presenting = present.presenting;
   view.play_speed = present.play_speed;
   view.panels = present.panels;
   view.panels.mesh = true;
@@ -22,6 +26,9 @@ View view_after_lesson(const View& before, const View& present) {
   view.aspect = present.aspect;
   view.height_px = present.height_px;
   view.theme = present.theme;
+  view.text_scale = present.text_scale;
+  if (before.presenting.has_value() != present.presenting.has_value()) view.panels = present.panels;
+  view.presenting = present.presenting;
   view.panels.mesh_ems = present.panels.mesh_ems;
   view.panels.side_ems = present.panels.side_ems;
   view.dialog = present.dialog;

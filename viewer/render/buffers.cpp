@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "viewer/drawing/coarse_surface.h"
+
 namespace aomd::render {
 namespace {
 
@@ -148,6 +150,7 @@ DiscBuffer::DiscBuffer(const Gl& gl) : VertexBuffer(gl) {
     add({end, 3, GL_FLOAT, offsetof(Disc, center)}, sizeof(Disc), 1);
   add({2, 4, GL_UNSIGNED_BYTE, offsetof(Disc, color)}, sizeof(Disc), 1);
   add({3, 1, GL_FLOAT, offsetof(Disc, radius_px)}, sizeof(Disc), 1);
+  add({4, 1, GL_FLOAT, offsetof(Disc, room)}, sizeof(Disc), 1);
 }
 
 DrawableBuffers::DrawableBuffers(const Gl& gl)
@@ -163,20 +166,34 @@ DrawableBuffers::DrawableBuffers(const Gl& gl)
       selected(gl),
       hovered(gl),
       preview(gl),
-      rulers(gl) {}
+      rulers(gl),
+      ground(gl),
+      coarse_(gl) {}
 
-void DrawableBuffers::upload(scene::Drawable& drawable) {
+std::size_t DrawableBuffers::upload_surface(scene::Drawable& drawable, bool coarse) {
+  const std::size_t faces = drawable.corners.size() / 3;
+  shows_coarse_ = coarse && drawable.places.empty() && faces > 2 * coarse_faces;
+  if (!shows_coarse_) return corners.upload(drawable.corners);
+  if (coarse_of_ == drawable.corners.revision()) return 0;
+  coarse_of_ = drawable.corners.revision();
+  scene::Patched<scene::Corner> fewer;
+  fewer.assign(scene::coarse_corners(drawable.corners.values(), coarse_faces));
+  return coarse_.upload(fewer);
+}
+
+void DrawableBuffers::upload(scene::Drawable& drawable, bool coarse) {
   origin = drawable.origin;
-  bounds = drawable.bounds;
+  bounds = drawable.ground.lines.empty() ? drawable.bounds : drawable.ground_bounds;
   pictures.upload(drawable.pictures);
-  uploaded_bytes_ =
-      corners.upload(drawable.corners) + corners.upload_places(drawable.places) +
-      cells.upload(drawable.cells) + interior_edges.upload(drawable.interior_edges) +
-      model_edges.upload(drawable.model_edges) + model_vertices.upload(drawable.model_vertices) +
-      highlight_lines.upload(drawable.highlight_lines) +
-      highlight_discs.upload(drawable.highlight_discs) + before.upload(drawable.before) +
-      selected.upload(drawable.selected) + hovered.upload(drawable.hovered) +
-      preview.upload(drawable.preview) + rulers.upload(drawable.rulers);
+  uploaded_bytes_ = upload_surface(drawable, coarse) + corners.upload_places(drawable.places) +
+                    cells.upload(drawable.cells) + interior_edges.upload(drawable.interior_edges) +
+                    model_edges.upload(drawable.model_edges) +
+                    model_vertices.upload(drawable.model_vertices) +
+                    highlight_lines.upload(drawable.highlight_lines) +
+                    highlight_discs.upload(drawable.highlight_discs) +
+                    before.upload(drawable.before) + selected.upload(drawable.selected) +
+                    hovered.upload(drawable.hovered) + preview.upload(drawable.preview) +
+                    rulers.upload(drawable.rulers) + ground.upload(drawable.ground);
 }
 
 }  // namespace aomd::render

@@ -2,6 +2,8 @@
 // Vertex buffers that follow the arrays of a Drawable.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "viewer/drawing/drawable.h"
 #include "viewer/drawing/surface_texture.h"
@@ -133,9 +135,16 @@ class DrawableBuffers {
  public:
   explicit DrawableBuffers(const Gl& gl);
 
+  /// A surface of fewer faces is always drawn as it is.
+  static constexpr std::size_t coarse_faces = 50'000;
+
   /// Uploads what changed since the last call; cost and traffic are proportional to that. The
-  /// Drawable must be the same one at every call.
-  void upload(scene::Drawable& drawable);
+  /// Drawable must be the same one at every call. With `coarse` a surface of many more faces than
+  /// coarse_faces is drawn by about so many, made anew after each change; not where pictures lie on
+  /// it.
+  void upload(scene::Drawable& drawable, bool coarse = false);
+  /// What is drawn of the surface.
+  [[nodiscard]] const CornerBuffer& surface() const { return shows_coarse_ ? coarse_ : corners; }
   /// Bytes that the last upload sent.
   [[nodiscard]] std::size_t uploaded_bytes() const { return uploaded_bytes_; }
 
@@ -147,11 +156,16 @@ class DrawableBuffers {
   DiscBuffer model_vertices;
   SegmentBuffer highlight_lines;
   DiscBuffer highlight_discs;
-  OverlayBuffers before, selected, hovered, preview, rulers;
+  OverlayBuffers before, selected, hovered, preview, rulers, ground;
   glm::dvec3 origin{0};
   scene::Box bounds;
 
  private:
+  [[nodiscard]] std::size_t upload_surface(scene::Drawable& drawable, bool coarse);
+
+  CornerBuffer coarse_;
+  bool shows_coarse_ = false;
+  std::optional<std::uint64_t> coarse_of_;  ///< revision of the surface
   std::size_t uploaded_bytes_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 
 #include "viewer/drawing/edge_codes.h"
 
@@ -52,6 +53,7 @@ SceneTheme dark_scene_theme() {
           .back_face = with_alpha(rgb(0x9c4632), 165),
           .highlight = with_alpha(rgb(0xff4da3), 205),
           .outline = rgb(0x0e1116),
+          .surface = 0.86f,
           .glass = with_alpha(rgb(0x7fb2ff), 48)};
 }
 
@@ -122,19 +124,21 @@ Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
       glass_(gl, sources, "glass"),
       stroke_(gl, sources, "stroke"),
       nothing_(gl),
-      target_(gl, wanted_samples) {}
+      target_(gl, wanted_samples),
+      draft_target_(gl, 1) {}
 
 void Renderer::render(const DrawableBuffers& buffers, const scene::Camera& camera,
                       const RenderSettings& settings, const PixelRect& rect, GLuint destination) {
   if (rect.empty()) return;
   gl_.Disable(GL_SCISSOR_TEST);
   const glm::ivec2 whole{rect.width, rect.height};
+  MultisampleTarget& target = settings.draft ? draft_target_ : target_;
   for (int y = 0; y < whole.y; y += largest_piece)
     for (int x = 0; x < whole.x; x += largest_piece) {
       const glm::ivec2 size = glm::min(whole - glm::ivec2(x, y), glm::ivec2(largest_piece));
-      target_.begin(size);
+      target.begin(size);
       draw_piece(buffers, camera, settings, {whole, {x, y}, size});
-      target_.resolve(destination, {rect.x + x, rect.y + y, size.x, size.y});
+      target.resolve(destination, {rect.x + x, rect.y + y, size.x, size.y});
     }
 }
 
@@ -169,13 +173,14 @@ void Renderer::draw_piece(const DrawableBuffers& buffers, const scene::Camera& c
   gl_.Enable(GL_BLEND);
   gl_.BlendEquation(GL_FUNC_ADD);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (settings.show_ground) draw_overlay(buffers.ground, frame);
   if (!settings.show_surface && settings.show_edges) draw_wires(buffers, frame);
   if (settings.glass) {
     frame.apply_strokes(stroke_);
     draw_strokes(buffers.interior_edges);
-    if (settings.show_surface) draw_inside_glass(buffers.corners, frame);
+    if (settings.show_surface) draw_inside_glass(buffers.surface(), frame);
   }
-  if (settings.ghost != nullptr) draw_glass(settings.ghost->corners, frame);
+  if (settings.ghost != nullptr) draw_glass(settings.ghost->surface(), frame);
   frame.apply_strokes(stroke_);
   if (settings.show_model_edges) draw_strokes(buffers.model_edges);
   draw_strokes(buffers.highlight_lines);
@@ -207,7 +212,7 @@ void Renderer::draw_background(const SceneTheme& theme, const Piece& piece) {
 
 /// The faces of each picture for themselves, and those without one.
 void Renderer::draw_pictures(const DrawableBuffers& buffers, const Frame& frame) {
-  if (!buffers.corners.has_places()) return draw_surface(buffers.corners, frame);
+  if (!buffers.corners.has_places()) return draw_surface(buffers.surface(), frame);
   prepare_surface(frame, false);
   buffers.corners.bind();
   const auto count = static_cast<int>(buffers.pictures.size());
@@ -217,6 +222,20 @@ void Renderer::draw_pictures(const DrawableBuffers& buffers, const Frame& frame)
     gl_.DrawArrays(GL_TRIANGLES, 0, buffers.corners.count());
   }
   gl_.BindTexture(GL_TEXTURE_2D, 0);
+}
+
+/// In eye space. The light that follows the camera comes over its left shoulder.
+void Renderer::set_light(const RenderSettings& settings) {
+  constexpr glm::vec3 key(-0.369f, 0.527f, 0.766f), fill(0.873f, -0.218f, 0.436f), up(0, 1, 0);
+  constexpr glm::vec3 half(-0.196f, 0.280f, 0.940f);  // between the key light and the eye
+  const bool follows = settings.light == glm::mat3(1);
+  const glm::vec3 turned = settings.light * key;
+  const glm::vec3 between = turned + glm::vec3(0, 0, 1);
+  const float length = glm::length(between);
+  surface_.set("key_direction", turned);
+  surface_.set("fill_direction", settings.light * fill);
+  surface_.set("sky_direction", settings.light * up);
+  surface_.set("half_direction", follows ? half : length > 0 ? between / length : turned);
 }
 
 void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires) {
@@ -231,8 +250,10 @@ void Renderer::prepare_surface(const Frame& frame, bool wires) {
   const RenderSettings& settings = frame.settings;
   const scene::Color edge = wires ? settings.theme.wire : settings.theme.edge;
   frame.apply(surface_);
+  set_light(settings);
   surface_.set("wires", wires ? 1 : 0);
-  surface_.set("light", settings.light ? 1 : 0);
+  surface_.set("strength", settings.quiet ? settings.theme.surface : 1.0f);
+  surface_.set("light", settings.lit ? 1 : 0);
   surface_.set("edge_color", settings.show_edges ? unpack_color(edge) : glm::vec4(0));
   surface_.set("edge_width", settings.edge_width_px);
   surface_.set("back_color", unpack_color(settings.theme.back_face));
@@ -247,7 +268,7 @@ void Renderer::prepare_surface(const Frame& frame, bool wires) {
 /// away and in depth alone.
 void Renderer::draw_wires(const DrawableBuffers& buffers, const Frame& frame) {
   const auto draw = [&](bool wires) {
-    draw_surface(buffers.corners, frame, wires);
+    draw_surface(buffers.surface(), frame, wires);
     draw_surface(buffers.cells, frame, wires);
   };
   if (!frame.settings.hidden_lines) {

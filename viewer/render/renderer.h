@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>
 
 #include "viewer/drawing/camera.h"
@@ -24,6 +25,7 @@ struct SceneTheme {
   scene::Color back_face = 0;  ///< what faces seen from behind tend to; its alpha is how far
   scene::Color highlight = 0;  ///< of highlighted faces; its alpha is how far
   scene::Color outline = 0;    ///< around discs
+  float surface = 1;  ///< how much of their colour faces have where it stands for no number
   scene::Color glass =
       0;  ///< of surfaces that others are seen through; its alpha is how dense it is
 };
@@ -32,13 +34,17 @@ struct SceneTheme {
 [[nodiscard]] SceneTheme dark_scene_theme();
 
 struct RenderSettings {
-  bool light = true;         ///< shades the surface; else its colours are as they are
+  bool lit = true;           ///< shades the surface; else its colours are as they are
   bool show_surface = true;  ///< without it the mesh edges alone, where these show
   bool hidden_lines = true;  ///< then also those that the surface would hide
   bool glass = false;        ///< the surface as glass, with the edges inside of it
   bool show_edges = true;    ///< mesh edges; they fade where triangles shrink to a few pixels
   bool show_model_edges = true;
   bool show_model_vertices = true;
+  bool show_ground = false;
+  bool draft = false;  ///< one sample a pixel: for pictures that the next one follows at once
+  bool quiet = false;  ///< colours stand for no numbers: SceneTheme::surface
+  glm::mat3 light{1};  ///< turns the light that comes over the shoulder of the camera
   bool show_edge_codes = false;  ///< faces in the colours of their edges' codes, a third for each
   float edge_width_px = 1.1f;    ///< of mesh edges, at pixel scale 1
   float pixel_scale = 1.0f;  ///< framebuffer pixels a logical pixel: scales all widths and radii
@@ -81,6 +87,7 @@ class Renderer {
   void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera,
                   const RenderSettings& settings, const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
+  void set_light(const RenderSettings& settings);
   void draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires = false);
   void draw_pictures(const DrawableBuffers& buffers, const Frame& frame);
   void prepare_surface(const Frame& frame, bool wires);
@@ -99,6 +106,7 @@ class Renderer {
   ShaderProgram stroke_;  ///< lines and discs
   VertexBuffer nothing_;  ///< the background's triangle comes from gl_VertexID
   MultisampleTarget target_;
+  MultisampleTarget draft_target_;
 };
 
 }  // namespace aomd::render

@@ -12,6 +12,7 @@ namespace aomd::scene {
 namespace {
 
 constexpr std::chrono::milliseconds slice_of_kept_run{50};
+constexpr std::size_t most_cameras = 8;
 
 }  // namespace
 
@@ -55,15 +56,71 @@ void Session::take_loaded(Loader::Result result) {
   if (result.error) std::rethrow_exception(result.error);
   error.clear();
   cancel_series();
+  if (!lesson.entering()) remember_camera();
   if (!result.mesh->source.practice) leave_lesson(false);
+  const auto file_before = document().empty() ? std::filesystem::path() : document().content().file;
+  const MeshView before = view;
   show(std::move(result.mesh));
   const LoadedMesh& content = document().content();
-  view.camera.up_axis = content.up;
-  view.camera.turn_to(StandardView::Iso);
-  view.camera.fit(content.bounds, view.aspect);
+  if (!content.file.empty() && content.file == file_before) {
+    view.clip = before.clip;
+    view.shrink = before.shrink;
+    view.hidden = before.hidden;
+  }
+  look_from_where_it_was_seen();
+  watch(watching_);
   status = content.name + ": " + size_words(content.mesh);
   for (const std::string& note : content.notes) status += ", " + note;
   if (const auto work = content.source.work) restore(*work);
+}
+
+void Session::look_from_where_it_was_seen() {
+  const LoadedMesh& content = document().content();
+  const auto seen =
+      content.file.empty() ? std::nullopt : seen_.camera(content.file, content.bounds);
+  if (seen) {
+    view.camera = *seen;
+    return;
+  }
+  cameras_before_.clear();
+  view.light_from.reset();
+  view.camera.up_axis = content.up;
+  view.camera.turn_to(StandardView::Iso);
+  view.camera.fit(content.bounds, view.aspect);
+}
+
+void Session::note_jump() {
+  if (!cameras_before_.empty() && cameras_before_.front() == view.camera) return;
+  cameras_before_.push_front(view.camera);
+  if (cameras_before_.size() > most_cameras) cameras_before_.pop_back();
+}
+
+void Session::jump_back(std::size_t which) {
+  const Camera camera = cameras_before_[which];
+  cameras_before_.erase(cameras_before_.begin() + static_cast<std::ptrdiff_t>(which));
+  note_jump();
+  view.camera = camera;
+}
+
+void Session::remember_camera() {
+  if (document().empty() || document().content().file.empty()) return;
+  seen_.remember(document().content().file, document().content().bounds, view.camera);
+}
+
+void Session::watch(bool on) {
+  watching_ = on;
+  const bool some = on && !document().empty();
+  watch_.start(some ? document().content().file : std::filesystem::path(),
+               some ? document().content().stamp : std::nullopt);
+}
+
+std::string Session::look_at_file(FileWatch::Clock::time_point now) {
+  if (!watching_ || !idle() || !watch_.changed(now)) return {};
+  if (!document().unsaved()) return "reload";
+  warnings.push_back(
+      document().content().name +
+      " has changed on disk. Reload (F5) reads it; what was done here is not saved.");
+  return {};
 }
 
 /// What was found goes only once this program keeps it itself.

@@ -21,6 +21,7 @@
 #include "viewer/drawing/view.h"
 #include "viewer/lessons/lesson_player.h"
 #include "viewer/session/clipboard.h"
+#include "viewer/session/seen_files.h"
 #include "viewer/session/sheet.h"
 
 namespace aomd::scene {
@@ -66,6 +67,21 @@ class Session {
   [[nodiscard]] const std::string& loading_name() const { return loader_.name(); }
   /// Ends the present sheet and starts one with this mesh.
   void show(std::unique_ptr<LoadedMesh> loaded);
+  /// What the picture was seen from before the camera jumped, newest first; another mesh begins
+  /// without. `jump` leads to one of them, whose place the present camera takes.
+  [[nodiscard]] const std::deque<Camera>& cameras_before() const { return cameras_before_; }
+  void note_jump();
+  void jump_back(std::size_t which);
+  /// Where the present file is seen from, for when it is opened again.
+  void remember_camera();
+  /// Whether the present file is looked at, and is to be read again once it changes.
+  void watch(bool on);
+  [[nodiscard]] bool watching() const { return watching_; }
+  /// The program itself has written that file.
+  void note_written(const std::filesystem::path& file) { watch_.note_written(file); }
+  /// The line that reads the watched file again, once it has changed; else empty. Where that would
+  /// lose unsaved work it warns instead.
+  [[nodiscard]] std::string look_at_file(FileWatch::Clock::time_point now);
   /// Puts back options and view as they were before the lesson, and loads what was there; another
   /// file's mesh may be there already.
   void leave_lesson(bool reload);
@@ -119,6 +135,7 @@ class Session {
  private:
   [[nodiscard]] bool undisturbed() const { return !loading() && !series_; }
   void take_loaded(Loader::Result result);
+  void look_from_where_it_was_seen();
   void restore(const SavedWork& work);
   void come_to_rest();
   void run_on(std::optional<std::chrono::microseconds> budget);
@@ -127,6 +144,10 @@ class Session {
   Loader loader_;
   std::unique_ptr<Sheet> sheet_ = std::make_unique<Sheet>(options, view);
   bool arrived_ = false;
+  SeenFiles seen_;
+  std::deque<Camera> cameras_before_;
+  bool watching_ = false;
+  FileWatch watch_;
   std::optional<PictureSeries> series_;
   double run_time_s_ = 0;                            ///< of the run that goes on
   std::optional<std::chrono::microseconds> budget_;  ///< of a frame; none: all at once

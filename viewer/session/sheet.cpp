@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "viewer/base/text.h"
+#include "viewer/drawing/ground.h"
+#include "viewer/drawing/openness.h"
 
 namespace aomd::scene {
 namespace {
@@ -29,9 +31,47 @@ void Sheet::refresh(bool undisturbed, std::optional<std::chrono::microseconds> b
     refresh_skin();
   else
     refresh_surface();
+  refresh_openness();
+  refresh_ground();
   const bool can_keep = document.hindrance().empty() && document.can_look_back();
   if (view_.panels.runs && can_keep) runs.keep_original(document);
   reference_.update(document, runs.reference(), view_, fields_, still() && coloured());
+}
+
+const Mesh& Sheet::drawn_mesh() const {
+  return skin_.surface() != nullptr ? skin_.surface()->mesh : document.mesh();
+}
+
+/// While the mesh is on its way vertices keep what they had.
+void Sheet::refresh_openness() {
+  if (!view_.occlusion) {
+    openness_.reset();
+    openness_of_.reset();
+    if (drawing_.has_openness()) drawing_.set_openness(drawn_mesh(), {});
+    return;
+  }
+  if (still() && openness_of_ != document.place()) {
+    openness_of_ = document.place();
+    const Drawable& drawable = drawing_.drawable();
+    openness_ = std::make_unique<Background<std::vector<std::uint8_t>>>(
+        [source = openness_source(drawn_mesh(), drawable.corners.values(), drawable.origin)](
+            const std::stop_token& stop, std::atomic<double>&) { return openness(source, stop); });
+  }
+  if (auto found = take(openness_, !budget_))
+    drawing_.set_openness(drawn_mesh(), std::move(*found));
+}
+
+void Sheet::refresh_ground() {
+  Drawable& drawable = drawing_.drawable();
+  if (!view_.ground) {
+    drawable.ground.clear();
+    ground_of_.reset();
+    return;
+  }
+  const auto wanted = std::pair(drawable.corners.revision(), view_.camera.up_axis);
+  if (busy() || ground_of_ == wanted) return;
+  ground_of_ = wanted;
+  drawable.ground_bounds = draw_ground(drawable, view_.camera.up_axis, drawable.ground);
 }
 
 /// Edges of tetrahedra are judged, and states compared, once all is there that decimation takes.

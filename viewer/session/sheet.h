@@ -67,7 +67,9 @@ class Sheet {
     return !busy() && !comparison_ && !measurement_ && !verdicts_.pending();
   }
   /// The colours wait for nothing.
-  [[nodiscard]] bool coloured() const { return !fields_.pending() && !texture_.pending(); }
+  [[nodiscard]] bool coloured() const {
+    return !fields_.pending() && !texture_.pending() && !openness_;
+  }
   /// The pictures on the surface; null where none are shown.
   [[nodiscard]] const SurfaceTexture* texture() const { return texture_.texture().get(); }
 
@@ -135,6 +137,9 @@ class Sheet {
   void draw_selection();
   void draw_hovered();
   [[nodiscard]] Shown shown() const;
+  [[nodiscard]] const Mesh& drawn_mesh() const;
+  void refresh_openness();
+  void refresh_ground();
 
   const View& view_;
   bool undisturbed_ = true;
@@ -166,6 +171,9 @@ class Sheet {
   StepSides drawn_sides_;
   std::uint64_t drawn_selection_ = 0;
   EntityRef drawn_hover_;
+  std::unique_ptr<Background<std::vector<std::uint8_t>>> openness_;
+  std::optional<HistoryPlace> openness_of_;  ///< what it is known of, or being worked out for
+  std::optional<std::pair<std::uint64_t, UpAxis>> ground_of_;  ///< revision of the surface
   std::vector<EntityRef> pointed_out_;
   bool points_anew_ = false;
 };

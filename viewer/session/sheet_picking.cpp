@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "viewer/drawing/selection_drawing.h"
+#include "viewer/drawing/use_arrows.h"
 #include "viewer/explain/measures.h"
 #include "viewer/session/sheet.h"
 
@@ -90,6 +91,11 @@ void Sheet::draw_selection() {
   draw_cells(drawable, regions, marked_cells_, marked_style(), drawable.selected);
   draw_entities(mesh, selection.entities(), selected_style(), drawable.origin, drawable.selected);
   draw_cells(drawable, regions, selection.entities(), selected_style(), drawable.selected);
+  constexpr std::size_t most_arrows = 60;
+  if (mesh.stored(2, 1) && selection.size() <= most_arrows)
+    for (const EntityRef e : selection.entities())
+      if (e.dimension == 2)
+        draw_use_arrows(mesh, Face(e.index), drawable.origin, drawable.selected);
   drawable.rulers.clear();
   for (const Ruler& ruler : rulers_of(selection))
     draw_ruler(mesh, ruler, drawable.origin, drawable.rulers);

@@ -25,14 +25,21 @@ std::string suggested_name(const scene::Session& session) {
   return stem_of(session) + (volume ? "-copy.msh" : "-decimated.ply");
 }
 
-BrowserPurpose purpose_of(Dialog dialog, const scene::Session& session) {
+BrowserPurpose purpose_of(Dialog dialog, const scene::Session& session, PictureChoices& picture) {
   const std::vector<std::string> meshes = {".obj", ".off",  ".ply",   ".stl", ".gltf", ".glb",
                                            ".msh", ".mesh", ".meshb", ".vtk", ".vtu",  ".su2"};
   switch (dialog) {
     case Dialog::Save:
       return {"Save the mesh", "Save", meshes, false, suggested_name(session)};
     case Dialog::Screenshot:
-      return {"Save a picture", "Save", {".png"}, false, stem_of(session) + ".png"};
+      return {"Save a picture",
+              "Save",
+              {".png"},
+              false,
+              stem_of(session) + ".png",
+              [&](Frame& frame) { picture_choices(frame, picture); },
+              PictureChoices::rows,
+              picture_problem(picture)};
     default:
       return {"Open a mesh", "Open", meshes};
   }
@@ -71,9 +78,12 @@ std::string line_for(Dialog dialog, const std::filesystem::path& file) {
 void draw_browser(Frame& frame, DialogState& state, bool appearing) {
   const Dialog dialog = frame.session.view.dialog;
   FileBrowser& browser = dialog == Dialog::Screenshot ? state.pictures : state.meshes;
-  const BrowserPurpose purpose = purpose_of(dialog, frame.session);
+  const BrowserPurpose purpose = purpose_of(dialog, frame.session, state.picture);
   if (appearing) browser.begin(purpose);
-  if (const auto file = browser.draw(frame, purpose)) frame.emit(line_for(dialog, *file));
+  const auto file = browser.draw(frame, purpose);
+  if (!file) return;
+  frame.emit(line_for(dialog, *file) +
+             (dialog == Dialog::Screenshot ? picture_words(state.picture) : ""));
 }
 
 void shortcut_row(const Frame& frame, std::string_view keys, std::string_view what,

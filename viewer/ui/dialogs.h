@@ -5,6 +5,7 @@
 #include "viewer/ui/file_browser.h"
 #include "viewer/ui/frame.h"
 #include "viewer/ui/layout.h"
+#include "viewer/ui/picture_choices.h"
 
 namespace aomd::ui {
 
@@ -12,6 +13,7 @@ namespace aomd::ui {
 struct DialogState {
   FileBrowser meshes;
   FileBrowser pictures;
+  PictureChoices picture;
   CommandPalette palette;
   scene::Dialog shown = scene::Dialog::None;  ///< in the last frame
 };

@@ -125,7 +125,8 @@ bool FileBrowser::draw_entry(const Frame& frame, const Entry& entry) {
 }
 
 void FileBrowser::draw_entries(const Frame& frame, const BrowserPurpose& purpose) {
-  const float below = 2 * ImGui::GetFrameHeightWithSpacing();
+  const float below =
+      static_cast<float>(2 + purpose.option_rows) * ImGui::GetFrameHeightWithSpacing();
   const float height = std::max(5 * em(), ImGui::GetContentRegionAvail().y - below);
   const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersOuter;
   if (!ImGui::BeginTable("entries", 2, flags, {0, height})) return;
@@ -158,19 +159,21 @@ std::optional<fs::path> FileBrowser::draw(Frame& frame, const BrowserPurpose& pu
   chosen_ = text_input("##name", typed_, "A name in this folder, or a whole path") || chosen_;
   ImGui::PopID();
   tooltip("A name in this folder, or a whole path");
+  if (purpose.options) purpose.options(frame);
   const float width = 6 * em();
   const float rest = ImGui::GetContentRegionAvail().x - 2 * width - ImGui::GetStyle().ItemSpacing.x;
   ImGui::PushStyleColor(ImGuiCol_Text, frame.colors.bad);
   ImGui::AlignTextToFramePadding();
-  text(fitted(problem_, std::max(0.0f, rest - em())));
+  text(fitted(problem_.empty() ? purpose.problem : problem_, std::max(0.0f, rest - em())));
   ImGui::PopStyleColor();
   same_line_right(2 * width + ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::Button("Cancel", {width, 0})) frame.emit("dialog none");
   ImGui::SameLine();
-  ImGui::BeginDisabled(typed_.empty());
+  const bool ready = !typed_.empty() && purpose.problem.empty();
+  ImGui::BeginDisabled(!ready);
   chosen_ = ImGui::Button(purpose.button, {width, 0}) || chosen_;
   ImGui::EndDisabled();
-  if (!std::exchange(chosen_, false)) return {};
+  if (!std::exchange(chosen_, false) || !ready) return {};
   return accept(purpose);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ struct BrowserPurpose {
   std::vector<std::string> extensions;  ///< ".ply", lower case
   bool must_exist = true;
   std::string suggested_name = {};  ///< where a file need not exist
+  /// Draws so many rows of controls below the name; what they say is wrong keeps from going on.
+  std::function<void(Frame&)> options = {};
+  int option_rows = 0;
+  std::string problem = {};
 };
 
 /// Folders first, then files with the wanted extensions. Remembers its folder.

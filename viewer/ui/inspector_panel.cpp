@@ -95,8 +95,11 @@ void adjacent_section(Frame& frame, const scene::EntityFacts& inspection) {
                          : relation + ": " + level.how);
     LinkFlow flow(frame);
     neighbour_links(frame, flow, inspection.entity.dimension, level);
-    for (const std::uint32_t id : level.ids)
-      flow.add(std::to_string(id), EntityRef(level.level, id), "Select it");
+    const char* help = level.forwards.empty()
+                           ? "Select it"
+                           : "Select it. + or -: used along its own direction, or against it";
+    for (std::size_t i = 0; i < level.ids.size(); ++i)
+      flow.add(scene::adjacent_text(level, i), EntityRef(level.level, level.ids[i]), help);
     ImGui::PopID();
   }
   ImGui::PopStyleVar();

@@ -132,6 +132,7 @@ std::string Interface::line_for_chord(const scene::Session& session, std::string
   if (chord == "Escape" && !session.error.empty()) return "dismiss";
   if (chord == "Escape" && session.idle() && !session.sheet().selection.empty())
     return "select none";
+  if (chord == "Escape" && session.idle() && session.view.presenting) return "presentation off";
   if (session.view.dialog != scene::Dialog::None || ImGui::GetIO().WantTextInput) return {};
   return std::string(scene::line_of_chord(chord));
 }

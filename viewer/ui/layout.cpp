@@ -35,8 +35,8 @@ Area picture_area(const Area& viewport, bool side_by_side, bool right) {
 
 Layout make_layout(ImVec2 display, const scene::Panels& panels, bool bars, float em) {
   Layout layout;
-  const float menu = bars ? std::round(menu_ems * em) : 0;
-  const float status = bars ? std::round(status_ems * em) : 0;
+  const float menu = bars && panels.menus ? std::round(menu_ems * em) : 0;
+  const float status = bars && panels.menus ? std::round(status_ems * em) : 0;
   const float timeline = bars && panels.timeline ? std::round(timeline_ems * em) : 0;
   const float left =
       bars && panels.mesh ? panel_width(panels.mesh_ems, mesh_ems, display.x, em) : 0;

@@ -5,6 +5,7 @@
 #include <imgui_internal.h>  // ClosePopupToLevel
 
 #include "core/samples/samples.h"
+#include "viewer/base/text.h"
 #include "viewer/commands/arguments.h"
 #include "viewer/ui/widgets.h"
 
@@ -56,6 +57,10 @@ void file_menu(Frame& frame, const RecentFiles& recent) {
   recent_menu(frame, recent);
   samples_menu(frame);
   ImGui::Separator();
+  const bool from_file = frame.has_mesh() && !frame.document().content().file.empty();
+  command_item(frame, "Reload", "reload", false, from_file);
+  command_item(frame, "Watch the file", "watch toggle", frame.session.watching(), from_file);
+  ImGui::Separator();
   command_item(frame, "Save as\u2026", "dialog save", false, frame.has_mesh());
   command_item(frame, "Screenshot\u2026", "dialog screenshot");
   export_menu(frame);
@@ -93,6 +98,22 @@ void edit_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+/// "45° round, 30° up, at 2.4"
+std::string camera_words(const scene::Camera& camera) {
+  const auto degrees = [](double value) { return scene::short_number(value, 0) + "\u00b0"; };
+  return degrees(camera.azimuth_deg) + " round, " + degrees(camera.elevation_deg) + " up, at " +
+         scene::significant(camera.distance) + (camera.orthographic ? ", orthographic" : "");
+}
+
+void recent_cameras(Frame& frame) {
+  const auto& cameras = frame.session.cameras_before();
+  if (!ImGui::BeginMenu("Before the last jumps", !cameras.empty())) return;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    command_item(frame, (camera_words(cameras[i]) + "##" + std::to_string(i)).c_str(),
+                 i == 0 ? "camera recent" : "camera recent " + std::to_string(i + 1));
+  ImGui::EndMenu();
+}
+
 void camera_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Camera", frame.has_mesh())) return;
   for (const char* name : {"Iso", "Front", "Back", "Left", "Right", "Top", "Bottom"}) {
@@ -110,6 +131,7 @@ void camera_menu(Frame& frame) {
   ImGui::Separator();
   command_item(frame, "Copy", "camera copy");
   command_item(frame, "Paste", "camera paste");
+  recent_cameras(frame);
   ImGui::EndMenu();
 }
 
@@ -147,6 +169,41 @@ void clip_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+void light_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Light and detail")) return;
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Darker folds", "show occlusion toggle", view.occlusion);
+  command_item(frame, "Ground and shadow", "show ground toggle", view.ground);
+  command_item(frame, "Light stays", "light toggle", view.light_from.has_value());
+  ImGui::Separator();
+  using scene::Detail;
+  command_item(frame, "Fewer faces while turning", "detail auto", view.detail == Detail::Automatic);
+  command_item(frame, "Always all faces", "detail full", view.detail == Detail::Full);
+  command_item(frame, "Always fewer faces", "detail coarse", view.detail == Detail::Coarse);
+  ImGui::EndMenu();
+}
+
+void operation_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Last operation")) return;
+  const scene::View& view = frame.session.view;
+  const scene::StepSides sides = view.step_sides;
+  command_item(frame, "Shown", "show operation toggle", view.operation);
+  ImGui::Separator();
+  command_item(frame, "What was there before", "operation before", !sides.after, view.operation);
+  command_item(frame, "What is there after", "operation after", !sides.before, view.operation);
+  command_item(frame, "Both", "operation both", sides.before && sides.after, view.operation);
+  ImGui::EndMenu();
+}
+
+void text_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Size of text")) return;
+  const double scale = frame.session.view.text_scale;
+  command_item(frame, "Larger", "text-size larger", false, scale < scene::largest_text_scale);
+  command_item(frame, "Smaller", "text-size smaller", false, scale > scene::least_text_scale);
+  command_item(frame, "As at first", "text-size usual", scale == 1);
+  ImGui::EndMenu();
+}
+
 void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
@@ -157,6 +214,7 @@ void view_menu(Frame& frame) {
   camera_menu(frame);
   color_menu(frame);
   clip_menu(frame);
+  light_menu(frame);
   ImGui::Separator();
   command_item(frame, "Original over it", "show original toggle", view.original,
                frame.can_decimate());
@@ -178,12 +236,7 @@ void view_menu(Frame& frame) {
   command_item(frame, "Scale of the colours", "show scale toggle", view.scale);
   command_item(frame, "Scale of lengths", "show length-scale toggle", view.length_scale,
                view.camera.orthographic);
-  command_item(frame, "Last operation", "show operation toggle", view.operation);
-  const scene::StepSides sides = view.step_sides;
-  command_item(frame, "    What was there before", "operation before", !sides.after,
-               view.operation);
-  command_item(frame, "    What is there after", "operation after", !sides.before, view.operation);
-  command_item(frame, "    Both", "operation both", sides.before && sides.after, view.operation);
+  operation_menu(frame);
   ImGui::Separator();
   command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
   const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };
@@ -203,6 +256,8 @@ void view_menu(Frame& frame) {
   command_item(frame, "Runs", "panel runs toggle", view.panels.runs);
   command_item(frame, "All panels", "panel all toggle");
   ImGui::Separator();
+  text_menu(frame);
+  command_item(frame, "Presentation", "presentation toggle", view.presenting.has_value());
   command_item(frame, "Dark theme", "theme toggle", view.theme == scene::Theme::Dark);
   ImGui::EndMenu();
 }

@@ -146,6 +146,8 @@ void buttons(Frame& frame) {
 
 void runs_panel(Frame& frame) {
   buttons(frame);
+  if (frame.session.sheet().runs.size() == 0)
+    wrapped(frame, "Each run that ends stands here, with what it came to.");
   ImGui::PushFont(frame.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.3f * em(), 0.1f * em()));
   const bool scrolls = ImGui::GetContentRegionAvail().x < all_columns();
@@ -158,11 +160,6 @@ void runs_panel(Frame& frame) {
     const KeptRun* shown =
         frame.has_mesh() ? frame.session.sheet().runs.shown(frame.document()) : nullptr;
     for (const KeptRun& run : frame.session.sheet().runs.rows()) run_row(frame, run, &run == shown);
-    if (frame.session.sheet().runs.size() == 0) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      muted(frame, "Each run that ends stands here.");
-    }
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

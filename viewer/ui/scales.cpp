@@ -64,7 +64,8 @@ float widest(const std::vector<scene::ScaleTick>& ticks) {
 /// The field that the present mesh is coloured by; null where there is nothing to tell.
 const scene::ScalarField* shown_field(const Frame& frame) {
   const scene::View& view = frame.session.view;
-  if (!view.scale || !scene::is_field(view.coloring) || !frame.has_mesh()) return nullptr;
+  const bool shown = view.scale && (view.surface || view.interior_edges);
+  if (!shown || !scene::is_field(view.coloring) || !frame.has_mesh()) return nullptr;
   const scene::ScalarField* field = frame.session.sheet().field();
   return field != nullptr && field->scale.high > field->scale.low ? field : nullptr;
 }
@@ -111,29 +112,63 @@ void color_scale(const Frame& frame, const Area& picture) {
   ImGui::PopFont();
 }
 
-void length_scale(const Frame& frame, const Area& picture) {
+namespace {
+
+/// A bar of a round length, with its words above.
+struct LengthBar {
+  std::string words;
+  float width = 0;  ///< 0: there is none
+};
+
+LengthBar length_bar(const Frame& frame, const Area& picture) {
   const scene::View& view = frame.session.view;
-  if (!view.length_scale || !view.camera.orthographic || !frame.has_mesh()) return;
+  if (!view.length_scale || !view.camera.orthographic || !frame.has_mesh()) return {};
   const double unit_px = picture.size.y / (2 * view.camera.half_height());
   const double most_px = std::min(9.0 * em(), 0.3 * picture.size.x);
-  if (!(most_px > 2 * em()) || !std::isfinite(unit_px) || !(unit_px > 0)) return;
+  if (!(most_px > 2 * em()) || !std::isfinite(unit_px) || !(unit_px > 0)) return {};
   const double length = round_length(most_px / unit_px);
-  const auto width = static_cast<float>(length * unit_px);
-  ImGui::PushFont(frame.fonts.small);
-  const std::string words = scene::significant(length);
-  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-  const float x = std::round(picture.position.x + 0.5f * (picture.size.x - width));
-  const float y = std::round(picture.position.y + picture.size.y - 1.1f * em());
+  return {scene::significant(length), static_cast<float>(length * unit_px)};
+}
+
+/// With the plate around it, for the font that is pushed.
+Area area_of(const LengthBar& bar, const Area& picture, float bottom) {
+  const ImVec2 words = ImGui::CalcTextSize(bar.words.c_str());
   const float pad = 0.5f * em(), half = 0.3f * em();
-  const float wide = std::max(width, size.x);
-  const float left = x + 0.5f * (width - wide);
-  plate(frame, {left - pad, y - size.y - half - 0.2f * em()},
-        {left + wide + pad, y + half + 0.2f * em()});
+  const float wide = std::max(bar.width, words.x);
+  const float x = std::round(picture.position.x + 0.5f * (picture.size.x - bar.width));
+  return {{x + 0.5f * (bar.width - wide) - pad, bottom - words.y - half - 0.2f * em()},
+          {wide + 2 * pad, words.y + 2 * half + 0.4f * em()}};
+}
+
+float bottom_of(const Area& picture) {
+  return std::round(picture.position.y + picture.size.y - 1.1f * em());
+}
+
+}  // namespace
+
+Area length_scale_area(const Frame& frame, const Area& picture) {
+  const LengthBar bar = length_bar(frame, picture);
+  if (!(bar.width > 0)) return {};
+  ImGui::PushFont(frame.fonts.small);
+  const Area area = area_of(bar, picture, bottom_of(picture));
+  ImGui::PopFont();
+  return area;
+}
+
+void length_scale(const Frame& frame, const Area& picture) {
+  const LengthBar bar = length_bar(frame, picture);
+  if (!(bar.width > 0)) return;
+  ImGui::PushFont(frame.fonts.small);
+  const float y = bottom_of(picture), half = 0.3f * em();
+  const Area area = area_of(bar, picture, y);
+  plate(frame, area.position, {area.position.x + area.size.x, area.position.y + area.size.y});
+  const ImVec2 size = ImGui::CalcTextSize(bar.words.c_str());
+  const float x = std::round(picture.position.x + 0.5f * (picture.size.x - bar.width));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImU32 color = ImGui::GetColorU32(frame.colors.text);
-  list.AddText({x + 0.5f * (width - size.x), y - size.y - half}, color, words.c_str());
-  list.AddLine({x, y}, {x + width, y}, color, 0.12f * em());
-  for (const float end : {x, x + width})
+  list.AddText({x + 0.5f * (bar.width - size.x), y - size.y - half}, color, bar.words.c_str());
+  list.AddLine({x, y}, {x + bar.width, y}, color, 0.12f * em());
+  for (const float end : {x, x + bar.width})
     list.AddLine({end, y - half}, {end, y + half}, color, 0.12f * em());
   ImGui::PopFont();
 }

@@ -13,5 +13,7 @@ void color_scale(const Frame& frame, const Area& picture);
 /// A bar of a round length in the middle of the lower edge: without perspective, where it holds at
 /// every depth.
 void length_scale(const Frame& frame, const Area& picture);
+/// Where it stands, in the font of the picture; empty where there is none.
+[[nodiscard]] Area length_scale_area(const Frame& frame, const Area& picture);
 
 }  // namespace aomd::ui

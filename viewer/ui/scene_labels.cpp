@@ -10,6 +10,7 @@
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/entity_facts.h"
 #include "viewer/explain/measures.h"
+#include "viewer/ui/scales.h"
 #include "viewer/ui/widgets.h"
 
 namespace aomd::ui {
@@ -127,16 +128,28 @@ void id_labels(Frame& frame, const scene::Projector& project, const Area& viewpo
   ImGui::PopFont();
 }
 
+/// The middle of a plate, or so far above it that the plate leaves the area free.
+ImVec2 above(const Area& taken, ImVec2 middle, ImVec2 words) {
+  const ImVec2 half{0.5f * words.x + 0.4f * em(), 0.5f * words.y + 0.2f * em()};
+  const bool beside =
+      middle.x + half.x < taken.position.x || middle.x - half.x > taken.position.x + taken.size.x ||
+      middle.y + half.y < taken.position.y || middle.y - half.y > taken.position.y + taken.size.y;
+  if (!beside) middle.y = taken.position.y - half.y;
+  return middle;
+}
+
 /// How long what is measured is, at the middle of each line.
 void ruler_labels(Frame& frame, const scene::Projector& project, const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
   Plates plates(frame);
+  const Area taken = length_scale_area(frame, viewport);
   for (const auto& ruler : scene::rulers_of(frame.session.sheet().selection)) {
     const glm::dvec2 p = project(0.5 * (mesh.position(ruler[0]) + mesh.position(ruler[1])));
-    if (std::isfinite(p.x) && std::isfinite(p.y))
-      plates.add({viewport.position.x + static_cast<float>(p.x),
-                  viewport.position.y + viewport.size.y - static_cast<float>(p.y)},
-                 scene::ruler_text(mesh, ruler));
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    const std::string words = scene::ruler_text(mesh, ruler);
+    const ImVec2 at{viewport.position.x + static_cast<float>(p.x),
+                    viewport.position.y + viewport.size.y - static_cast<float>(p.y)};
+    plates.add(above(taken, at, ImGui::CalcTextSize(words.c_str())), words);
   }
 }
 

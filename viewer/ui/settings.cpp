@@ -35,7 +35,7 @@ void take_width(const std::string& value, float& width) {
   if (error == std::errc{} && (ems == 0 || (ems >= 8 && ems <= 60))) width = ems;
 }
 
-void take_speed(const std::string& value, double least, double most, double& target) {
+void take_number(const std::string& value, double least, double most, double& target) {
   double number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (error == std::errc{} && number >= least && number <= most) target = number;
@@ -64,14 +64,18 @@ void take(const std::string& name, const std::string& value, Settings& settings)
   flag("side-panel", panels.side);
   flag("timeline", panels.timeline);
   flag("runs", panels.runs);
+  flag("occlusion", settings.occlusion);
+  flag("ground", settings.ground);
   if (name == "page") take_page(value, panels.page);
   if (name == "mesh-width") take_width(value, panels.mesh_ems);
   if (name == "side-width") take_width(value, panels.side_ems);
+  if (name == "text-size")
+    take_number(value, scene::least_text_scale, scene::largest_text_scale, settings.text_scale);
   scene::PlaySpeed& speed = settings.play_speed;
   using scene::PlaySpeed;
-  if (name == "play-speed") take_speed(value, PlaySpeed::slowest, PlaySpeed::fastest, speed.per_s);
+  if (name == "play-speed") take_number(value, PlaySpeed::slowest, PlaySpeed::fastest, speed.per_s);
   if (name == "play-whole")
-    take_speed(value, PlaySpeed::shortest_s, PlaySpeed::longest_s, speed.whole_s);
+    take_number(value, PlaySpeed::shortest_s, PlaySpeed::longest_s, speed.whole_s);
   if (name == "window") take_window(value, settings);
   if (name == "command" && settings.recent_commands.size() < CommandPalette::most_recent)
     settings.recent_commands.push_back(value);
@@ -104,6 +108,9 @@ std::string settings_text(const Settings& settings) {
   add("page", page_names[static_cast<std::size_t>(panels.page)]);
   add("mesh-width", scene::short_number(panels.mesh_ems, 2));
   add("side-width", scene::short_number(panels.side_ems, 2));
+  add("occlusion", on_off(settings.occlusion));
+  add("ground", on_off(settings.ground));
+  add("text-size", scene::short_number(settings.text_scale, 4));
   add("play-speed", scene::short_number(settings.play_speed.per_s, 7));
   add("play-whole", scene::short_number(settings.play_speed.whole_s, 7));
   if (const auto& w = settings.window) {

@@ -23,6 +23,9 @@ struct WindowPlace {
 struct Settings {
   scene::Theme theme = scene::Theme::Light;
   scene::Panels panels;
+  double text_scale = 1;
+  bool occlusion = false;
+  bool ground = false;
   std::optional<WindowPlace> window;
   std::vector<std::string> recent_commands;  ///< of the palette, newest first
   scene::PlaySpeed play_speed;

@@ -20,7 +20,7 @@ void lessons_link(Frame& frame) {
   if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   if (ImGui::IsItemClicked()) frame.emit("dialog lessons");
   tooltip(
-      "Ten short lessons on small meshes: what is stored, why a collapse is refused, what a sweep "
+      "Short lessons on small meshes: what is stored, why a collapse is refused, what a sweep "
       "does, how "
       "to judge a result. Help > Lessons lists them at any time.",
       "dialog lessons");

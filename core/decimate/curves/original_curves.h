@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 

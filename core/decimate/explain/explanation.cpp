@@ -62,10 +62,9 @@ std::string model_words(const Mesh& mesh, const Contraction& c) {
     return a != b && a.dimension() < 3;
   };
   if (gone.dimension() == 0 && kept.dimension() == 0)
-    return sentence("Both ends are model vertices (" + std::to_string(gone.tag()) + " and " +
-                    std::to_string(kept.tag()) + "), and these stay");
+    return "Both ends are model vertices, and these stay.";
   if (gone.dimension() == 0)
-    return sentence(name_of(c.deleted) + " is " + name(gone) + ", and these stay");
+    return sentence(name_of(c.deleted) + " is a model vertex, and these stay");
   if (differ(gone, between))
     return sentence(name_of(c.deleted) + " lies on " + name(gone) + " and the edge on " +
                     name(between) + ": a vertex goes only along what it lies on");

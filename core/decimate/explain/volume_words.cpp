@@ -60,7 +60,7 @@ std::string removal_topology_words(const Mesh& mesh, Edge edge, EntityRef who) {
 std::string volume_model_words(const Mesh& mesh, const Contraction& c) {
   const ModelRef gone = mesh.classification(c.deleted);
   if (gone.dimension() == 0)
-    return sentence(name_of(c.deleted) + " is " + name(gone) + ", and these stay");
+    return sentence(name_of(c.deleted) + " is a model vertex, and these stay");
   const ModelRef between = class_of_edge(mesh, c);
   if (gone != between)
     return sentence(name_of(c.deleted) + " lies on " + name(gone) + " and the edge " +

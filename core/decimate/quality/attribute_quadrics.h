@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 #include "core/mesh/handle.h"
 #include "core/operators/collapse.h"
 

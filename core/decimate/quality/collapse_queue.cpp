@@ -167,6 +167,7 @@ glm::dvec3 CollapseQueue::least_on_curve(const CurvePlace& place, const Quadric&
 CollapseQueue::Freedom CollapseQueue::freedom_of(Vertex v, Vertex w) const {
   const int dim_v = state_[v].model.dimension(), dim_w = state_[w].model.dimension();
   const bool along = dim_v <= 1 && dim_w <= 1;
+  if (options_.seal_kept && (options_.kept(v) || options_.kept(w))) return Freedom::None;
   const bool v_stays = dim_v < dim_w || options_.kept(v) || (along && !curves_.inside(v)),
              w_stays = dim_w < dim_v || options_.kept(w) || (along && !curves_.inside(w));
   if (v_stays && w_stays) return Freedom::None;

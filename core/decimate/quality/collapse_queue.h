@@ -9,12 +9,12 @@
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/options.h"
+#include "core/decimate/quadric.h"
 #include "core/decimate/quality/attribute_quadrics.h"
 #include "core/decimate/quality/cheapest.h"
 #include "core/decimate/quality/edge_cost.h"
 #include "core/decimate/quality/original_surface.h"
 #include "core/decimate/quality/original_values.h"
-#include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/mesh/column.h"
 #include "core/operators/collapse.h"

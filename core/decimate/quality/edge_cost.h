@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/lanes.h"
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 
 namespace aomd {
 

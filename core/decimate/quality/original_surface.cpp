@@ -35,6 +35,32 @@ OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling)
   if (sampling == Sampling::VerticesAndFaces) add_faces(mesh);
 }
 
+OriginalSurface::OriginalSurface(const Mesh& mesh, const OriginalSamples& samples)
+    : taken_by_(mesh.capacity(0)) {
+  Box box;
+  for (const Vertex v : mesh.vertices()) {
+    taken_by_[v] = v;
+    box.add(mesh.position(v));
+  }
+  diagonal_ = box.diagonal();
+  points_.reserve(samples.size());
+  vertex_of_.reserve(samples.size());
+  for (const OriginalSample& s : samples) {
+    area_ += double(s.weight);
+    points_.push_back(
+        {.position = s.position, .normal = s.normal, .weight = s.weight, .face = s.face.index});
+    vertex_of_.push_back(mesh.triangle(s.face)[0]);
+  }
+}
+
+OriginalSamples OriginalSurface::samples() const {
+  OriginalSamples samples;
+  samples.reserve(points_.size());
+  for (const OriginalPoint& p : points_)
+    if (p.face != no_index) samples.push_back({p.position, p.normal, p.weight, Face(p.face)});
+  return samples;
+}
+
 // In the order in which faces use them.
 void OriginalSurface::add_vertices(const Mesh& mesh) {
   Column<Vertex, std::uint32_t> point_of(mesh.capacity(0), no_index);

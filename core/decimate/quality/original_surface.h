@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "core/decimate/original_samples.h"
 #include "core/mesh/column.h"
 #include "core/mesh/mesh.h"
 #include "core/model/triangle_tree.h"
@@ -39,9 +40,12 @@ class OriginalSurface {
   /// O(vertices + faces). T(2,0) must be stored.
   explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices);
 
+  /// Points that are known, with faces of the mesh. O(vertices + points).
+  OriginalSurface(const Mesh& mesh, const OriginalSamples& samples);
+
   [[nodiscard]] const std::vector<OriginalPoint>& points() const { return points_; }
   /// The vertex that a point was, or a corner of the face that it is inside of: those come after
-  /// all vertices.
+  /// all vertices. Of points that were given: a corner of the face that was given with it.
   [[nodiscard]] Vertex vertex_of(std::size_t point) const { return vertex_of_[point]; }
   /// The diagonal of its box, and its area.
   [[nodiscard]] double diagonal() const { return diagonal_; }
@@ -55,6 +59,8 @@ class OriginalSurface {
   void locate(const Mesh& mesh, int threads = 1);
   /// Forgets all faces and finds each anew by a search over all of `mesh`. O(points log faces).
   void locate_anywhere(const Mesh& mesh, int threads = 1);
+  /// The points that lie on faces, as of the last locate().
+  [[nodiscard]] OriginalSamples samples() const;
   /// Sum over the points of weight times squared distance, as of the last locate().
   [[nodiscard]] double error() const;
 

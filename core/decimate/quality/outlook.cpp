@@ -30,7 +30,9 @@ Verdict QualityLoop::judge(Vertex a, Vertex b, CollapseQueue::Candidate& candida
   const double length = glm::length(mesh_.position(a) - mesh_.position(b));
   if (!(length < double(std::max(queue_.reach(a), queue_.reach(b)))))
     return {Reason::Spacing, a, length};
-  if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
+  const bool a_kept = options_.kept(a), b_kept = options_.kept(b);
+  if (options_.seal_kept ? a_kept || b_kept : a_kept && b_kept)
+    return {Reason::Kept, a_kept ? a : b};
   candidate.cost = queue_.cost(a, b, candidate.contraction);
   if (!(candidate.cost < CollapseQueue::unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 #include "core/model/nearest_lanes.h"
 
 namespace aomd {

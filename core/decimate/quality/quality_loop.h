@@ -44,6 +44,7 @@ class QualityLoop final : public Loop {
   [[nodiscard]] Reason last_refusal(Edge e) const override;
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
+  [[nodiscard]] OriginalSamples original() override;
 
  private:
   // Collapses (quality_loop.cpp)

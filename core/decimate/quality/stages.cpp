@@ -63,7 +63,8 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      original_(mesh, sampling(mesh, options)),
+      original_(options.original ? OriginalSurface(mesh, *options.original)
+                                 : OriginalSurface(mesh, sampling(mesh, options))),
       curves_(mesh),
       fitter_(mesh, original_, curves_),
       queue_(mesh, original_, curves_, options_, partition_),
@@ -74,7 +75,13 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     queue_.count(values_->original());
     fitter_.count(*values_);
   }
+  if (options.original) locate();
   start(options);
+}
+
+OriginalSamples QualityLoop::original() {
+  locate();
+  return original_.samples();
 }
 
 void QualityLoop::set_rules() {
@@ -158,7 +165,7 @@ void QualityLoop::start(const DecimationOptions& options) {
 
 void QualityLoop::begin_stage() {
   partition_ = Partition(mesh_, part_count_, 0, options_.threads);
-  queue_.measure(stage_ > 0);
+  queue_.measure(stage_ > 0 || options_.original != nullptr);
   rounds_.begin(goals_[stage_]);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   round_ = 0;

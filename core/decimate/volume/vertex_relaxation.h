@@ -9,7 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 #include "core/decimate/volume/region_balance.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"

@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/decimate/quality/quadric.h"
+#include "core/decimate/quadric.h"
 #include "core/decimate/volume/model_planes.h"
 #include "core/decimate/volume/region_balance.h"
 

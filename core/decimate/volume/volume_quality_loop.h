@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/decimate/loop.h"
+#include "core/decimate/quadric.h"
 #include "core/decimate/quality/cheapest.h"
-#include "core/decimate/quality/quadric.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"

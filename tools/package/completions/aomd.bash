@@ -11,7 +11,9 @@ _aomd() {
   help=$("$1" "${words[1]}" --help 2>/dev/null) || return
   local choices
   choices=$(sed -n "s/^  $prev \([^ =]*|[^ =]*\).*/\1/p" <<<"$help" | tr '|' '\n' | grep '^[a-z]')
-  if [[ $cur == -* ]]; then
+  if [[ $prev == --to ]]; then
+    _filedir -d
+  elif [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$(grep -o -- '^  \(-[a-z],\)\?--[a-z-]*' <<<"$help" |
       grep -o -- '--[a-z-]*')" -- "$cur")
   elif [[ -n $choices ]]; then

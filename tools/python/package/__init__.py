@@ -25,9 +25,10 @@ __version__ = ".".join(map(str, _aomd.version))
 __all__ = [
     "Cancelled", "Classified", "Database", "Decimated", "Decimation", "Error", "InternalFault",
     "LimitError", "Mesh", "NothingToDo", "ReadError", "Repaired", "UsageError", "WriteError",
-    "check", "classify", "compare", "decimate", "decimate_options", "image_difference", "info",
-    "read", "render", "repair", "sample", "samples", "self_intersections", "split_to_tets",
-    "to_png", "write",
+    "check", "classify", "compare", "decimate", "decimate_options", "difference_picture",
+    "image_difference", "info", "judge_pictures", "read", "read_png", "render", "repair", "sample",
+    "samples", "self_intersections", "split_to_tets",
+    "to_png", "write", "write_png",
 ]
 
 Progress = Callable[[str, "float | None"], "bool | None"]
@@ -197,8 +198,8 @@ class Classified:
 def read(file: str | os.PathLike) -> Mesh:
     """Reads a mesh; its content decides the format, then its name.
 
-    The mesh's `notes` say what was done to it. Raises ReadError with the line or the byte for what cannot be read, LimitError for what is too
-    large.
+    The mesh's `notes` say what was done to it. Raises ReadError with the line or the byte for what
+    cannot be read, LimitError for what is too large.
     """
     return Mesh._of(*_aomd.read(os.fspath(file)))
 
@@ -338,6 +339,44 @@ def image_difference(first: np.ndarray, second: np.ndarray) -> dict:
     "largest_channel_difference" (0 to 255).
     """
     return _aomd.image_difference(first, second)
+
+
+def difference_picture(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Where the second picture departs from the first: grey, with differences in red.
+
+    Both have the shape (height, width, 4); so does the result, in the frame of the larger one.
+    """
+    return _aomd.difference_picture(first, second)
+
+
+def judge_pictures(baseline: np.ndarray, result: np.ndarray, *, threshold: float = 0.98,
+                   largest: int = 48, share: float = 0.0005, noise: int = 2, edges: bool = True,
+                   masks: Sequence[tuple[int, int, int, int]] = ()) -> dict:
+    """Whether a picture is still its baseline, as a person would say (docs/REGRESSION.md).
+
+    Both have the shape (height, width, 4). threshold: least similarity of a tile of 32x32 pixels,
+    with 1 nothing is forgiven. largest: difference of a pixel, of 255. share: how many pixels may
+    differ. noise: differences that are none. edges: single pixels along edges are forgiven. masks:
+    (left, top, width, height) of what is not judged.
+
+    "same", "why" (one line; empty where they are the same), "worst_tile" (its similarity), "tile"
+    (left, top, width, height), "largest", "largest_at", "differing" and "judged" (pixels).
+    """
+    return _aomd.judge_pictures(baseline, result, threshold, largest, share, noise, edges,
+                                [tuple(map(int, mask)) for mask in masks])
+
+
+def read_png(file: str | os.PathLike) -> np.ndarray:
+    """A picture from a PNG: uint8, shape (height, width, 4). Raises ReadError, LimitError."""
+    return _aomd.read_png(os.fspath(file))
+
+
+def write_png(file: str | os.PathLike, picture: np.ndarray) -> None:
+    """Writes a picture of shape (height, width, 4) as a PNG, whole or not at all.
+
+    Raises WriteError where it cannot be written, ValueError for another shape.
+    """
+    _aomd.write_png(os.fspath(file), picture)
 
 
 class Database:

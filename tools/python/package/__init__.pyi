@@ -145,8 +145,8 @@ class Classified:
 def read(file: str | os.PathLike) -> Mesh:
     """Reads a mesh; its content decides the format, then its name.
 
-    The mesh's `notes` say what was done to it. Raises ReadError with the line or the byte for what cannot be read, LimitError for what is too
-    large.
+    The mesh's `notes` say what was done to it. Raises ReadError with the line or the byte for what
+    cannot be read, LimitError for what is too large.
     """
 
 def write(file: str | os.PathLike, mesh: Mesh, *, binary: bool | None=None, msh2: bool=False) -> list[str]:
@@ -231,6 +231,33 @@ def image_difference(first: np.ndarray, second: np.ndarray) -> dict:
 
     "same_size", "ssim" (structural similarity: 1 is equal), "differing_pixels" and
     "largest_channel_difference" (0 to 255).
+    """
+
+def difference_picture(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Where the second picture departs from the first: grey, with differences in red.
+
+    Both have the shape (height, width, 4); so does the result, in the frame of the larger one.
+    """
+
+def judge_pictures(baseline: np.ndarray, result: np.ndarray, *, threshold: float=0.98, largest: int=48, share: float=0.0005, noise: int=2, edges: bool=True, masks: Sequence[tuple[int, int, int, int]]=()) -> dict:
+    """Whether a picture is still its baseline, as a person would say (docs/REGRESSION.md).
+
+    Both have the shape (height, width, 4). threshold: least similarity of a tile of 32x32 pixels,
+    with 1 nothing is forgiven. largest: difference of a pixel, of 255. share: how many pixels may
+    differ. noise: differences that are none. edges: single pixels along edges are forgiven. masks:
+    (left, top, width, height) of what is not judged.
+
+    "same", "why" (one line; empty where they are the same), "worst_tile" (its similarity), "tile"
+    (left, top, width, height), "largest", "largest_at", "differing" and "judged" (pixels).
+    """
+
+def read_png(file: str | os.PathLike) -> np.ndarray:
+    """A picture from a PNG: uint8, shape (height, width, 4). Raises ReadError, LimitError."""
+
+def write_png(file: str | os.PathLike, picture: np.ndarray) -> None:
+    """Writes a picture of shape (height, width, 4) as a PNG, whole or not at all.
+
+    Raises WriteError where it cannot be written, ValueError for another shape.
     """
 
 class Database:

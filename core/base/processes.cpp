@@ -1,4 +1,4 @@
-#include "viewer/app/processes.h"
+#include "core/base/processes.h"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -11,8 +11,9 @@
 #include <cstdint>
 #include <optional>
 #include <system_error>
+#include <thread>
 
-namespace aomd::app {
+namespace aomd {
 namespace {
 
 [[noreturn]] void fail(const char* what) {
@@ -44,8 +45,17 @@ bool receive_all(int socket, void* data, std::size_t size) {
   return true;
 }
 
+/// Once the other end of the socket is closed, this process has been let go.
+void wait_for_letting_go(int socket, const std::function<void()>& let_go) {
+  pollfd end{socket, 0, 0};
+  while (poll(&end, 1, -1) < 0 && errno == EINTR) {
+  }
+  let_go();
+}
+
 /// What a process that shares the work does: answers until nothing is asked any more.
-void answer(int socket, const std::function<std::string(std::size_t)>& work) {
+void answer(int socket, const Sharing& how, const std::function<std::string(std::size_t)>& work) {
+  if (how.let_go) std::thread([&] { wait_for_letting_go(socket, how.let_go); }).detach();
   std::uint64_t piece = 0;
   while (receive_all(socket, &piece, sizeof piece)) {
     const std::string text = work(piece);
@@ -63,18 +73,15 @@ std::string death_of(pid_t process) {
                              : "exit code " + std::to_string(WEXITSTATUS(status));
 }
 
-class Sharing {
+class Pieces {
  public:
-  Sharing(std::size_t count, std::size_t jobs, const std::function<std::string(std::size_t)>& work)
-      : pieces_(count), work_(work) {
-    for (std::size_t i = 0; i < std::min(jobs, count); ++i) start();
+  Pieces(std::size_t count, const Sharing& how, const std::function<std::string(std::size_t)>& work)
+      : pieces_(count, {"", "not begun"}), how_(how), work_(work) {
+    for (std::size_t i = 0; i < std::min(how.jobs, count); ++i) start();
   }
-  ~Sharing() {
-    for (const Worker& each : workers_) close(each.socket);
-    for (const Worker& each : workers_) death_of(each.process);
-  }
-  Sharing(const Sharing&) = delete;
-  Sharing& operator=(const Sharing&) = delete;
+  ~Pieces() { let_go(); }
+  Pieces(const Pieces&) = delete;
+  Pieces& operator=(const Pieces&) = delete;
 
   std::vector<Piece> finish() {
     while (!workers_.empty()) wait();
@@ -98,7 +105,7 @@ class Sharing {
     if (process == 0) {
       for (const Worker& each : workers_) close(each.socket);
       close(ends[0]);
-      answer(ends[1], work_);
+      answer(ends[1], how_, work_);
       _exit(0);
     }
     close(ends[1]);
@@ -111,31 +118,51 @@ class Sharing {
     send_all(worker.socket, &worker.piece, sizeof worker.piece);
   }
   void wait() {
-    std::vector<pollfd> sockets;
-    for (const Worker& each : workers_) sockets.push_back({each.socket, POLLIN, 0});
-    if (poll(sockets.data(), sockets.size(), -1) < 0 && errno != EINTR) fail("poll");
-    for (std::size_t i = sockets.size(); i-- > 0;)
-      if (sockets[i].revents != 0) take_answer(i);
+    std::vector<pollfd> ends;
+    for (const Worker& each : workers_) ends.push_back({each.socket, POLLIN, 0});
+    ends.push_back({how_.stop, POLLIN, 0});  // poll passes over what is negative
+    if (poll(ends.data(), ends.size(), -1) < 0) {
+      if (errno != EINTR) fail("poll");
+      return;
+    }
+    for (std::size_t i = workers_.size(); i-- > 0;)
+      if (ends[i].revents != 0) take_answer(i);
+    if (ends.back().revents != 0) stop();
   }
   void take_answer(std::size_t i) {
     Worker& worker = workers_[i];
+    const std::size_t at = worker.piece;
     std::uint64_t size = 0;
-    Piece& piece = pieces_[worker.piece];
+    Piece piece;
     bool answered = receive_all(worker.socket, &size, sizeof size);
     if (answered) {
       piece.answer.resize(size);
       answered = receive_all(worker.socket, piece.answer.data(), size);
     }
-    if (answered && next_ < pieces_.size()) return give_piece(worker);
-    close(worker.socket);
-    const std::string death = death_of(worker.process);
-    workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
-    if (answered) return;
-    piece.death = death;
-    start();
+    if (answered && !how_.fresh && next_ < pieces_.size()) {
+      give_piece(worker);
+    } else {
+      close(worker.socket);
+      const std::string death = death_of(worker.process);
+      workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
+      if (!answered) piece = {"", death};
+      start();
+    }
+    pieces_[at] = std::move(piece);
+    if (how_.tell) how_.tell(at, pieces_[at]);
+  }
+  void stop() {
+    for (const Worker& each : workers_) pieces_[each.piece].death = "stopped";
+    let_go();
+  }
+  void let_go() {
+    for (const Worker& each : workers_) close(each.socket);
+    for (const Worker& each : workers_) death_of(each.process);
+    workers_.clear();
   }
 
   std::vector<Piece> pieces_;
+  const Sharing& how_;
   const std::function<std::string(std::size_t)>& work_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0;
@@ -143,9 +170,9 @@ class Sharing {
 
 }  // namespace
 
-std::vector<Piece> share_among_processes(std::size_t count, std::size_t jobs,
+std::vector<Piece> share_among_processes(std::size_t count, const Sharing& how,
                                          const std::function<std::string(std::size_t)>& work) {
-  return Sharing(count, jobs, work).finish();
+  return Pieces(count, how, work).finish();
 }
 
-}  // namespace aomd::app
+}  // namespace aomd

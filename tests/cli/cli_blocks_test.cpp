@@ -1,0 +1,66 @@
+// aomd decimate --blocks: surfaces that are made coarser in pieces.
+
+#include "core/io/io.h"
+#include "core/samples/samples.h"
+#include "tests/support/cli_helpers.h"
+
+namespace aomd::test {
+namespace {
+
+class BlocksCommand : public CommandLine {
+ protected:
+  void SetUp() override { sample("scan", "s.ply", 8000); }
+};
+
+TEST_F(BlocksCommand, ReachesItsTargetAndReportsWhatTheFileHas) {
+  const auto whole = nlohmann::json::parse(aomd("info --json s.ply").out)["input"];
+  const Outcome run = aomd("decimate s.ply o.ply --blocks 5 --target-faces 10% --report r.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const auto report = json("r.json");
+  EXPECT_EQ(report["options"]["blocks"], 5);
+  for (const char* known : {"faces", "vertices", "euler"})
+    EXPECT_EQ(report["input"][known], whole[known]) << known;
+  EXPECT_NEAR(double(report["output"]["faces"]), 0.1 * double(whole["faces"]), 2);
+  EXPECT_GT(double(report["seconds"]["blocks"]), 0);
+  EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
+  EXPECT_EQ(aomd("compare s.ply o.ply --max-distance 1").code, 0);
+}
+
+TEST_F(BlocksCommand, OneBlockIsNone) {
+  ASSERT_EQ(aomd("decimate s.ply a.ply --target-faces 900 --blocks 1").code, 0);
+  ASSERT_EQ(aomd("decimate s.ply b.ply --target-faces 900").code, 0);
+  EXPECT_EQ(text("a.ply"), text("b.ply"));
+}
+
+TEST_F(BlocksCommand, SaysWhatItLeavesBehind) {
+  MeshData mesh = make_sample("terrain", 20);
+  mesh.attributes.push_back({.name = "heat", .values = std::vector(mesh.positions.size(), 1.5)});
+  io::write(at("t.ply"), mesh);
+  const Outcome run = aomd("decimate t.ply o.ply --blocks 2 --target-faces 300");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("left out, since blocks hold the shape alone: vertex \"heat\""),
+            std::string::npos)
+      << run.err;
+}
+
+TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
+  expect_failure("decimate s.ply o.ply --blocks 2", 2, "--blocks requires --target-faces");
+  expect_failure("decimate s.ply o.ply --blocks 0 --target-faces 9", 2, "--blocks");
+  for (const char* other :
+       {"--reach", "--spacing h", "--max-distance 1", "--no-intersections", "--topology paper",
+        "--keep s.ply", "--only s.ply", "--journal j", "--repair", "--triangulate",
+        "--model m.step", "--snap model", "--attributes none"})
+    expect_failure(std::string("decimate s.ply o.ply --blocks 2 --target-faces 900 ") + other, 2,
+                   "excludes --blocks");
+  expect_failure("decimate s.ply o.ply --blocks 2 --target-faces 900 --strategy paper", 2,
+                 "--blocks is for --strategy quality");
+  ASSERT_EQ(aomd("convert s.ply s.off").code, 0);
+  expect_failure("decimate s.off o.ply --blocks 2 --target-faces 900", 3,
+                 "s.off: what is no PLY cannot be read in blocks, only as a whole");
+  expect_failure("decimate - o.ply --blocks 2 --target-faces 900", 3, "-: is no file");
+  EXPECT_FALSE(exists("o.ply"));
+}
+
+}  // namespace
+}  // namespace aomd::test

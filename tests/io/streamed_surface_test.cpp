@@ -1,0 +1,173 @@
+// A surface that is gone through piece by piece is the one that a whole reader reads.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
+#include "core/io/io.h"
+#include "core/io/streamed_surface.h"
+#include "core/samples/samples.h"
+#include "tests/support/io_helpers.h"
+
+namespace aomd {
+namespace {
+
+using io::StreamedSurface;
+
+class StreamedSurfaceTest : public testing::Test {
+ protected:
+  std::filesystem::path put(const std::string& bytes) const {
+    std::ofstream(folder_ / "a.ply", std::ios::binary) << bytes;
+    return folder_ / "a.ply";
+  }
+
+  void expect_refused(const std::string& bytes, const std::string& fragment) const {
+    try {
+      const StreamedSurface surface(put(bytes));
+      surface.each_vertices([](auto, auto) {});
+      surface.each_faces([](auto, auto) {});
+      ADD_FAILURE() << "read in spite of: " << fragment;
+    } catch (const io::ReadError& e) {
+      EXPECT_NE(std::string(e.what()).find(fragment), std::string::npos) << e.what();
+    }
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+/// Bytes of numbers in one order.
+class Numbers {
+ public:
+  explicit Numbers(std::endian order) : order_(order) {}
+  template <typename Value>
+  Numbers& put(Value value) {
+    char bytes[sizeof(Value)];
+    std::memcpy(bytes, &value, sizeof(Value));
+    if (order_ != std::endian::native) std::reverse(std::begin(bytes), std::end(bytes));
+    text_.append(bytes, sizeof(Value));
+    return *this;
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::endian order_;
+  std::string text_;
+};
+
+std::string header(const std::string& format, const std::string& elements) {
+  return "ply\nformat " + format + " 1.0\n" + elements + "end_header\n";
+}
+
+const std::string little = "binary_little_endian";
+const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+const std::string three = "element vertex 3\n" + xyz;
+const std::string one_face = "element face 1\nproperty list uchar int vertex_indices\n";
+
+std::string corners(std::endian order, float last = 1) {
+  Numbers n(order);
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, last, 0.f}) n.put(x);
+  return n.text();
+}
+
+std::string face(std::endian order, std::uint8_t count, std::int32_t last) {
+  return Numbers(order).put(count).put(std::int32_t{0}).put(std::int32_t{1}).put(last).text();
+}
+
+void expect_as_read(const std::filesystem::path& path) {
+  const MeshData whole = io::read(path).mesh;
+  const StreamedSurface surface(path);
+  ASSERT_EQ(surface.vertices(), whole.positions.size());
+  ASSERT_EQ(surface.faces(), whole.faces.size());
+  std::vector<glm::dvec3> positions;
+  surface.each_vertices([&](std::uint32_t first, std::span<const glm::dvec3> some) {
+    EXPECT_EQ(first, positions.size());
+    positions.insert(positions.end(), some.begin(), some.end());
+  });
+  EXPECT_EQ(positions, whole.positions);
+  std::vector<std::uint32_t> vertices;
+  surface.each_faces([&](std::uint32_t first, std::span<const StreamedSurface::Triangle> some) {
+    EXPECT_EQ(3 * std::size_t{first}, vertices.size());
+    for (const auto& t : some) vertices.insert(vertices.end(), t.begin(), t.end());
+  });
+  EXPECT_EQ(vertices, whole.faces.vertices);
+}
+
+// More than one piece of each: they have a million bytes.
+TEST_F(StreamedSurfaceTest, IsWhatAWholeReaderReads) {
+  io::write(folder_ / "a.ply", make_sample("scan", 250'000));
+  expect_as_read(folder_ / "a.ply");
+}
+
+TEST_F(StreamedSurfaceTest, ReadsBothByteOrders) {
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    const std::string format = order == std::endian::little ? little : "binary_big_endian";
+    expect_as_read(put(header(format, three + one_face) + corners(order) + face(order, 3, 2)));
+  }
+}
+
+TEST_F(StreamedSurfaceTest, PassesOverWhatStandsBetweenAndNamesIt) {
+  const auto order = std::endian::little;
+  const std::string elements =
+      "element camera 2\nproperty double view\nelement vertex 3\nproperty uchar red\n" + xyz +
+      "element face 1\nproperty short part\nproperty list uchar int vertex_index\n" +
+      "element rest 5\nproperty list uchar int what\n";
+  Numbers n(order);
+  n.put(1.0).put(2.0);
+  for (int i = 0; i < 3; ++i) n.put(std::uint8_t(9)).put(float(i == 1)).put(float(i == 2)).put(0.f);
+  n.put(std::int16_t(7));
+  const auto path = put(header(little, elements) + n.text() + face(order, 3, 2) + "rest");
+  const StreamedSurface surface(path);
+  surface.each_vertices([](std::uint32_t, std::span<const glm::dvec3> p) {
+    EXPECT_EQ(std::vector(p.begin(), p.end()),
+              (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  });
+  surface.each_faces([](std::uint32_t, std::span<const StreamedSurface::Triangle> t) {
+    EXPECT_EQ(t.front(), (StreamedSurface::Triangle{0, 1, 2}));
+  });
+  EXPECT_EQ(surface.left_out(),
+            (std::vector<std::string>{"camera \"view\"", "vertex \"red\"", "face \"part\""}));
+}
+
+TEST_F(StreamedSurfaceTest, SaysWhatIsWrong) {
+  const auto order = std::endian::little;
+  const std::string good = header(little, three + one_face) + corners(order);
+  const std::size_t body = header(little, three + one_face).size();
+  const auto byte = [&](std::size_t of_body) { return "byte " + std::to_string(body + of_body); };
+  expect_refused("OFF\n3 1 0\n", "cannot be read in blocks");
+  expect_refused(header("ascii", three + one_face) + "0 0 0\n", "PLY as text");
+  expect_refused(good, "ends within its data");
+  expect_refused(good + face(order, 4, 2), byte(36) + ": only triangles");
+  expect_refused(good + face(order, 3, 3), byte(45) + ": there is no vertex 3");
+  expect_refused(good + face(order, 3, -1), byte(45) + ": there is no vertex -1");
+  expect_refused(header(little, three + one_face) +
+                     corners(order, std::numeric_limits<float>::quiet_NaN()) + face(order, 3, 2),
+                 byte(28) + ": a coordinate is not a finite number");
+  expect_refused(header(little, three) + corners(order), "no vertices or no faces");
+  expect_refused(
+      header(little, "element vertex 3\nproperty float x\nproperty float y\n" + one_face) +
+          corners(order) + face(order, 3, 2),
+      "needs x, y and z");
+  expect_refused(header(little, three + "element face 1\nproperty int a\n") + corners(order) +
+                     face(order, 3, 2),
+                 "needs a list vertex_indices");
+  expect_refused(header(little, three + one_face + "property list uchar float texcoord\n") +
+                     corners(order) + face(order, 3, 2) + '\0',
+                 "the list \"texcoord\"");
+}
+
+TEST_F(StreamedSurfaceTest, SaysThatTheFileHasBecomeShorter) {
+  const auto order = std::endian::little;
+  const auto path = put(header(little, three + one_face) + corners(order) + face(order, 3, 2));
+  const StreamedSurface surface(path);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  EXPECT_THROW(surface.each_faces([](auto, auto) {}), io::ReadError);
+  EXPECT_NO_THROW(surface.each_vertices([](auto, auto) {}));
+}
+
+}  // namespace
+}  // namespace aomd
