@@ -194,7 +194,7 @@ void check_batch(const std::vector<BatchFile>& files, std::vector<NamedFile> inp
 }  // namespace
 
 void add_files(CLI::App& command, Batch& batch) {
-  command.add_option("FILE", batch.more, "The mesh; - is standard input")->required();
+  command.add_option("FILE", batch.more, "The meshes; - is standard input")->required();
   add_jobs(command, batch);
 }
 
