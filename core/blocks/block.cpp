@@ -161,6 +161,8 @@ Block coarse_block(const io::StreamedSurface& surface, const BlockCut& cut, std:
       options_for(read, goal_of(surface, read.faces.size(), rules), rules);
   const std::vector<std::uint32_t> ids = std::move(read.ids);
   Mesh mesh(mesh_of(std::move(read)));
+  if (const char* obstacle = decimation_obstacle(mesh))
+    throw io::LimitError(surface.name(), {}, obstacle);
   classify(mesh, rules.classify);
   keep_edges_for_quality(mesh);
   Decimation decimation(mesh, options);

@@ -44,6 +44,14 @@ TEST_F(BlocksCommand, SaysWhatItLeavesBehind) {
       << run.err;
 }
 
+TEST_F(BlocksCommand, RefusesWhatIsTooLarge) {
+  MeshData mesh = make_sample("terrain", 20);
+  for (glm::dvec3& p : mesh.positions) p *= 1e19;
+  io::write(at("t.ply"), mesh);
+  expect_failure("decimate t.ply o.ply --blocks 2 --target-faces 300", 5,
+                 "t.ply: Only meshes from 1e-20 to 1e+18 across can be decimated");
+}
+
 TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
   expect_failure("decimate s.ply o.ply --blocks 2", 2, "--blocks requires --target-faces");
   expect_failure("decimate s.ply o.ply --blocks 0 --target-faces 9", 2, "--blocks");

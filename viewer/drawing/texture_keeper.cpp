@@ -30,12 +30,18 @@ void TextureKeeper::paint(const MeshData& data, const Mesh& mesh) {
 }
 
 void TextureKeeper::update(Document& document, const View& view, const SurfaceChanges& changes,
-                           bool still) {
+                           bool still, bool in_window) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int rest = 4;
   if (!start(document, view)) return;
   pending_ = pending_ || !changes.nothing();
   for (const Face f : changes.faces)
     if (f.index < texture_->faces.size()) texture_->faces[f.index] = {};
-  if (pending_ && still) paint(whole_data(document).data, document.mesh());
+  const auto start = Clock::now();
+  if (!pending_ || !still || (in_window && start < due_)) return;
+  paint(whole_data(document).data, document.mesh());
+  const auto end = Clock::now();
+  due_ = end + rest * (end - start);
 }
 
 void TextureKeeper::update_reference(Document& document, const KeptRun* run, const View& view,

@@ -151,7 +151,7 @@ void Sheet::refresh_surface() {
   picker_.note(found);
   drawing_.set_whole_faces(true);
   refresh_field(field_source(), found);
-  texture_.update(document, view_, found, still());
+  texture_.update(document, view_, found, still(), budget_.has_value());
   drawing_.set_texture(texture_.texture());
   verdicts_.update(document, view_, found, busy(), drawing_);
   drawing_.update(document.mesh(), view_, found);
