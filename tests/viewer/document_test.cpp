@@ -261,8 +261,9 @@ TEST(Errors, WrongCommandsSayWhatWouldBeRight) {
   } catch (const CommandError& error) {
     EXPECT_EQ(std::string(error.what()),
               "color: 'nonsense' is none of classification, spacing, quality, distance, curvature, "
-              "verdict, none "
-              "(usage: color classification|spacing|quality|distance|curvature|verdict|none)");
+              "verdict, texture, none "
+              "(usage: color "
+              "classification|spacing|quality|distance|curvature|verdict|texture|none)");
   }
 }
 

@@ -122,7 +122,7 @@ glm::ivec3 shown_at(Stage& stage, glm::vec2 place, std::uint32_t picture,
   sphere.places.assign(std::vector<glm::vec2>(sphere.corners.size(), place));
   sphere.pictures = std::make_shared<const scene::Pictures>(scene::Pictures{{image_on_it}, {}});
   render::RenderSettings settings;
-  settings.light = settings.show_edges = false;
+  settings.lit = settings.show_edges = false;
   const io::Image image = stage.picture(sphere, settings);
   const std::uint8_t* const pixel = image.pixel(picture_size.x / 2, picture_size.y / 2);
   return {pixel[0], pixel[1], pixel[2]};

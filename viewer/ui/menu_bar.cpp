@@ -172,6 +172,7 @@ void clip_menu(Frame& frame) {
 void light_menu(Frame& frame) {
   if (!ImGui::BeginMenu("Light and detail")) return;
   const scene::View& view = frame.session.view;
+  command_item(frame, "Shaded surface", "show light toggle", view.light);
   command_item(frame, "Darker folds", "show occlusion toggle", view.occlusion);
   command_item(frame, "Ground and shadow", "show ground toggle", view.ground);
   command_item(frame, "Light stays", "light toggle", view.light_from.has_value());
