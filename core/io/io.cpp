@@ -369,18 +369,18 @@ std::optional<Format> format_named(std::string_view extension) {
 }
 
 EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const MeshData& mesh,
-                     const WriteOptions& wanted) {
-  WriteOptions options = wanted;
-  options.beside = wanted.beside && has_place_beside(name);
-  const bool binary = writes_binary(name, format, mesh, options);
+                     const WriteOptions& options) {
+  WriteOptions how = options;
+  how.beside = options.beside && has_place_beside(name);
+  const bool binary = writes_binary(name, format, mesh, how);
   const bool rounds =
       format == Format::Gltf || (binary && (format == Format::Stl || format == Format::Off));
   check_writable(name, format, mesh, rounds);
   EncodedMesh result;
-  const bool beside = format == Format::Medit && options.beside && !solution_beside(name).empty();
+  const bool beside = format == Format::Medit && how.beside && !solution_beside(name).empty();
   detail::note_losses(format, binary, beside, mesh, result.notes);
   if (rounds) detail::note_rounding(mesh, detail::exact_form(format), result.notes);
-  encode(name, format, binary, mesh, options, result);
+  encode(name, format, binary, mesh, how, result);
   result.notes = limited_lines(std::move(result.notes));
   return result;
 }
