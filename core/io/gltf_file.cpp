@@ -208,7 +208,7 @@ std::string_view GltfFile::bytes_of_uri(const std::string& uri) {
   if (known != files_.end()) return known->second;
   std::string bytes;
   if (uri.starts_with("data:")) {
-    const std::size_t comma = uri.find(",");
+    const std::size_t comma = uri.find(',');
     if (comma == std::string::npos) source_.fail("a data URI has no data");
     bytes = from_base64(std::string_view(uri).substr(comma + 1));
   } else {
@@ -232,7 +232,7 @@ std::string_view GltfFile::view(int index) const {
   const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(index)];
   if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= buffers_.size())
     source_.fail(what + " is of buffer " + std::to_string(view.buffer) + ", which is not there");
-  if (view.extensions.count("EXT_meshopt_compression") > 0)
+  if (view.extensions.contains("EXT_meshopt_compression"))
     source_.fail(
         "is compressed by meshoptimizer, which cannot be read: export it without "
         "compression");

@@ -126,7 +126,7 @@ class GltfReader {
   }
 
   Piece piece_of(const tinygltf::Primitive& primitive) {
-    if (primitive.extensions.count("KHR_draco_mesh_compression") > 0)
+    if (primitive.extensions.contains("KHR_draco_mesh_compression"))
       source_.fail("is compressed by Draco, which cannot be read: export it without compression");
     const auto positions = primitive.attributes.find("POSITION");
     Piece piece{&primitive, 3, {}, {}, -1};
@@ -253,7 +253,7 @@ void GltfReader::add(const GltfInstance& instance) {
   PointWelder welder(result_.mesh.positions);
   std::map<int, std::vector<std::uint32_t>> vertices;
   for (const Piece& piece : pieces)
-    if (vertices.count(piece.positions) == 0)
+    if (!vertices.contains(piece.positions))
       vertices[piece.positions] = vertices_of(pieces, piece.positions, welder);
   for (const Piece& piece : pieces) add_piece(piece, vertices[piece.positions]);
 }

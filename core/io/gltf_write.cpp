@@ -91,7 +91,7 @@ class GltfWriter {
     for (const Material& m : mesh_.appearance.materials) put_material(m);
     if (!names_.material) return;
     for (const std::string& name : names_.material->names)
-      if (!name.empty() && material_.count(name) == 0) put_material({.name = name});
+      if (!name.empty() && !material_.contains(name)) put_material({.name = name});
   }
 
   void put_material(const Material& m) {
@@ -321,7 +321,7 @@ void GltfWriter::put_bare(int mode, const std::vector<std::uint32_t>& list) {
 void GltfWriter::put_lines() {
   std::vector<std::uint32_t> list;
   for_each_entity(mesh_.edges, [&](auto ends, ModelRef) {
-    for (const std::uint32_t v : ends) list.push_back(rows_.first_of(v));
+    for (const std::uint32_t v : ends) list.push_back(GltfRows::first_of(v));
   });
   put_bare(TINYGLTF_MODE_LINE, list);
 }
@@ -333,7 +333,7 @@ void GltfWriter::put_points() {
     for (const std::uint32_t v : list->vertices) used[v] = true;
   std::vector<std::uint32_t> list;
   for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (!used[v]) list.push_back(rows_.first_of(v));
+    if (!used[v]) list.push_back(GltfRows::first_of(v));
   put_bare(TINYGLTF_MODE_POINTS, list);
 }
 

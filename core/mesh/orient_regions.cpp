@@ -1,6 +1,7 @@
 #include "core/mesh/orient_regions.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <utility>
 
@@ -165,7 +166,7 @@ class Orienter {
   void turn(std::uint32_t region) {
     const Shape shape = mesh_.regions.shapes[region];
     const auto v = mesh_.regions.vertices.begin() + static_cast<std::ptrdiff_t>(first_[region]);
-    const int base = shape == Shape::Tetrahedron || shape == Shape::Prism ? 3 : 4;
+    const std::ptrdiff_t base = shape == Shape::Tetrahedron || shape == Shape::Prism ? 3 : 4;
     std::reverse(v + 1, v + base);
     if (shape == Shape::Prism || shape == Shape::Hexahedron)
       std::reverse(v + base + 1, v + 2 * base);

@@ -26,5 +26,5 @@ int main(int argc, char** argv) {
   };
   const int code = run_program("aomd-mpi", {add}, argc, argv);
   // What is wrong with options and input all find, and the first one says so.
-  return exchange.end(code, first || code >= out_of_limits);
+  return aomd::MpiExchange::end(code, first || code >= out_of_limits);
 }

@@ -19,7 +19,7 @@ class MpiExchange final : public Exchange {
 
   /// Ends all of them with this process's exit code, which becomes that of mpirun. Who found the
   /// same as the others waits for the first one.
-  [[nodiscard]] int end(int code, bool for_all);
+  [[nodiscard]] static int end(int code, bool for_all);
 
  private:
   std::size_t rank_ = 0, ranks_ = 1;

@@ -57,7 +57,7 @@ class Numbering {
   }
   /// The key's number, and whether it is new.
   std::pair<std::uint32_t, bool> of(std::uint64_t key) {
-    if (2 * count_ >= keys_.size()) grow();
+    if (2 * std::size_t{count_} >= keys_.size()) grow();
     const std::size_t at = place(key);
     const bool fresh = keys_[at] == 0;
     if (fresh) {

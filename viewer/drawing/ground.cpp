@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -82,7 +81,8 @@ std::vector<Segment> grid(const Box& bounds, const glm::dvec3& origin, int up, d
   const int u = (up + 1) % 3, v = (up + 2) % 3;
   const glm::dvec3 center = bounds.center();
   std::vector<Segment> lines;
-  for (const auto [along, across] : {std::pair(u, v), std::pair(v, u)}) {
+  for (const bool along_u : {true, false}) {
+    const int along = along_u ? u : v, across = along_u ? v : u;
     const auto end = [&](double at, double side) {
       glm::dvec3 p(0);
       p[up] = height;

@@ -59,7 +59,7 @@ void Session::take_loaded(Loader::Result result) {
   if (!lesson.entering()) remember_camera();
   if (!result.mesh->source.practice) leave_lesson(false);
   const auto file_before = document().empty() ? std::filesystem::path() : document().content().file;
-  const MeshView before = view;
+  const MeshView before(static_cast<const MeshView&>(view));
   show(std::move(result.mesh));
   const LoadedMesh& content = document().content();
   if (!content.file.empty() && content.file == file_before) {
