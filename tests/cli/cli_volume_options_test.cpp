@@ -34,6 +34,19 @@ class VolumeOptions : public CommandLine {
   }
 };
 
+// As convert would have done before; a replay starts from there too.
+TEST_F(VolumeOptions, MixedRegionsAreCutFirst) {
+  sample("mixed", "m.msh", 4);
+  ASSERT_EQ(aomd("convert m.msh t.msh --split-to-tets").code, 0);
+  ASSERT_EQ(aomd("decimate t.msh a.msh --target-tets 60%").code, 0);
+  const Outcome run = aomd("decimate m.msh b.msh --target-tets 60% --split-to-tets --journal j");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find("m.msh: cut "), std::string::npos) << run.err;
+  EXPECT_EQ(text("a.msh"), text("b.msh"));
+  ASSERT_EQ(aomd("replay m.msh j c.msh --split-to-tets --quiet").code, 0);
+  EXPECT_EQ(text("c.msh"), text("b.msh"));
+}
+
 TEST_F(VolumeOptions, TheLeastDihedralAngleHolds) {
   for (const std::string options :
        {"--strategy paper --coarsest", "--target-tets 2%", "--target-tets 5% --snap model",

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/mesh/split_tets.h"
 #include "tools/aomd/batch.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/decimate_input.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/report.h"
 #include "tools/aomd/values.h"
@@ -24,29 +24,13 @@ Json counted_json(const std::string& file, const MeshData& mesh) {
   return counts_json(file, measure::count_entities(Mesh(mesh)));
 }
 
-/// The mesh in tetrahedra; a note says what was cut.
-MeshData in_tetrahedra(const ConvertArguments& options, MeshData mesh) {
-  SplitToTets split = split_to_tets(std::move(mesh));
-  std::vector<std::string> notes;
-  if (const std::string text = split.text(); !text.empty())
-    notes.emplace_back("cut " + text);
-  else
-    notes.emplace_back(split.mesh.regions.empty() ? "has no regions to cut"
-                                                  : "nothing but tetrahedra");
-  if (split.inverted > 0)
-    notes.push_back(counted(split.inverted, "tetrahedron") +
-                    " of regions that are not convex without positive volume");
-  print_notes(options.input, notes);
-  return std::move(split.mesh);
-}
-
 int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
   const std::vector<NamedFile> outputs = {{"OUT", options.output}};
   check_files({{"IN", options.input}}, outputs);
   io::ReadResult read = read_mesh(options.input);
   const Json before = options.json ? counted_json(options.input, read.mesh) : Json();
-  if (options.split_to_tets) read.mesh = in_tetrahedra(options, std::move(read.mesh));
+  if (options.split_to_tets) print_notes(options.input, cut_regions(read.mesh));
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;

@@ -139,6 +139,7 @@ class Run {
     given_ = &mesh;
     lap("read");
     if (options_.triangulate) note(options_.input, cut_quads(own()));
+    if (options_.split_to_tets) note(options_.input, cut_regions(own()));
     if (options_.repair) repair_mesh();
     mesh_ = Mesh(given());
     check_decimable(mesh_, options_.input);
@@ -245,7 +246,7 @@ class Run {
   void forget_regions() {
     const bool again = listener_ == nullptr && options_.input != "-" &&
                        std::filesystem::is_regular_file(options_.input);
-    if (options_.reach || options_.triangulate) return;
+    if (options_.reach || options_.triangulate || options_.split_to_tets) return;
     if (!again || data_need_regions() || !given().periodic.empty()) return;
     own_.regions.vertices = std::vector<std::uint32_t>();
     forgotten_ = true;

@@ -1,8 +1,11 @@
 #include "tools/aomd/decimate_input.h"
 
+#include <utility>
+
 #include "core/base/text.h"
 #include "core/decimate/decimation.h"
 #include "core/io/error.h"
+#include "core/mesh/split_tets.h"
 #include "core/mesh/verify.h"
 #include "core/model/mesh_on_model.h"
 #include "core/repair/triangulate.h"
@@ -15,6 +18,20 @@ std::vector<std::string> cut_quads(MeshData& mesh) {
   const std::size_t quads = triangulate_quads(mesh);
   if (quads == 0) return {};
   return {counted(quads, "quad") + " cut into triangles"};
+}
+
+std::vector<std::string> cut_regions(MeshData& mesh) {
+  SplitToTets split = split_to_tets(std::move(mesh));
+  mesh = std::move(split.mesh);
+  std::vector<std::string> notes;
+  if (const std::string text = split.text(); !text.empty())
+    notes.emplace_back("cut " + text);
+  else
+    notes.emplace_back(mesh.regions.empty() ? "has no regions to cut" : "nothing but tetrahedra");
+  if (split.inverted > 0)
+    notes.push_back(counted(split.inverted, "tetrahedron") +
+                    " of regions that are not convex without positive volume");
+  return notes;
 }
 
 RepairReport mend(MeshData& mesh, const DecimateOptions& options, std::vector<std::string>& notes) {

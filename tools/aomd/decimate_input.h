@@ -14,6 +14,9 @@ namespace aomd::cli {
 /// Cuts quads into triangles; notes how many.
 [[nodiscard]] std::vector<std::string> cut_quads(MeshData& mesh);
 
+/// Cuts all regions into tetrahedra; notes what was cut, or that nothing was.
+[[nodiscard]] std::vector<std::string> cut_regions(MeshData& mesh);
+
 /// Mends what --repair mends; notes what was done and what is left.
 [[nodiscard]] RepairReport mend(MeshData& mesh, const DecimateOptions& options,
                                 std::vector<std::string>& notes);

@@ -168,6 +168,9 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       command.add_flag("--repair", o.repair, "First mends what aomd repair mends by itself");
   CLI::Option* triangulate = command.add_flag("--triangulate", o.triangulate,
                                               "First cuts quads along the shorter diagonal");
+  CLI::Option* split = command.add_flag(
+      "--split-to-tets", o.split_to_tets,
+      "First cuts hexahedra, prisms and pyramids into tetrahedra, without new vertices");
   CLI::Option* weld = add_weld(command, o.weld)->needs(repair);
   CLI::Option* without = command.add_option(
       "--without", o.without,
@@ -178,7 +181,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       ->allow_extra_args(false)
       ->transform(one_of(idea_names()));
   put_into("How", {strategy, regularity, features, seams, attributes, improve, exchange, no_swap,
-                   no_smooth, snap, model, triangulate, repair, weld, without,
+                   no_smooth, snap, model, triangulate, split, repair, weld, without,
                    add_threads(command, o.threads)});
 }
 
@@ -240,9 +243,9 @@ void add_blocks(CLI::App& command, DecimateOptions& o) {
       ->transform(whole_number(1, static_cast<int>(BlockCut::most_blocks)))
       ->capture_default_str()
       ->needs(command.get_option("--target-faces"));
-  for (const char* other :
-       {"--reach", "--spacing", "--attributes", "--model", "--snap", "--repair", "--triangulate",
-        "--max-distance", "--no-intersections", "--topology", "--keep", "--only", "--journal"})
+  for (const char* other : {"--reach", "--spacing", "--attributes", "--model", "--snap", "--repair",
+                            "--triangulate", "--split-to-tets", "--max-distance",
+                            "--no-intersections", "--topology", "--keep", "--only", "--journal"})
     blocks->excludes(command.get_option(other));
   put_into("How", {blocks});
 }
@@ -397,6 +400,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"snap", snap},
       {"model", or_null(model)},
       {"triangulate", triangulate},
+      {"split_to_tets", split_to_tets},
       {"repair", repair},
       {"weld", weld.on() ? Json(weld.text) : Json(nullptr)},
       {"journal", or_null(journal)}};

@@ -30,7 +30,7 @@ struct DecimateOptions {
   std::string strategy = "quality", feature_angle = "20", seams = "keep", snap = "none", model;
   std::vector<std::string> attributes;  ///< what counts beside the shape, as given
   bool feature_angle_given = false, factor_given = false, no_swap = false, no_smooth = false,
-       repair = false, triangulate = false;
+       repair = false, triangulate = false, split_to_tets = false;
   WeldOption weld;                   ///< with repair
   std::vector<std::string> without;  ///< names of ideas that are left out
   // What is guaranteed

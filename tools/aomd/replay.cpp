@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
@@ -9,6 +10,7 @@
 #include "core/fields/seams.h"
 #include "core/io/journal_file.h"
 #include "core/io/left_out.h"
+#include "core/mesh/split_tets.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
 #include "core/repair/repair.h"
@@ -26,12 +28,13 @@ namespace {
 struct ReplayArguments {
   std::string model, journal, output, format;
   std::optional<std::size_t> step;
-  bool triangulate = false, repair = false, quiet = false;
+  bool triangulate = false, split_to_tets = false, repair = false, quiet = false;
   WeldOption weld;  ///< with repair
 };
 
 void mend(const ReplayArguments& options, MeshData& mesh) {
   if (options.triangulate) triangulate_quads(mesh);
+  if (options.split_to_tets) mesh = split_to_tets(std::move(mesh)).mesh;
   if (!options.repair) return;
   check_mendable(options.model, mesh);
   RepairOptions how;
@@ -102,6 +105,8 @@ void add_replay(CLI::App& app, Action& action) {
       ->transform(whole_number(0, std::uint64_t{1} << 32));
   command->add_flag("--triangulate", options->triangulate,
                     "First cuts quads, as aomd decimate --triangulate did");
+  command->add_flag("--split-to-tets", options->split_to_tets,
+                    "First cuts regions, as aomd decimate --split-to-tets did");
   CLI::Option* repair = command->add_flag("--repair", options->repair,
                                           "First mends the mesh, as aomd decimate --repair did");
   add_weld(*command, options->weld)->needs(repair);
