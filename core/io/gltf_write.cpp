@@ -186,22 +186,22 @@ class GltfWriter {
   std::size_t zeros_ = 0;
 };
 
+// A scene without nodes would be written as none at all.
 void GltfWriter::put_mesh() {
+  if (mesh_.positions.empty()) return;
+  put_positions();
+  put_values();
+  for (const Part& part : parts()) put_primitive(TINYGLTF_MODE_TRIANGLES, part.rows, part.look);
+  put_lines();
+  put_points();
+  model_.meshes.push_back(std::move(shape_));
+  tinygltf::Node node;
+  node.mesh = 0;
+  if (names_.object && names_.object->names.size() == 1)
+    node.name = in_utf8(names_.object->names[0]);
+  model_.nodes.push_back(std::move(node));
   tinygltf::Scene scene;
-  if (!mesh_.positions.empty()) {
-    put_positions();
-    put_values();
-    for (const Part& part : parts()) put_primitive(TINYGLTF_MODE_TRIANGLES, part.rows, part.look);
-    put_lines();
-    put_points();
-    model_.meshes.push_back(std::move(shape_));
-    tinygltf::Node node;
-    node.mesh = 0;
-    if (names_.object && names_.object->names.size() == 1)
-      node.name = in_utf8(names_.object->names[0]);
-    model_.nodes.push_back(std::move(node));
-    scene.nodes = {0};
-  }
+  scene.nodes = {0};
   model_.scenes.push_back(std::move(scene));
   model_.defaultScene = 0;
 }

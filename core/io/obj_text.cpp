@@ -51,8 +51,10 @@ class ObjScanner {
 
   ObjText run() {
     TextCursor cursor(source_, text_.cleaned);
-    while (!cursor.skip_to_content()) element(cursor);
-    if (text_.positions.empty()) source_.fail("no vertices: this is not an OBJ file");
+    bool comments_alone = true;
+    for (; !cursor.skip_to_content(); comments_alone = false) element(cursor);
+    if (text_.positions.empty() && !comments_alone)
+      source_.fail("no vertices: this is not an OBJ file");
     if (!text_.colours.numbers.empty()) pad_colours();
     for (ObjText::Values* values : {&text_.texture, &text_.normals})
       if (!values->corners.empty()) values->corners.resize(corners_, no_index);

@@ -6,6 +6,7 @@
 
 #include <csignal>
 
+#include "core/io/formats.h"
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
@@ -126,7 +127,7 @@ TEST(Write, TheExtensionChooses) {
   const MeshData mesh = make_sample("box", 1);
   for (const char* name : {"a.ply", "a.OBJ", "a.off", "a.Stl"}) {
     io::write(folder / name, mesh);
-    EXPECT_EQ(io::read(folder / name).mesh.faces.size(), 12u) << name;
+    EXPECT_EQ(io::read(folder / name.c_str()).mesh.faces.size(), 12u) << name;
   }
   EXPECT_THROW(io::write(folder / "a.xyz", mesh), io::WriteError);
   EXPECT_THROW(io::write(folder / "a", mesh), io::WriteError);
@@ -147,6 +148,18 @@ TEST(Write, RegionsAndWhatDoesNotFitAreRefused) {
   mesh = make_sample("box", 1);
   mesh.regions.add(Shape::Tetrahedron, {0, 1, 2, 3});
   EXPECT_THROW(io::write(folder / "a.ply", mesh), io::WriteError);
+}
+
+// What is written can be read, also where there is nothing.
+TEST(WriteMesh, NothingReadsBackInEveryFormat) {
+  const TemporaryFolder folder;
+  std::vector<std::string> names{"a.obj",  "a.off",   "a.ply", "a.stl", "a.msh",
+                                 "a.mesh", "a.meshb", "a.vtk", "a.vtu", "a.su2"};
+  if (io::detail::has_gltf()) names.insert(names.end(), {"a.gltf", "a.glb"});
+  for (const std::string& name : names) {
+    io::write(folder / name.c_str(), MeshData());
+    EXPECT_TRUE(io::read(folder / name.c_str()).mesh.positions.empty()) << name;
+  }
 }
 
 }  // namespace
