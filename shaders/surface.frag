@@ -1,7 +1,8 @@
 #version 330 core
 in vec3 eye_normal;
-in vec4 face_color;  // its alpha: how much light from all sides comes here
+in vec3 face_color;
 noperspective in vec3 corner_weight;
+noperspective in float openness;
 flat in uint face_flags;
 in vec2 picture_place;
 
@@ -74,7 +75,7 @@ void main() {
     return;
   }
   vec3 n = normalize(eye_normal);
-  vec3 base = show_edge_codes != 0 ? code_color() : face_color.rgb * strength;
+  vec3 base = show_edge_codes != 0 ? code_color() : face_color * strength;
   if (picture > 0) {
     vec4 shown = texture(picture_colors, picture_place);
     base *= mix(vec3(1.0), shown.rgb, shown.a);
@@ -89,6 +90,6 @@ void main() {
   }
   if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
   // Squares and roots stand in for the sRGB curve.
-  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, face_color.a), 1.0)) : base;
+  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, openness), 1.0)) : base;
   color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
 }

@@ -12,16 +12,20 @@ uniform vec4 clip_plane;
 uniform int picture;  // the faces to draw are those with this one; -1: all
 
 out vec3 eye_normal;
-out vec4 face_color;
+out vec3 face_color;
 out vec2 picture_place;
 noperspective out vec3 corner_weight;
+// How much light from all sides comes here. Beside the weights, since llvmpipe of Mesa 22 corrupts its memory where
+// what is interpolated with perspective has more than eight numbers.
+noperspective out float openness;
 flat out uint face_flags;
 
 void main() {
   int corner = gl_VertexID % 3;
   corner_weight = vec3(corner == 0, corner == 1, corner == 2);
   eye_normal = mat3(view) * normal.xyz;
-  face_color = color;
+  face_color = color.rgb;
+  openness = color.a;
   face_flags = flags;
   picture_place = vec2(place.x, 1.0 - place.y);
   gl_ClipDistance[0] = dot(clip_plane, vec4(position, 1.0));

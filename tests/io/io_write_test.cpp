@@ -127,7 +127,7 @@ TEST(Write, TheExtensionChooses) {
   const MeshData mesh = make_sample("box", 1);
   for (const char* name : {"a.ply", "a.OBJ", "a.off", "a.Stl"}) {
     io::write(folder / name, mesh);
-    EXPECT_EQ(io::read(folder / name.c_str()).mesh.faces.size(), 12u) << name;
+    EXPECT_EQ(io::read(folder / name).mesh.faces.size(), 12u) << name;
   }
   EXPECT_THROW(io::write(folder / "a.xyz", mesh), io::WriteError);
   EXPECT_THROW(io::write(folder / "a", mesh), io::WriteError);
