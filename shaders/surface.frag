@@ -2,11 +2,10 @@
 in vec3 eye_normal;
 in vec3 face_color;
 noperspective in vec3 corner_weight;
-noperspective in float openness;
 flat in uint face_flags;
 in vec2 picture_place;
 
-uniform int picture;  // greater than 0: the one that is bound lies on all faces
+uniform int picture;  // greater than 0: the one that is bound lies on all faces; 0: none does; -1: there are none
 uniform sampler2D picture_colors;
 uniform int light;
 uniform vec4 edge_color;
@@ -90,6 +89,6 @@ void main() {
   }
   if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
   // Squares and roots stand in for the sRGB curve.
-  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, openness), 1.0)) : base;
+  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, picture >= 0 ? 1.0 : picture_place.x), 1.0)) : base;
   color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
 }

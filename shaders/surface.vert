@@ -13,11 +13,10 @@ uniform int picture;  // the faces to draw are those with this one; -1: all
 
 out vec3 eye_normal;
 out vec3 face_color;
+// Where in the picture; without pictures x is how much light from all sides comes here. Both at once would be more than
+// eight numbers that are interpolated with perspective, with which llvmpipe of Mesa 22 overruns its memory.
 out vec2 picture_place;
 noperspective out vec3 corner_weight;
-// How much light from all sides comes here. Beside the weights, since llvmpipe of Mesa 22 corrupts its memory where
-// what is interpolated with perspective has more than eight numbers.
-noperspective out float openness;
 flat out uint face_flags;
 
 void main() {
@@ -25,9 +24,8 @@ void main() {
   corner_weight = vec3(corner == 0, corner == 1, corner == 2);
   eye_normal = mat3(view) * normal.xyz;
   face_color = color.rgb;
-  openness = color.a;
   face_flags = flags;
-  picture_place = vec2(place.x, 1.0 - place.y);
+  picture_place = picture >= 0 ? vec2(place.x, 1.0 - place.y) : vec2(color.a, 0.0);
   gl_ClipDistance[0] = dot(clip_plane, vec4(position, 1.0));
   gl_Position = projection * (view * vec4(position, 1.0));
   if (picture >= 0 && int(flags >> 20u) != picture) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
