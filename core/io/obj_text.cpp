@@ -52,7 +52,10 @@ class ObjScanner {
   ObjText run() {
     TextCursor cursor(source_, text_.cleaned);
     bool comments_alone = true;
-    for (; !cursor.skip_to_content(); comments_alone = false) element(cursor);
+    while (!cursor.skip_to_content()) {
+      comments_alone = comments_alone && text_.cleaned[cursor.offset()] == '#';
+      element(cursor);
+    }
     if (text_.positions.empty() && !comments_alone)
       source_.fail("no vertices: this is not an OBJ file");
     if (!text_.colours.numbers.empty()) pad_colours();
