@@ -124,10 +124,17 @@ std::string on_model(const Mesh& mesh) {
   return s;
 }
 
+// With sanitizers, which make it 20 times slower, half of the programs.
+#ifdef __SANITIZE_ADDRESS__
+constexpr std::uint32_t programs = 2;
+#else
+constexpr std::uint32_t programs = 4;
+#endif
+
 TEST(RegionCollapseProgramTest, KeepsEveryStratum) {
   for (const zoo::TetAnimal& animal : zoo::tets()) {
     int accepted = 0;
-    for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    for (std::uint32_t seed = 0; seed < programs; ++seed) {
       Prepared prepared(animal.data, Storage::Listed, ways[seed % 2]);
       Mesh& mesh = prepared.mesh();
       ASSERT_EQ(wrong_with_tets(mesh), "") << animal.name;
@@ -145,7 +152,7 @@ TEST(RegionCollapseProgramTest, KeepsEveryStratum) {
         ASSERT_EQ(findings(mesh), "") << where;
       }
     }
-    EXPECT_GT(accepted, 30) << animal.name;
+    EXPECT_GT(2 * accepted, 15 * int(programs)) << animal.name;
   }
 }
 
