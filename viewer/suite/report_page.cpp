@@ -1,11 +1,11 @@
 // The page: assets/suite/page.html with the cases and their pictures in it.
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
+#include "core/io/base64.h"
 #include "viewer/suite/page_texts.h"
 #include "viewer/suite/report.h"
 
@@ -14,28 +14,12 @@ namespace {
 
 using nlohmann::json;
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::string_view part = bytes.substr(i, 3);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < part.size() ? static_cast<unsigned char>(part[k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= part.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 /// A picture that needs no file beside the page; empty where there is none.
 std::string embedded(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (file.empty() || !in) return {};
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return "data:image/png;base64," + base64(bytes);
+  return "data:image/png;base64," + io::detail::to_base64(bytes);
 }
 
 json parts_of(const CaseResult& result) {
