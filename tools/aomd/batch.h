@@ -26,6 +26,18 @@ struct BatchFile {
   int jobs = 0;  ///< how many such files are worked on at a time; 0: this is the only one
   [[nodiscard]] bool one_of_several() const { return jobs > 0; }
 };
+/// What a command is told, for one of the files: its arguments have what a Batch has, and
+/// `in_one_line`.
+template <typename Arguments>
+[[nodiscard]] Arguments for_file(Arguments one, const Batch& batch, const BatchFile& file) {
+  one.input = file.input;
+  one.output = file.output;
+  one.format = batch.format;
+  one.json = batch.json;
+  one.in_one_line = file.one_of_several();
+  return one;
+}
+
 /// What a command does with one file; returns an exit code and may throw what an Action may.
 using BatchWork = std::function<int(const BatchFile&)>;
 

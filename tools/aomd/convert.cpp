@@ -73,13 +73,7 @@ void add_convert(CLI::App& app, Action& action) {
                     "Prints what was read and written as JSON; of several meshes a line each");
   command->callback([&action, options, batch] {
     action = writing(batch, [options, batch](const BatchFile& file) {
-      ConvertArguments one = *options;
-      one.input = file.input;
-      one.output = file.output;
-      one.format = batch->format;
-      one.json = batch->json;
-      one.in_one_line = file.one_of_several();
-      return run(one);
+      return run(for_file(*options, *batch, file));
     });
   });
 }

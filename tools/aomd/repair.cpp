@@ -115,12 +115,7 @@ void add_repair(CLI::App& app, Action& action) {
   command->add_flag("--quiet", options->quiet, "Prints nothing but errors");
   command->callback([&action, options, batch] {
     action = writing(batch, [options, batch](const BatchFile& file) {
-      RepairArguments one = *options;
-      one.input = file.input;
-      one.output = file.output;
-      one.format = batch->format;
-      one.json = batch->json;
-      one.in_one_line = file.one_of_several();
+      RepairArguments one = for_file(*options, *batch, file);
       return run(one);
     });
   });
