@@ -92,6 +92,16 @@ bool PlyElement::has_list() const {
                      [](const PlyProperty& p) { return p.list; });
 }
 
+bool is_corner_list(const PlyProperty& property) {
+  const std::string name = lower(property.name);
+  return property.list && (name == "vertex_indices" || name == "vertex_index");
+}
+
+int axis_of(const PlyProperty& property) {
+  const std::string name = lower(property.name);
+  return name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
+}
+
 const PlyElement* PlyHeader::find(std::string_view name) const {
   const auto at = std::find_if(elements.begin(), elements.end(),
                                [&](const PlyElement& e) { return e.name == name; });

@@ -23,6 +23,11 @@ struct PlyProperty {
   NumberType count_type = NumberType::UInt8;  ///< of a list
 };
 
+/// A list of the corners of faces.
+[[nodiscard]] bool is_corner_list(const PlyProperty& property);
+/// Of a vertex: 0, 1 and 2 for x, y and z; -1 for what is no coordinate.
+[[nodiscard]] int axis_of(const PlyProperty& property);
+
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;  ///< as promised: check it against the file's size before trusting it

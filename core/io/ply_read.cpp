@@ -36,11 +36,14 @@ enum class Role : std::uint8_t {
 Role role_of(const PlyElement& element, const PlyProperty& p) {
   const std::string &e = element.name, n = lower(p.name);
   if (p.list && e == "face" && n == "texcoord") return Role::Texcoord;
-  if (p.list) return n == "vertex_indices" || n == "vertex_index" ? Role::Indices : Role::Skip;
+  if (p.list) return is_corner_list(p) ? Role::Indices : Role::Skip;
   if (n == "model_dimension") return Role::ModelDimension;
   if (n == "model_tag") return Role::ModelTag;
-  if (e == "vertex")
-    return n == "x" ? Role::X : n == "y" ? Role::Y : n == "z" ? Role::Z : Role::Skip;
+  if (e == "vertex") {
+    constexpr Role axes[] = {Role::X, Role::Y, Role::Z};
+    const int axis = axis_of(p);
+    return axis < 0 ? Role::Skip : axes[axis];
+  }
   if (e == "edge")
     return n == "vertex1" ? Role::Vertex1 : n == "vertex2" ? Role::Vertex2 : Role::Skip;
   return Role::Skip;

@@ -12,6 +12,8 @@
 namespace aomd::io {
 namespace {
 
+using detail::axis_of;
+using detail::is_corner_list;
 using detail::PlyBinary;
 using detail::PlyElement;
 using detail::PlyEncoding;
@@ -31,17 +33,6 @@ std::string first_bytes(std::ifstream& file) {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw ReadError(name, {}, what + " cannot be read in blocks, only as a whole");
-}
-
-bool is_corners(const PlyProperty& p) {
-  const std::string name = lower(p.name);
-  return p.list && (name == "vertex_indices" || name == "vertex_index");
-}
-
-/// 0, 1 and 2 for x, y and z; -1 for what is no coordinate.
-int axis_of(const PlyProperty& p) {
-  const std::string name = lower(p.name);
-  return name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
 }
 
 /// Of the properties of vertices, one by one. Throws ReadError unless each axis is there once.
@@ -122,14 +113,15 @@ void StreamedSurface::Layout::take(const PlyHeader& header, std::uint64_t file_s
   if (vertices.size == 0 || faces.size == 0)
     throw ReadError(name, {}, "has no vertices or no faces");
   axes = axes_of(vertices.element, name);
-  if (std::none_of(faces.element.properties.begin(), faces.element.properties.end(), is_corners))
+  if (std::none_of(faces.element.properties.begin(), faces.element.properties.end(),
+                   is_corner_list))
     throw ReadError(name, {}, "element face needs a list vertex_indices");
 }
 
 std::size_t StreamedSurface::Layout::record_size(const PlyElement& element) const {
   std::size_t size = 0;
   for (const PlyProperty& p : element.properties) {
-    if (p.list && !(element.name == "face" && is_corners(p)))
+    if (p.list && !(element.name == "face" && is_corner_list(p)))
       refuse(name, "the list " + shown(p.name));
     size += size_of(p.type) * (p.list ? 3 : 1) + (p.list ? size_of(p.count_type) : 0);
   }
