@@ -12,16 +12,14 @@
 namespace aomd {
 namespace {
 
-bool is_triangle(const Block::Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
-
-// Faces with a corner twice are dropped, as whole readers do.
 Block read_block(const io::StreamedSurface& surface, const BlockCut& cut, std::size_t block) {
   Block read;
   VertexRanks used(surface.vertices());
   read.faces.reserve(cut.faces(block));
   surface.each_faces([&](std::uint32_t, std::span<const Block::Triangle> triangles) {
     for (const Block::Triangle& t : triangles) {
-      if (cut.block_of(t[0]) != block || !cut.is_inside(t) || !is_triangle(t)) continue;
+      if (cut.block_of(t[0]) != block || !cut.is_inside(t) || !BlockCut::has_three_corners(t))
+        continue;
       read.faces.push_back(t);
       for (const std::uint32_t v : t) used.add(v);
     }

@@ -25,6 +25,10 @@ class BlockCut {
   [[nodiscard]] std::size_t count() const { return faces_.size(); }
   [[nodiscard]] std::size_t block_of(std::uint32_t vertex) const { return place_[vertex] >> 1; }
   [[nodiscard]] bool on_seam(std::uint32_t vertex) const { return (place_[vertex] & 1u) != 0; }
+  /// Others are dropped, as whole readers do.
+  [[nodiscard]] static bool has_three_corners(const Triangle& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+  }
   [[nodiscard]] bool is_inside(const Triangle& t) const {
     return block_of(t[0]) == block_of(t[1]) && block_of(t[1]) == block_of(t[2]);
   }

@@ -25,7 +25,7 @@ class Glue {
     });
     for (Block::Triangle t : cut.strip()) {
       for (std::uint32_t& v : t) v = seam_.rank(v);
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+      if (!BlockCut::has_three_corners(t)) continue;
       add_sample(t);
       add_face(t);
     }
