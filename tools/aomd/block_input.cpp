@@ -1,9 +1,12 @@
 #include "tools/aomd/block_input.h"
 
+#include "core/base/text.h"
+
 namespace aomd::cli {
 
 std::optional<CoarseSurface> read_in_blocks(const DecimateOptions& options, Exchange& exchange,
                                             Progress& progress) {
+  if (options.paper()) throw UsageError("--blocks is for --strategy quality");
   BlockRules rules;
   rules.decimation = options.for_library();
   rules.classify = options.for_classification();
@@ -13,10 +16,8 @@ std::optional<CoarseSurface> read_in_blocks(const DecimateOptions& options, Exch
 }
 
 std::vector<std::string> notes_of(const CoarseSurface& input) {
-  std::string names;
-  for (const std::string& name : input.left_out) names += (names.empty() ? "" : ", ") + name;
-  if (names.empty()) return {};
-  return {"left out, since blocks hold the shape alone: " + names};
+  if (input.left_out.empty()) return {};
+  return {"left out, since blocks hold the shape alone: " + joined(input.left_out, ", ")};
 }
 
 }  // namespace aomd::cli

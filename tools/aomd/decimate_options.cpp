@@ -303,7 +303,6 @@ void DecimateOptions::check_kind(bool volume) const {
     throw UsageError("--volume keep is for --strategy quality: the printed loop places no vertex");
   if (volume_rule == "keep" && snaps())
     throw UsageError("--volume keep excludes --snap model, which says where vertices lie");
-  if (blocks > 1 && paper()) throw UsageError("--blocks is for --strategy quality");
   if (reach && target.empty() && target_tets.empty())
     throw UsageError("--reach is for --target-faces and --target-tets");
 }
