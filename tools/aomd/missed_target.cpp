@@ -78,14 +78,14 @@ class Loosening {
   }
 
   /// Borders that should be none, and edges of many faces, are model edges as features are. Those
-  /// of a volume are mostly its interfaces, which no option takes away.
+  /// of a volume are mostly its interfaces, which no option takes away. Without its features alone
+  /// a surface stops earlier: the faces beside them may then not look away from the original.
   [[nodiscard]] std::string against_classification() const {
     if (!original_.regions.empty()) return "";
     if (std::string mending = by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
-    if (given_.reach) return "";
-    return given_.feature_angle != "off" ? "--feature-angle off" : "--reach";
+    return given_.reach || given_.blocks > 1 ? "" : "--reach";
   }
 
   /// Vertices of regions that are no tetrahedra stay.
@@ -106,7 +106,7 @@ class Loosening {
   const measure::Counts& input_;
 };
 
-/// "; --angle 20 would help, or --feature-angle off"
+/// "; --angle 20 would help, or --reach"
 std::string words_of(const std::vector<Help>& help) {
   if (help.empty()) return "";
   std::string text = "; " + help.front().option + " would help";

@@ -40,7 +40,7 @@ struct MissedTarget {
                                                 const measure::Counts& input, std::uint64_t faces);
 
 /// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help, or
-/// --feature-angle off"; of a volume tetrahedra.
+/// --reach"; of a volume tetrahedra.
 [[nodiscard]] std::string sentence(const MissedTarget& missed, const DecimationOptions& steps,
                                    std::uint64_t target, std::uint64_t cells, bool volume);
 
