@@ -140,6 +140,26 @@ TEST(QualityLimitsTest, NoOperationTurnsAFaceByMoreThanTheAngle) {
   }
 }
 
+// Where all else has become dear, faces look away from the original, which a bracket without model
+// edges cannot do without; where no number is wanted they do not.
+TEST(QualityLimitsTest, FacingYieldsToATarget) {
+  MeshData data = make_sample("bracket", 5);
+  data.vertex_classes.clear(), data.faces.classes.clear(), data.edges = {};
+  const auto faces_left = [&](std::uint32_t target, std::uint32_t without) {
+    Mesh mesh(data);
+    classify(mesh, {.feature_angle_deg = {}});
+    DecimationOptions options = quality(target);
+    options.without = without;
+    Decimation(mesh, options).run();
+    EXPECT_EQ(finding(mesh), "");
+    return mesh.count(2);
+  };
+  const std::uint32_t no_facing = 1u << static_cast<int>(Idea::Facing);
+  EXPECT_LE(faces_left(54, 0), 54u);
+  EXPECT_GT(faces_left(0, 0), 60u);
+  EXPECT_LT(faces_left(0, no_facing), 60u);
+}
+
 // Stretched forty times, nearly every triangle is narrower than the strategy's own least angle,
 // which must not stand in the way; the user's must.
 TEST(QualityLimitsTest, AMeshOfSliversReachesItsTarget) {
