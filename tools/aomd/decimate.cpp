@@ -346,7 +346,7 @@ class Run {
     steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0)
       note(options_.input, {counted(required, "required vertex") + " kept in place"});
-    if (!volume() && !options_.paper())
+    if (!volume() && !options_.paper() && !did_.in_blocks)
       steps_.values =
           counted_values(given(), mesh_, attribute_weights(given(), options_.attributes));
     const auto source = options_.spacing_source();
