@@ -270,6 +270,7 @@ class Run {
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
     given_classes_ = found.given || !options_.model.empty();
+    has_features_ = found.features.sharp > 0;
     if (found.given && options_.feature_angle_given)
       note(options_.input, {"the file classifies faces or edges: --feature-angle has no say"});
     const bool free = !volume() && !options_.feature_angle_given && !model_ &&
@@ -277,7 +278,7 @@ class Run {
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(given());
-    classify(mesh_, how_);
+    has_features_ = classify(mesh_, how_).features.sharp > 0;
     note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
@@ -324,8 +325,8 @@ class Run {
     if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
     did_.missed = {decimation.edges_left(), {}};
-    did_.missed->help =
-        what_would_help(did_.missed->edges, options_, steps_, given(), did_.input, mesh_.count(2));
+    did_.missed->help = what_would_help(did_.missed->edges, options_, steps_,
+                                        {given(), did_.input, has_features_}, mesh_.count(2));
   }
 
   void check() {
@@ -421,6 +422,7 @@ class Run {
   double diagonal_ = 0;
   bool repeated_ = false;       ///< the attempt is not the first
   bool given_classes_ = false;  ///< by the file or a model: the angle had no say
+  bool has_features_ = false;   ///< the angle has found some
   Mesh mesh_;
   Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
