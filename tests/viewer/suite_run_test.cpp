@@ -120,6 +120,33 @@ TEST_F(SuiteRun, ACaseInheritsNothing) {
   EXPECT_NE(table().find("2 cases: 2 same\n"), std::string::npos) << table();
 }
 
+TEST_F(SuiteRun, ACaseInheritsNothingOfAMeshThatOthersHaveUsed) {
+  write("make.aomd", "sample bracket 4\nsave part.ply\nsample tet-box 3\nsave box.msh\n");
+  ASSERT_EQ(view("--headless --script make.aomd"), 0) << said();
+  const std::string head = "[defaults]\npanels = true\nthreshold = 1\n[cases]\n";
+  const auto quiet = [](const std::string& name, const std::string& mesh) {
+    return name + " = { mesh = \"" + mesh + "\", commands = \"panel adjacency on\" }\n";
+  };
+  for (const std::string mesh : {"part.ply", "box.msh"}) {
+    write("suite.toml", head + quiet("alone", mesh));
+    ASSERT_EQ(run("--update"), 0) << said();
+    std::string all = head;
+    int cases = 0;
+    for (const char* line : {"color quality", "step 3", "select edge 5", "adjacency 1 2 on",
+                             "hash-sets build edge 61", "clip x 0.5 cells"}) {
+      const std::string number = std::to_string(++cases);
+      all += "loud" + number + " = { mesh = \"" + mesh + "\", commands = \"" + line + "\" }\n";
+      all += quiet("quiet" + number, mesh);
+      fs::copy_file(at("baselines/alone.png"), at("baselines/quiet" + number + ".png"),
+                    fs::copy_options::overwrite_existing);
+      fs::remove(at("baselines/loud" + number + ".png"));
+    }
+    write("suite.toml", all);
+    ASSERT_EQ(run("--update"), 0) << said();
+    EXPECT_NE(table().find("12 cases: 6 same, 6 new\n"), std::string::npos) << mesh << table();
+  }
+}
+
 TEST_F(SuiteRun, ACaseIsWhatTheProgramDrawsForItAlone) {
   write("turn.aomd", "sample bracket 4\norbit 20 10\nselect edge 3\n");
   write("suite.toml",
