@@ -194,6 +194,28 @@ TEST_F(SuiteRun, ARecordingIsACase) {
   EXPECT_EQ(run(), 0) << said() << test::bytes_of(at("done.aomd"));
 }
 
+TEST_F(SuiteRun, AMenuShowsThoughAPictureWithoutPanelsCameBefore) {
+  for (const char* menu : {"menu view", "menu 0.1 0.2"}) {
+    const std::string begin = "sample bracket 4\nselect edge 3\nwait-idle\n";
+    const std::string end = std::string(menu) + "\nscreenshot ";
+    write("first.aomd", begin + end + "first.png 900x600\n");
+    write("later.aomd", begin + "screenshot x.png 300x200 no-ui\n" + end + "later.png 900x600\n");
+    ASSERT_EQ(view("--headless --script first.aomd --size 900x600"), 0) << said();
+    ASSERT_EQ(view("--headless --script later.aomd --size 900x600"), 0) << said();
+    // The line below says that the other picture is saved.
+    io::Image first = io::read_png(at("first.png")), later = io::read_png(at("later.png"));
+    for (io::Image* each : {&first, &later}) each->rgba.resize(std::size_t{4} * 900 * 560);
+    EXPECT_TRUE(first.rgba == later.rgba) << menu;
+  }
+}
+
+TEST_F(SuiteRun, PicturesWithoutPanelsSayHowLongWhatIsMeasuredIs) {
+  write("part.aomd", "sample bracket 4\nselect vertex 1 40\nscreenshot shot.png 600x400 no-ui\n");
+  ASSERT_EQ(view("--headless --no-ui --size 600x400 --script part.aomd --screenshot whole.png"), 0)
+      << said();
+  EXPECT_TRUE(io::read_png(at("shot.png")) == io::read_png(at("whole.png")));
+}
+
 TEST_F(SuiteRun, PathsAreThoseOfTheSuite) {
   fs::create_directories(at("deep/meshes"));
   write("deep/make.aomd", "sample sphere 8\nsave meshes/ball.ply\nopen meshes/ball.ply\n");
