@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -17,13 +18,15 @@
 
 namespace aomd::io {
 
-/// The triangles of a binary PLY file, gone through piece by piece as often as is wanted: a few MB
-/// of it are in memory at a time. What a whole reader would refuse is refused, with the byte; so
-/// are faces that are no triangles.
+/// The triangles of a binary PLY file, or of a folder of them, gone through piece by piece as often
+/// as is wanted: a few MB are in memory at a time. Files of a folder are tiles, in the order of
+/// their names: vertices on borders of several of them at the same place are one. What a whole
+/// reader would refuse is refused, with the byte; so are faces that are no triangles.
 class StreamedSurface {
  public:
-  /// Looks at the header. Throws ReadError where the file has not all that it promises, or has what
-  /// cannot be gone through piece by piece: another format, text, lists beside the one of corners.
+  /// Looks at the headers, and for borders of tiles. Throws ReadError where a file has not all that
+  /// it promises, or has what cannot be gone through piece by piece: another format, text, lists
+  /// beside the one of corners; and where tiles have different properties.
   explicit StreamedSurface(const std::filesystem::path& path);
   ~StreamedSurface();
   StreamedSurface(StreamedSurface&&) noexcept;
@@ -33,7 +36,8 @@ class StreamedSurface {
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] std::uint32_t vertices() const;
   [[nodiscard]] std::uint32_t faces() const;
-  /// Elements of the file beside vertices and faces, which are passed over.
+  /// Elements of the first file beside vertices and faces, and what these are classified on, which
+  /// are passed over.
   [[nodiscard]] std::vector<std::string> left_out() const;
 
   /// Calls visit(number of the first, positions) for all vertices, and the same for all faces, in
@@ -53,8 +57,15 @@ class StreamedSurface {
   [[nodiscard]] Part part(const std::function<bool(const Triangle&)>& wanted) const;
 
  private:
-  struct Layout;
-  std::unique_ptr<const Layout> layout_;
+  struct Tiles;
+  using VisitVertices =
+      std::function<void(std::uint32_t, std::span<const glm::dvec3>, std::string_view)>;
+  using VisitFaces =
+      std::function<void(std::uint32_t, std::span<const Triangle>, std::string_view)>;
+  void each_vertex_records(const VisitVertices& visit) const;
+  void each_face_records(const VisitFaces& visit) const;
+
+  std::unique_ptr<const Tiles> tiles_;
 };
 
 }  // namespace aomd::io

@@ -3,6 +3,7 @@
 #include "core/io/io.h"
 #include "core/samples/samples.h"
 #include "tests/support/cli_helpers.h"
+#include "tests/support/surface_facts.h"
 
 namespace aomd::test {
 namespace {
@@ -25,6 +26,29 @@ TEST_F(BlocksCommand, ReachesItsTargetAndReportsWhatTheFileHas) {
   EXPECT_GT(double(report["seconds"]["blocks"]), 0);
   EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
   EXPECT_EQ(aomd("compare s.ply o.ply --max-distance 1").code, 0);
+}
+
+// Cut along the middle of a torus, the halves come to what is as whole.
+TEST_F(BlocksCommand, ReadsAFolderOfTiles) {
+  const MeshData whole = make_sample("torus", 40);
+  std::filesystem::create_directory(at("tiles"));
+  for (const bool right : {false, true}) {
+    MeshData half = whole;
+    half.faces = {};
+    for (std::size_t f = 0; f < whole.faces.size(); ++f) {
+      const auto* t = &whole.faces.vertices[3 * f];
+      if ((whole.positions[t[0]].x + whole.positions[t[1]].x > 0) != right) continue;
+      half.faces.shapes.push_back(Shape::Triangle);
+      half.faces.vertices.insert(half.faces.vertices.end(), t, t + 3);
+    }
+    io::write(at(right ? "tiles/2.ply" : "tiles/1.ply"), half);
+  }
+  ASSERT_EQ(aomd("decimate tiles o.ply --blocks 3 --target-faces 10% --report r.json").code, 0);
+  EXPECT_EQ(json("r.json")["input"]["faces"], whole.faces.size());
+  const auto result = test::facts_of(io::read(at("o.ply")).mesh);
+  EXPECT_EQ(result.euler, 0);
+  EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
+  expect_failure("decimate tiles o.ply --target-faces 10%", 3, "tiles: is a folder");
 }
 
 TEST_F(BlocksCommand, OneBlockIsNone) {

@@ -189,6 +189,103 @@ TEST_F(StreamedSurfaceTest, APartHasItsArraysAndItsOwnNumbers) {
     }
 }
 
+/// The cells of a grid from one column to another, in numbers of their own, whole numbers apart.
+///
+///     2---5---8     left tile: columns 0 and 1 of the vertices
+///     | \ | \ |     right tile: columns 1 and 2
+///     1---4---7
+///     | \ | \ |
+///     0---3---6
+MeshData columns(int from, int to) {
+  MeshData mesh;
+  for (int x = from; x <= to; ++x)
+    for (int y = 0; y < 3; ++y) mesh.positions.emplace_back(x, y, 0);
+  for (std::uint32_t x = 0; int(x) < to - from; ++x)
+    for (std::uint32_t y = 0; y < 2; ++y) {
+      const std::uint32_t v = 3 * x + y;
+      for (const std::uint32_t corner : {v, v + 3, v + 1, v + 1, v + 3, v + 4})
+        mesh.faces.vertices.push_back(corner);
+      mesh.faces.shapes.resize(mesh.faces.shapes.size() + 2, Shape::Triangle);
+    }
+  Attribute x{.name = "x3", .values = {}};
+  for (const glm::dvec3& p : mesh.positions) x.values.push_back(3 * p.x);
+  mesh.attributes = {x};
+  return mesh;
+}
+
+class TilesTest : public StreamedSurfaceTest {
+ protected:
+  TilesTest() { std::filesystem::create_directory(tiles()); }
+  [[nodiscard]] std::filesystem::path tiles() const { return folder_ / "tiles"; }
+  void put_tile(const std::string& name, const MeshData& mesh) const {
+    io::write(tiles() / name, mesh);
+  }
+};
+
+TEST_F(TilesTest, AreOneAtTheirBorders) {
+  put_tile("b.ply", columns(1, 2));
+  put_tile("a.ply", columns(0, 1));
+  std::ofstream(tiles() / "notes.txt") << "no tile";
+  const StreamedSurface surface(tiles());
+  EXPECT_EQ(surface.vertices(), 12u);  // those of the right tile's left column are used by nothing
+  EXPECT_EQ(surface.faces(), 8u);
+  const StreamedSurface::Part part = surface.part([](const auto&) { return true; });
+  const MeshData whole = columns(0, 2);
+  EXPECT_EQ(part.mesh.positions, whole.positions);
+  EXPECT_EQ(part.mesh.faces.vertices, whole.faces.vertices);
+  EXPECT_EQ(part.mesh.attributes.at(0).values, whole.attributes[0].values);
+  EXPECT_EQ(part.ids, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 9, 10, 11}));
+}
+
+// Four tiles around one vertex; the one in the middle of a tile's border is not at its end.
+TEST_F(TilesTest, MeetInOneVertex) {
+  const auto quarter = [](int x, int y) {
+    MeshData mesh = columns(0, 1);
+    for (glm::dvec3& p : mesh.positions) p += glm::dvec3(x, 2 * y, 0);
+    return mesh;
+  };
+  for (const int i : {0, 1, 2, 3}) put_tile(std::to_string(i) + ".ply", quarter(i % 2, i / 2));
+  const StreamedSurface::Part part =
+      StreamedSurface(tiles()).part([](const auto&) { return true; });
+  EXPECT_EQ(part.mesh.positions.size(), 15u);
+  EXPECT_EQ(part.mesh.faces.size(), 16u);
+}
+
+// A slit along the border of the left tile: which side the right one belongs to is not known. And
+// what lies inside of a tile is not on its border, whatever stands at the same place.
+TEST_F(TilesTest, StayApartWhereOneHasTwoVerticesAtAPlace) {
+  MeshData left = columns(0, 1);
+  left.positions.push_back(left.positions[4]);
+  for (std::uint32_t& v : left.faces.vertices)
+    if (&v >= &left.faces.vertices[6] && v == 4) v = 6;
+  left.attributes[0].values.push_back(3);
+  put_tile("a.ply", left);
+  put_tile("b.ply", columns(1, 2));
+  const auto all = [](const auto&) { return true; };
+  EXPECT_EQ(StreamedSurface(tiles()).part(all).mesh.positions.size(), 7u + 6u - 2u);
+  put_tile("a.ply", columns(0, 2));  // its column 1 lies inside, but for the two ends
+  EXPECT_EQ(StreamedSurface(tiles()).part(all).mesh.positions.size(), 9u + 6u - 5u);
+}
+
+TEST_F(TilesTest, SayWhatIsWrong) {
+  const auto refused = [&](const std::string& fragment) {
+    try {
+      const StreamedSurface surface(tiles());
+      ADD_FAILURE() << "read in spite of: " << fragment;
+    } catch (const io::ReadError& e) {
+      EXPECT_NE(std::string(e.what()).find(fragment), std::string::npos) << e.what();
+    }
+  };
+  refused("tiles: has no .ply files");
+  put_tile("a.ply", columns(0, 1));
+  MeshData other = columns(1, 2);
+  other.attributes.clear();
+  put_tile("b.ply", other);
+  refused("b.ply: has other properties than");
+  std::ofstream(tiles() / "b.ply") << "ply\n";
+  refused("b.ply");
+}
+
 TEST_F(StreamedSurfaceTest, SaysWhatIsWrong) {
   const auto order = std::endian::little;
   const std::string good = header(little, three + one_face) + corners(order);
