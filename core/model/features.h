@@ -48,14 +48,6 @@ struct FeatureOptions {
 FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature);
 
-/// False where the model vertices that the angle led to would take more than half of the faces
-/// wanted: each stays, and two faces with it. What is left for the rest then comes out worse than
-/// it would without them.
-[[nodiscard]] inline bool features_pay(const FeatureCount& found, int model_vertices,
-                                       std::uint32_t faces) {
-  return found.sharp == 0 || 4 * static_cast<std::int64_t>(model_vertices) <= faces;
-}
-
 }  // namespace aomd
 
 #pragma GCC visibility pop

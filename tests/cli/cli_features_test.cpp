@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "core/io/io.h"
 #include "tests/model/shape_builder.h"
 #include "tests/support/cli_helpers.h"
@@ -32,6 +35,23 @@ MeshData pyramids() {
   return b.data;
 }
 
+// A tube of 40 rings, every other one further out: they meet at 30 degrees, and nowhere a corner.
+MeshData bellows() {
+  constexpr std::uint32_t around = 40, rings = 40;
+  test::Builder b;
+  for (std::uint32_t j = 0; j <= rings; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around, radius = j % 2 == 0 ? 1 : 1.1;
+      b.point({radius * std::cos(angle), radius * std::sin(angle), 0.37 * j});
+    }
+  for (std::uint32_t j = 0; j < rings; ++j)
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t v = around * j + i, w = around * j + (i + 1) % around;
+      b.quad(v, w, w + around, v + around, 1);
+    }
+  return b.data;
+}
+
 TEST_F(CliFeatures, SpheresInFacetsReachTheirTarget) {
   put_mesh("spheres.ply", test::together({test::sphere(16, 8), test::sphere(12, 8)}));
   ASSERT_EQ(aomd("decimate spheres.ply o.ply --target-faces 80 --report r.json").code, 0);
@@ -48,6 +68,18 @@ TEST_F(CliFeatures, ThatCostTooMuchOfTheTargetAreNotKept) {
             "only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)\n");
   EXPECT_EQ(report()["stopped"]["why"], "target");
   EXPECT_EQ(report()["options"]["feature_angle_deg"], 50.0);
+}
+
+TEST_F(CliFeatures, ThatWouldTakeMostVerticesAreNotKept) {
+  put_mesh("bellows.ply", bellows());
+  const auto run = aomd("decimate bellows.ply o.ply --target-faces 10% --report r.json");
+  EXPECT_EQ(run.err,
+            "aomd: note: bellows.ply: sharp edges would take more than three quarters of the "
+            "vertices of 320 faces: only corners of 50 degrees and more are kept (--feature-angle "
+            "20 keeps all)\n");
+  EXPECT_EQ(report()["options"]["feature_angle_deg"], 50.0);
+  EXPECT_EQ(aomd("decimate bellows.ply o.ply --target-faces 11% --report r.json").err, "");
+  EXPECT_EQ(report()["options"]["feature_angle_deg"], 20.0);
 }
 
 TEST_F(CliFeatures, ThatAreAskedForAreKept) {

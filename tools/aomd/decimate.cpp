@@ -275,11 +275,13 @@ class Run {
       note(options_.input, {"the file classifies faces or edges: --feature-angle has no say"});
     const bool free = !volume() && !options_.feature_angle_given && !model_ &&
                       steps_.target_faces > 0 && how_.feature_angle_deg;
-    if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
+    if (!free) return;
+    const std::string dear = dear_features(found, mesh_.count(2), steps_.target_faces);
+    if (dear.empty()) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(given());
     has_features_ = classify(mesh_, how_).features.sharp > 0;
-    note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
+    note(options_.input, {dear});
   }
 
   /// What the decimation is told that needs the mesh.

@@ -1,5 +1,6 @@
 #include "tools/aomd/decimate_input.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/base/text.h"
@@ -72,9 +73,17 @@ void check_snapping(const Mesh& mesh, const Model& model, const DecimateOptions&
   }
 }
 
-std::string dear_features(int model_vertices, std::uint32_t faces) {
-  return std::to_string(model_vertices) + " model vertices would take more than half of " +
-         counted(faces, "face") +
+std::string dear_features(const ClassifyResult& found, std::uint32_t original,
+                          std::uint32_t wanted) {
+  const double sharp = found.features.sharp, share = double(wanted) / original;
+  const double vertices = wanted / 2.0;
+  std::string what;
+  if (sharp > 0 && 2.0 * found.model_vertices > vertices)
+    what = std::to_string(found.model_vertices) + " model vertices would take more than half of ";
+  else if (share <= 0.1 && sharp * std::sqrt(share) > 0.75 * vertices)
+    what = "sharp edges would take more than three quarters of the vertices of ";
+  if (what.empty()) return what;
+  return what + counted(wanted, "face") +
          ": only corners of 50 degrees and more are kept (--feature-angle 20 keeps all)";
 }
 

@@ -9,6 +9,8 @@
 # Libraries that are missing are left out and named. Needs python3.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=tools/bench/peers/build.sh
+. "$root/tools/bench/peers/build.sh"
 build=${AOMD_BUILD:-$root/build-peers}
 program=${AOMD:-$build/bin/aomd}
 runs=5 faces="" ratio=0.0442
@@ -32,16 +34,6 @@ while [ $# -gt 0 ]; do
 done
 [[ $runs =~ ^[1-9][0-9]*$ && $faces =~ ^[0-9]*$ && $ratio =~ ^0?\.[0-9]+$ ]] || usage
 [ ${#meshes[@]} -gt 0 ] || meshes=("$root/../shared/data/bunny.ply")
-
-compile() {
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DAOMD_BENCH_PEERS=ON -DAOMD_BUILD_VIEWER=OFF \
-    -DAOMD_BUILD_TESTS=OFF | sed -n 's/^-- Peers: /not compared: /p'
-  local targets
-  targets=$(ninja -C "$build" -t targets all | sed -n 's/^\(aomd-peer-[a-z]*\): phony$/\1/p')
-  [ -n "${AOMD:-}" ] || targets+=" aomd"
-  # shellcheck disable=SC2086  # the list is words
-  ninja -C "$build" $targets >"$work/build.log" || { tail -40 "$work/build.log" >&2; exit 1; }
-}
 
 # The contenders: what the table calls them, and how they are called.
 labels=() commands=()
@@ -88,7 +80,9 @@ compare() {
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-compile
+targets=(aomd)
+[ -z "${AOMD:-}" ] || targets=()
+build_peers "$root" "$build" "$work/build.log" ${targets[@]+"${targets[@]}"}
 collect
 for mesh in "${meshes[@]}"; do
   "$program" info "$mesh" --json >"$work/info.json" || exit

@@ -71,13 +71,5 @@ if [ "$update" = no ]; then
   table
 else
   table >"$work/table.md"
-  python3 - "$root/docs/QUALITY.md" "$work/table.md" <<'PYTHON'
-import sys
-
-path, table = sys.argv[1], open(sys.argv[2]).read()
-text = open(path).read()
-begin, end = "<!-- ideas: begin -->\n", "<!-- ideas: end -->"
-head, rest = text.split(begin)
-open(path, "w").write(head + begin + "\n" + table + "\n" + end + rest.split(end)[1])
-PYTHON
+  python3 "$root/tools/bench/between_markers.py" "$root/docs/QUALITY.md" ideas "$work/table.md"
 fi
