@@ -28,8 +28,7 @@ OriginalSamples thinned(const OriginalSamples& all, std::uint32_t every) {
 Block block_of(const Mesh& mesh, const std::vector<std::uint32_t>& ids, const MeshData& original,
                int threads) {
   MeshData result = to_data(mesh);
-  if (!original.attributes.empty())
-    static_cast<void>(io::carry_along(original, result, threads));
+  if (!original.attributes.empty()) static_cast<void>(io::carry_along(original, result, threads));
   Block block;
   for (const Attribute& array : original.attributes) {
     const auto same = [&](const Attribute& a) {

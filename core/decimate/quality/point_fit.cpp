@@ -166,7 +166,7 @@ Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dve
 bool Fitter::loses_values(Vertex v, const Star& star, const glm::dvec3& target,
                           const FitRules& rules) const {
   constexpr double most = 0.1;  // of the error of an average face
-  return values_->growth(v, star, target) > most * rules.face_energy;
+  return values_->propose(v, star, target) > most * rules.face_energy;
 }
 
 // What the surface beside a curve would gain must not cost the curve much.

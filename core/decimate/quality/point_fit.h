@@ -52,7 +52,7 @@ class Fitter {
   Fitter(const Mesh& mesh, OriginalSurface& original, const OriginalCurves& curves)
       : mesh_(mesh), original_(original), curves_(curves) {}
   /// From now on these numbers count too. They must outlive it.
-  void count(const AttributeFit& values) { values_ = &values; }
+  void count(AttributeFit& values) { values_ = &values; }
 
   /// Where a vertex inside a model face would go: the least-squares place for the points on the
   /// faces around it, each seen as a plane through its face, pulled along the surface towards the
@@ -95,7 +95,7 @@ class Fitter {
   const Mesh& mesh_;
   OriginalSurface& original_;
   const OriginalCurves& curves_;
-  const AttributeFit* values_ = nullptr;  ///< none: the shape alone counts
+  AttributeFit* values_ = nullptr;  ///< none: the shape alone counts
 };
 
 }  // namespace aomd

@@ -188,10 +188,10 @@ void QualityLoop::begin_improvement() {
 void QualityLoop::locate() {
   original_.locate(mesh_, options_.threads);
   curves_.locate(mesh_);
-  if (values_) values_->locate();
 }
 
 void QualityLoop::measure_energy() {
+  if (values_) values_->locate();
   const double faces = std::max<double>(1, mesh_.count(2));
   const double least =
       1e-4 * std::sqrt(original_.area() / faces);  // flat meshes have shape to care for only
