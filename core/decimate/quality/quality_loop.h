@@ -77,14 +77,18 @@ class QualityLoop final : public Loop {
   void collapse(const Contraction& contraction, Hand& hand);
   void refused(const Contraction& contraction, Reason reason, Hand& hand);
   void count(const Contraction& contraction, Hand& hand);
-  /// Whether others have become so dear that only the relaxed rules bind it.
-  [[nodiscard]] bool may_relax(const CollapseQueue::Candidate& candidate, const Hand& hand) const {
-    return relaxed_price_ * candidate.cost <= queue_.level(hand.part);
+  /// Those that bind a collapse while others have become as dear as they have.
+  [[nodiscard]] const CollapseRules& rules_for(const CollapseQueue::Candidate& candidate,
+                                               const Hand& hand) const {
+    const float level = queue_.level(hand.part);
+    if (away_price_ * candidate.cost <= level) return away_rules_;
+    return sliver_price_ * candidate.cost <= level ? sliver_rules_ : rules_;
   }
-  /// Whether what was refused may be allowed by the relaxed rules.
-  [[nodiscard]] bool may_yield(Reason reason) const {
-    const bool facing = rules_.original_normals && !relaxed_rules_.original_normals;
-    return reason == Reason::Shape || (reason == Reason::Angle && facing);
+  /// How many times dearer others must be before what was refused may be allowed; 0: it never is.
+  [[nodiscard]] float price_after(Reason reason) const {
+    const bool yields = rules_.original_normals && !away_rules_.original_normals;
+    if (reason == Reason::Shape) return sliver_price_;
+    return reason == Reason::Angle && yields ? away_price_ : 0;
   }
   [[nodiscard]] Verdict judge(const Contraction& contraction, const CollapseRules& rules,
                               Collapser& collapser, Plan& plan);
@@ -166,9 +170,11 @@ class QualityLoop final : public Loop {
   std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts
   Fitter fitter_;
   CollapseRules rules_;
-  CollapseRules relaxed_rules_;  ///< where all else has become dear, or nothing else is left
+  CollapseRules sliver_rules_;  ///< what binds a collapse that may leave a sliver
+  CollapseRules away_rules_;    ///< and one that may make a face look away from the original too
   FitRules fit_;
-  float relaxed_price_ = 1;  ///< how many times dearer others must be for these
+  /// How many times dearer others must be before one is made; the second is not the lower one.
+  float sliver_price_ = 1, away_price_ = 1;
   std::size_t part_count_ = 1;
   Partition partition_;  ///< for the present stage
   CollapseQueue queue_;

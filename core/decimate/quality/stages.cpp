@@ -99,10 +99,11 @@ void QualityLoop::set_rules() {
   fit_.stay_far = options_.has(Idea::FarPoints) ? 0.3 - 0.6 * accuracy(w) : 0;
   rules_.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_around = LeastAngle(0);
-  relaxed_rules_ = rules_;
-  if (options_.target_faces > 0) relaxed_rules_.original_normals = nullptr;
+  sliver_rules_ = away_rules_ = rules_;
+  if (options_.target_faces > 0) away_rules_.original_normals = nullptr;
   rules_.least_around = LeastAngle(usual_least_deg);
-  relaxed_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
+  sliver_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
+  away_price_ = static_cast<float>(between(w, 10, 1e4, 1e4));
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
   fit_.shape = between(w, 0.3, 1.5, 4);
   fit_.local = 2 * accuracy(w);
