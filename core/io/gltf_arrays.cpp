@@ -42,7 +42,17 @@ std::optional<NumberType> type_for(const Attribute& a) {
   return fit_float(a) ? std::optional(NumberType::Float32) : std::nullopt;
 }
 
-/// Gives arrays their semantics, in the order of the mesh.
+/// Which of several sets an array is by its name: "uv" and "color" are 0, "uv_1" is 1. What else
+/// pictures go by is told by these numbers.
+int set_of(const Attribute& a) {
+  const std::size_t line = a.name.rfind('_');
+  const bool numbered = (a.meaning == Meaning::Texture || a.meaning == Meaning::Colour) &&
+                        line != std::string::npos && line + 2 == a.name.size() &&
+                        a.name.back() >= '0' && a.name.back() <= '9';
+  return numbered ? a.name.back() - '0' : 0;
+}
+
+/// Gives arrays their semantics, in the order in which it gets them.
 class Names {
  public:
   std::string next(const Attribute& a, NumberType type) {
@@ -69,21 +79,23 @@ class Names {
 
 std::vector<GltfArray> gltf_arrays(const MeshData& mesh) {
   std::vector<GltfArray> found;
-  Names names;
   const auto look = [&](const Attribute& a, bool on_corners) {
     const int n = a.components;
     const auto count = static_cast<std::size_t>(n) *
                        (on_corners ? mesh.faces.vertices.size() : mesh.positions.size());
     const bool shaped = (n >= 1 && n <= 4) || n == 9 || n == 16;
     if (!shaped || a.values.size() != count || a.name.starts_with("medit:")) return;
-    const auto type = type_for(a);
-    if (!type) return;
-    if (std::string semantic = names.next(a, *type); !semantic.empty())
-      found.push_back({&a, on_corners, std::move(semantic), *type});
+    if (const auto type = type_for(a)) found.push_back({&a, on_corners, {}, *type});
   };
   for (const Attribute& a : mesh.corners) look(a, true);
   for (const Attribute& a : mesh.attributes)
     if (a.dimension == 0) look(a, false);
+  std::stable_sort(found.begin(), found.end(), [](const GltfArray& a, const GltfArray& b) {
+    return set_of(*a.array) < set_of(*b.array);
+  });
+  Names names;
+  for (GltfArray& one : found) one.semantic = names.next(*one.array, one.type);
+  std::erase_if(found, [](const GltfArray& one) { return one.semantic.empty(); });
   return found;
 }
 

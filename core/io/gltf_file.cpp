@@ -93,8 +93,20 @@ void check_extensions(const Source& source, const Json& tree, ItemList& left_out
       source.fail(
           "is compressed by meshoptimizer, which cannot be read: export it without "
           "compression");
-    if (name != "KHR_mesh_quantization") left_out.add("extension " + shown(name));
+    const bool kept = name.starts_with("KHR_materials_") || name == "KHR_texture_transform";
+    if (!kept && name != "KHR_mesh_quantization") left_out.add("extension " + shown(name));
   }
+}
+
+/// Where pictures do not go on beyond their rims.
+bool has_other_wrapping(const Json& tree) {
+  static constexpr std::uint64_t repeat = 10497;
+  const Json* const samplers = member(tree, "samplers");
+  if (!samplers || !samplers->is_array()) return false;
+  return std::any_of(samplers->begin(), samplers->end(), [](const Json& sampler) {
+    return number_of(sampler, "wrapS").value_or(repeat) != repeat ||
+           number_of(sampler, "wrapT").value_or(repeat) != repeat;
+  });
 }
 
 /// Members that say nothing of meshes, and that tinygltf therefore need not see.
@@ -104,6 +116,7 @@ void drop_others(Json& tree, ItemList& left_out) {
     const Json* const found = member(tree, key);
     if (found && found->is_array() && !found->empty()) left_out.add(what);
   }
+  if (has_other_wrapping(tree)) left_out.add("how pictures go on beyond their rims");
   for (const char* key : {"animations", "skins", "cameras", "samplers", "extensions", "extras",
                           "extensionsUsed", "extensionsRequired"})
     tree.erase(key);
@@ -190,6 +203,7 @@ void GltfFile::read_json(std::string_view text) {
     images_.push_back({name ? *name : "", uri ? *uri : "",
                        view && *view < 0x7fffffff ? static_cast<int>(*view) : -1});
   }
+  if (const Json* const materials = member(tree, "materials")) materials_ = materials->dump();
   model_ = model_of(source_, tree.dump());
 }
 

@@ -30,6 +30,8 @@ class GltfFile {
   [[nodiscard]] std::uint64_t size() const { return size_; }
   /// In the order of the file; one whose view is damaged has neither name nor bytes.
   [[nodiscard]] std::vector<Picture> pictures() const;
+  /// Its materials, as they stand in its JSON.
+  [[nodiscard]] const std::string& materials() const { return materials_; }
   /// What the file holds besides meshes and materials.
   [[nodiscard]] const ItemList& left_out() const { return left_out_; }
 
@@ -50,6 +52,7 @@ class GltfFile {
   std::map<std::string, std::string> files_;  ///< by what names them
   std::vector<std::string_view> buffers_;
   std::vector<Image> images_;
+  std::string materials_;
   tinygltf::Model model_;
   ItemList left_out_;
   std::uint64_t size_ = 0;

@@ -8,18 +8,23 @@
 #include <unordered_map>
 
 #include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
 #include "core/io/face_sink.h"
 #include "core/io/formats.h"
 #include "core/io/gltf_columns.h"
+#include "core/io/gltf_materials.h"
 #include "core/io/gltf_scene.h"
+#include "core/io/named_faces.h"
 #include "core/io/named_parts.h"
 #include "core/io/weld.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
 namespace {
+
+using Json = nlohmann::json;
 
 /// A primitive by the rows of its accessors: triangles, line segments or points, one at the other.
 struct Piece {
@@ -103,6 +108,7 @@ class GltfReader {
 
  private:
   void take_materials();
+  [[nodiscard]] std::uint32_t picture_of(std::uint64_t texture);
   void add(const GltfInstance& instance);
 
   /// Numbers of the mesh at hand, each accessor once.
@@ -210,6 +216,7 @@ void GltfReader::take_materials() {
   const tinygltf::Model& model = file_.model();
   Appearance& looks = result_.mesh.appearance;
   looks.pictures = file_.pictures();
+  Json texts = Json::parse(file_.materials(), nullptr, false);
   std::set<std::string> known{""};
   for (const tinygltf::Material& m : model.materials) {
     const auto& pbr = m.pbrMetallicRoughness;
@@ -219,23 +226,26 @@ void GltfReader::take_materials() {
       material.name = (m.name.empty() ? "material" : m.name) + " (" + std::to_string(k) + ")";
     for (std::size_t k = 0; k < std::min<std::size_t>(4, pbr.baseColorFactor.size()); ++k)
       material.colour[k] = pbr.baseColorFactor[k];
-    const auto texture = static_cast<std::size_t>(pbr.baseColorTexture.index);
-    if (texture < model.textures.size()) {
-      const auto picture = static_cast<std::size_t>(model.textures[texture].source);
-      if (picture < looks.pictures.size()) material.picture = static_cast<std::uint32_t>(picture);
-    }
+    const int texture = pbr.baseColorTexture.index;
+    if (texture >= 0) material.picture = picture_of(static_cast<std::uint64_t>(texture));
     material.metallic = pbr.metallicFactor, material.roughness = pbr.roughnessFactor;
     material.two_sided = m.doubleSided;
-    if (pbr.metallicRoughnessTexture.index >= 0 || m.normalTexture.index >= 0 ||
-        m.occlusionTexture.index >= 0 || m.emissiveTexture.index >= 0)
-      left_out_.add("pictures of materials but that of their colour");
-    if (!m.extensions.empty() || !pbr.baseColorTexture.extensions.empty())
-      left_out_.add("extensions of materials");
-    if (pbr.baseColorTexture.texCoord != 0)
-      left_out_.add("which texture coordinates pictures go by");
-    if (m.alphaMode != "OPAQUE") left_out_.add("blending of materials");
+    const std::string rest =
+        rest_of_material(texts[looks.materials.size()], material.name,
+                         [this](std::uint64_t other) { return picture_of(other); });
+    if (!rest.empty()) result_.mesh.remarks.push_back({gltf_material, rest});
     looks.materials.push_back(std::move(material));
   }
+}
+
+std::uint32_t GltfReader::picture_of(std::uint64_t texture) {
+  const auto& textures = file_.model().textures;
+  const auto picture = texture < textures.size()
+                           ? static_cast<std::uint32_t>(textures[texture].source)
+                           : Material::no_picture;
+  if (picture < result_.mesh.appearance.pictures.size()) return picture;
+  left_out_.add("pictures that are not there");
+  return Material::no_picture;
 }
 
 void GltfReader::add(const GltfInstance& instance) {

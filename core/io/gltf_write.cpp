@@ -18,6 +18,7 @@
 #include "core/io/gltf_accessors.h"
 #include "core/io/gltf_arrays.h"
 #include "core/io/gltf_columns.h"
+#include "core/io/gltf_materials.h"
 #include "core/io/gltf_rows.h"
 #include "core/io/held_arrays.h"
 #include "core/io/picture_files.h"
@@ -73,6 +74,7 @@ class GltfWriter {
     tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, false);
     Json tree = Json::parse(stream.str());
     if (!images_.empty()) tree["images"] = images_;
+    add_rests(mesh_, tree);
     if (!bin_.empty()) {
       Json buffer{{"byteLength", bin_.size()}};
       if (!uri.empty()) buffer["uri"] = uri;

@@ -11,6 +11,7 @@
 #include "core/io/formats.h"
 #include "core/io/held_arrays.h"
 #include "core/io/medit_solution.h"
+#include "core/io/named_faces.h"
 #include "core/io/notes.h"
 #include "core/mesh/names.h"
 
@@ -101,8 +102,40 @@ std::string lost_remark(Format format, bool binary, const Remark& remark) {
   if (remark.keyword == "mtllib") return "material library " + shown(remark.text);
   if (remark.keyword == stl_solid)
     return format == Format::Stl && !binary ? std::string() : "solid name " + shown(remark.text);
+  if (remark.keyword == obj_map)
+    return format == Format::Obj ? std::string() : "pictures of materials but that of their colour";
   const bool picture = remark.text.starts_with("TextureFile ") && holds_materials(format);
   return format == Format::Ply || picture ? std::string() : "comments";
+}
+
+/// What glTF alone says of materials, by the words that it has for it.
+void add_rest_of_material(const std::string& json, ItemList& left_out) {
+  constexpr std::pair<std::string_view, const char*> words[] = {
+      {"\"normalTexture\"", "normal maps"},
+      {"\"occlusionTexture\"", "occlusion maps"},
+      {"\"metallicRoughnessTexture\"", "maps of metal and roughness"},
+      {"\"emissive", "emission"},
+      {"\"alphaMode\"", "blending of materials"},
+      {"\"KHR_texture_transform\"", "transforms of texture coordinates"},
+      {"\"texCoord\"", "which texture coordinates pictures go by"},
+      {"\"KHR_materials_", "extensions of materials"}};
+  bool named = false;
+  for (const auto& [word, what] : words) {
+    if (json.find(word) == std::string::npos) continue;
+    left_out.add(what);
+    named = true;
+  }
+  if (!named) left_out.add("what else glTF says of materials");
+}
+
+/// Formats without materials lose all of these, which is said of them.
+void add_remark(Format format, bool binary, const Remark& remark, ItemList& left_out) {
+  if (remark.keyword != gltf_material) {
+    const std::string lost = lost_remark(format, binary, remark);
+    if (!lost.empty()) left_out.add(lost);
+  } else if (format == Format::Obj || format == Format::Ply) {
+    add_rest_of_material(remark.text, left_out);
+  }
 }
 
 /// The library then stands for its materials.
@@ -132,9 +165,7 @@ void add_arrays(Format format, bool binary, bool beside, const MeshData& mesh, I
   for (const Attribute& a : mesh.attributes) look(a);
   if (beside) add_names_of_solution(mesh, left_out);
   for (const Attribute& a : mesh.corners) look(a);
-  for (const Remark& remark : mesh.remarks)
-    if (const std::string lost = lost_remark(format, binary, remark); !lost.empty())
-      left_out.add(lost);
+  for (const Remark& remark : mesh.remarks) add_remark(format, binary, remark, left_out);
   const Appearance& looks = mesh.appearance;
   const bool one_picture = looks.materials.size() == 1 && looks.pictures.size() == 1;
   if (!looks.materials.empty() && !holds_materials(format) && !names_library(mesh) &&

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "core/base/text.h"
 #include "core/io/byte_writer.h"
+#include "core/io/named_faces.h"
 #include "core/io/notes.h"
 #include "core/io/picture_files.h"
 #include "core/io/source.h"
@@ -20,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view ply_picture = "TextureFile ";
+constexpr const char* left_out_maps = "left out: pictures of materials but that of their colour";
 
 bool is_file(const fs::path& file) {
   std::error_code ignored;
@@ -37,6 +40,17 @@ std::vector<std::string> files_of(const fs::path& folder, const std::string& tex
   std::istringstream words(text);
   for (std::string word; words >> word;) files.push_back(word);
   return files;
+}
+
+/// The pictures of a material but that of its colour, as a library names them.
+std::vector<std::string> other_maps(const tinyobj::material_t& m) {
+  std::vector<std::string> maps;
+  for (const std::string* name :
+       {&m.ambient_texname, &m.specular_texname, &m.specular_highlight_texname, &m.bump_texname,
+        &m.displacement_texname, &m.alpha_texname, &m.reflection_texname, &m.roughness_texname,
+        &m.metallic_texname, &m.sheen_texname, &m.emissive_texname, &m.normal_texname})
+    if (!name->empty()) maps.push_back(*name);
+  return maps;
 }
 
 class Materials {
@@ -57,14 +71,18 @@ class Materials {
   }
 
   std::uint32_t picture(std::string name) {
-    std::replace(name.begin(), name.end(), '\\', '/');
+    use_slashes(name);
     const auto [at, is_new] =
         pictures_.try_emplace(name, static_cast<std::uint32_t>(looks_.pictures.size()));
     if (is_new) looks_.pictures.push_back({name, {}});
     return at->second;
   }
 
+  /// Pictures for something else than the colour, each once.
+  [[nodiscard]] const std::set<std::string>& others() const { return others_; }
+
  private:
+  static void use_slashes(std::string& name) { std::replace(name.begin(), name.end(), '\\', '/'); }
   void add(const tinyobj::material_t& m) {
     Material material;
     material.name = m.name;
@@ -78,11 +96,16 @@ class Materials {
         material.colour = {1, 1, 1, m.dissolve};
     }
     looks_.materials.push_back(std::move(material));
+    for (std::string& name : other_maps(m)) {
+      use_slashes(name);
+      others_.insert(std::move(name));
+    }
   }
 
   fs::path folder_;
   Appearance& looks_;
   std::map<std::string, std::uint32_t> pictures_;
+  std::set<std::string> others_;
 };
 
 /// A library of these materials; pictures have the names that they have beside it.
@@ -116,6 +139,10 @@ void add_materials(const fs::path& file, ReadResult& result) {
   for (const Picture& picture : looks.pictures)
     if (picture.bytes.empty() && !is_file(file.parent_path() / picture.name))
       missing.add("picture " + shown(picture.name));
+  for (const std::string& other : materials.others()) {
+    result.mesh.remarks.push_back({obj_map, other});
+    if (!is_file(file.parent_path() / other)) missing.add("picture " + shown(other));
+  }
   if (!missing.empty()) result.notes.push_back("not there: " + missing.text());
 }
 
@@ -152,6 +179,11 @@ std::vector<std::string> libraries_for(const fs::path& path, const MeshData& mes
     pictures.push_back(files.name_of(picture));
     as_named = as_named && pictures.back() == picture.name;
   }
+  const bool has_others = std::any_of(mesh.remarks.begin(), mesh.remarks.end(),
+                                      [](const Remark& r) { return r.keyword == obj_map; });
+  for (const Remark& remark : mesh.remarks)
+    if (as_named && remark.keyword == obj_map) as_named = files.name_of(remark.text) == remark.text;
+  if (!as_named && has_others) encoded.notes.push_back(left_out_maps);
   if (!as_named) return {files.add(".mtl", library_of(looks, pictures))};
   for (std::string& library : libraries) {
     std::string names;

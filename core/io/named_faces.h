@@ -11,6 +11,11 @@ inline constexpr const char *obj_group = "group", *obj_object = "object",
                             *obj_material = "material", *obj_smoothing = "smoothing",
                             *stl_solid = "solid";
 
+/// The keyword of what a glTF file says of a material beyond Material (core/io/gltf_materials.h).
+inline constexpr const char* gltf_material = "gltf material";
+/// That of a picture that a library of materials names for something else than the colour.
+inline constexpr const char* obj_map = "mtl map";
+
 /// The label on faces of this name; null where there is none or not every value has a name.
 [[nodiscard]] const Attribute* find_named(const MeshData& mesh, std::string_view name);
 

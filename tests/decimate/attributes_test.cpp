@@ -85,6 +85,20 @@ TEST(CountedValues, OfCornersCountsWhatTheyAgreeOn) {
   expect_near(numbers(mesh, usual_weights(mesh)), {-0.5, 0, no_number, 0});
 }
 
+TEST(CountedValues, ColoursOnVerticesAreFitted) {
+  MeshData mesh = square();
+  Attribute colour{"rgb", 0, 2, false, std::vector<double>(8, 0.5)}, corners = colour;
+  colour.meaning = corners.meaning = Meaning::Colour;
+  corners.dimension = 2;
+  corners.values.resize(12);
+  mesh.attributes = {{"heat", 0, 1, false, {0, 1, 2, 3}}, colour};
+  mesh.corners = {corners};
+  mesh.corners[0].name = "other";
+  const auto counted = counted_values(
+      mesh, Mesh(mesh), std::array<ArrayWeight, 3>{{{"heat", 1}, {"rgb", 1}, {"other", 1}}});
+  EXPECT_EQ(counted->fitted, (std::vector<bool>{false, true, true, false, false}));
+}
+
 TEST(CountedValues, LabelsAndArraysOnFacesCannotCount) {
   MeshData mesh = square();
   mesh.attributes = {{"id", 0, 1, true, {0, 1, 2, 3}}, {"load", 2, 1, false, {1, 2}}};
@@ -178,12 +192,7 @@ struct Decimated {
   double colour = 0, distance = 0;  ///< root mean squares
 };
 
-/// The colours count with a weight.
-Decimated decimated(const MeshData& data, std::uint32_t faces, double weight, int threads = 1) {
-  Mesh mesh = classified(data, Edges::OnModelEdges);
-  DecimationOptions options = quality(faces);
-  options.threads = threads;
-  options.values = counted_values(data, mesh, std::array{ArrayWeight{"color", weight}});
+Decimated decimated(const MeshData& data, Mesh& mesh, const DecimationOptions& options) {
   Decimation(mesh, options).run();
   Decimated result{to_data(mesh)};
   (void)io::carry_along(data, result.mesh);
@@ -193,6 +202,26 @@ Decimated decimated(const MeshData& data, std::uint32_t faces, double weight, in
   result.colour = measure::compare_fields(data, result.mesh, 1).at(0).rms;
   EXPECT_EQ(finding(mesh), "");
   return result;
+}
+
+/// The colours count with a weight.
+Decimated decimated(const MeshData& data, std::uint32_t faces, double weight, int threads = 1) {
+  Mesh mesh = classified(data, Edges::OnModelEdges);
+  DecimationOptions options = quality(faces);
+  options.threads = threads;
+  options.values = counted_values(data, mesh, std::array{ArrayWeight{"color", weight}});
+  return decimated(data, mesh, options);
+}
+
+TEST(Attributes, TheColoursThatWillBeFittedAreTheOnesThatCount) {
+  const MeshData data = globe(71);
+  Mesh mesh = classified(data, Edges::OnModelEdges);
+  DecimationOptions options = quality(5000);
+  CountedValues taken = *counted_values(data, mesh, std::array{ArrayWeight{"color", 3}});
+  taken.fitted.clear();
+  options.values = std::make_shared<CountedValues>(taken);
+  const double unknown = decimated(data, mesh, options).colour;
+  EXPECT_LT(decimated(data, 5000, 3).colour, 0.85 * unknown);
 }
 
 TEST(Attributes, ColoursAreKeptAtNextToNoLossOfShape) {

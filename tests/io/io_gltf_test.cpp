@@ -3,44 +3,14 @@
 #include <bit>
 #include <cmath>
 
-#include "core/io/base64.h"
-#include "tests/support/io_helpers.h"
+#include "tests/support/gltf_text.h"
 
 namespace aomd::test {
 namespace {
 
 using Notes = std::vector<std::string>;
 
-template <class... Values>
-std::string floats(Values... values) {
-  return (raw(static_cast<float>(values)) + ...);
-}
-
-/// Puts a file together from its parts of JSON and the bytes of its one buffer.
-struct Text {
-  std::string meshes, accessors, views, bytes;
-  std::string nodes = R"([{"mesh":0}])", more;
-
-  [[nodiscard]] std::string str() const {
-    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":)" + nodes +
-           R"(,"meshes":)" + meshes + R"(,"accessors":)" + accessors + R"(,"bufferViews":)" +
-           views + more + R"(,"buffers":[{"byteLength":)" + std::to_string(bytes.size()) +
-           R"(,"uri":"data:application/octet-stream;base64,)" + io::detail::to_base64(bytes) +
-           R"("}]})";
-  }
-};
-
-/// Four points, of which the file makes primitives.
-Text square(const std::string& primitive = R"({"attributes":{"POSITION":0},"mode":5})") {
-  Text text;
-  text.meshes = R"([{"name":"sheet","primitives":[)" + primitive + "]}]";
-  text.accessors = R"([{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}])";
-  text.views = R"([{"buffer":0,"byteLength":48}])";
-  text.bytes = floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
-  return text;
-}
-
-io::ReadResult read(const Text& text) { return io::read_bytes("a.gltf", text.str()); }
+io::ReadResult read(const GltfText& text) { return io::read_bytes("a.gltf", text.str()); }
 
 Indices faces_of_mode(int mode) {
   return read(square(R"({"attributes":{"POSITION":0},"mode":)" + std::to_string(mode) + "}"))
@@ -73,7 +43,7 @@ TEST(Gltf, PointsAreVertices) {
 }
 
 TEST(Gltf, NodesPlaceAndMirror) {
-  Text text = square();
+  GltfText text = square();
   text.nodes = R"([{"name":"top","translation":[10,0,0],"children":[1,2]},
     {"name":"near","mesh":0,"scale":[2,2,2]},
     {"name":"turned","mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476]}])";
@@ -92,8 +62,8 @@ TEST(Gltf, NodesPlaceAndMirror) {
 }
 
 /// Two triangles with vertices of their own.
-Text split_square() {
-  Text text;
+GltfText split_square() {
+  GltfText text;
   text.meshes = R"([{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,)"
                 R"("COLOR_0":3,"_HEAT":4}}]}])";
   text.accessors = R"([{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"},
@@ -117,7 +87,7 @@ Text split_square() {
 
 /// Places are shared, and what differs is on corners.
 TEST(Gltf, VerticesOfOnePlaceAreOneAndSeamsAreOnCorners) {
-  const Text text = split_square();
+  const GltfText text = split_square();
   const io::ReadResult result = read(text);
   EXPECT_EQ(result.notes, Notes{});
   const MeshData& mesh = result.mesh;
@@ -142,7 +112,7 @@ TEST(Gltf, VerticesOfOnePlaceAreOneAndSeamsAreOnCorners) {
 }
 
 TEST(Gltf, SparseAccessorsReplaceSome) {
-  Text text = square();
+  GltfText text = square();
   text.accessors = R"([{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{)"
                    R"("count":1,"indices":{"bufferView":1,"componentType":5121},)"
                    R"("values":{"bufferView":2}}}])";
@@ -199,25 +169,17 @@ TEST(Gltf, WhatIsDamagedIsRefusedInOneLine) {
     expect_error("a.gltf", without(good, each.from, each.to), {"a.gltf: ", each.said});
   expect_error("a.gltf", good.substr(0, 100), {"a.gltf:1: this is no JSON"});
   expect_error("a.gltf", std::string(100'000, '['), {"nested too deeply"});
-  Text text = square();
+  GltfText text = square();
   text.bytes.replace(0, 4, floats(std::numeric_limits<double>::quiet_NaN()));
   expect_error("a.gltf", text.str(), {"accessor 0 has a position that is no number"});
 }
 
 TEST(Gltf, ZerosWithoutDataAreBounded) {
-  Text text = square();
+  GltfText text = square();
   text.accessors = R"([{"componentType":5126,"count":3,"type":"VEC3"}])";
   EXPECT_EQ(read(text).mesh.positions.size(), 1u);
   text.accessors = R"([{"componentType":5126,"count":4000000000,"type":"VEC3"}])";
   expect_error("a.gltf", text.str(), {"accessor 0 of 4000000000 elements has no data"});
-}
-
-MeshData sheet() {
-  MeshData mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  mesh.faces.add(Shape::Triangle, {0, 1, 2});
-  mesh.faces.add(Shape::Triangle, {2, 1, 3});
-  return mesh;
 }
 
 std::string glb(const MeshData& mesh) {
@@ -296,57 +258,26 @@ TEST(Gltf, NumbersThatHaveNoPlaceAreNamed) {
   EXPECT_EQ(again.attributes[0].values, mesh.attributes[2].values);
 }
 
-const std::string png = "\x89PNG\r\n\x1a\npicture", jpeg = "\xff\xd8\xff\xe0picture";
-
-MeshData painted(const TemporaryFolder& folder) {
+/// By the second set go maps of light, which jump nowhere, while the first one has seams.
+TEST(Gltf, SetsOfTextureCoordinatesKeepTheirNumbers) {
   MeshData mesh = sheet();
-  mesh.attributes = {{"material", 2, 1, true, {0, 1}}};
-  mesh.attributes[0].names = {"wood", "paint"};
-  mesh.corners = {};
-  mesh.appearance.folder = (folder / "").string();
-  mesh.appearance.pictures = {{"wood grain.png", {}}, {"inside", jpeg}};
-  mesh.appearance.materials = {{.name = "wood", .colour = {0.5, 0.25, 1, 1}, .picture = 0},
-                               {.name = "paint", .picture = 1, .metallic = 0.5, .two_sided = true}};
-  io::write_file(folder / "wood grain.png", png);
-  return mesh;
-}
-
-TEST(Gltf, MaterialsAndPicturesComeBack) {
-  const TemporaryFolder folder;
-  const MeshData mesh = painted(folder);
-  for (const char* file : {"a.glb", "a.gltf"}) {
-    EXPECT_EQ(io::write(folder / file, mesh), Notes{});
-    const io::ReadResult again = io::read(folder / file);
-    EXPECT_EQ(again.notes, Notes{"faces classified by 2 materials"});
-    EXPECT_EQ(again.mesh.appearance.materials, mesh.appearance.materials);
-    ASSERT_EQ(again.mesh.appearance.pictures.size(), 2u);
-    const Picture& wood = again.mesh.appearance.pictures[0];
-    EXPECT_EQ(wood.name, "wood grain.png");
-    EXPECT_EQ(wood.bytes, std::string(file) == "a.glb" ? png : "");
-    EXPECT_EQ(again.mesh.appearance.pictures[1], mesh.appearance.pictures[1]);
-    EXPECT_EQ(again.mesh.attributes[0].names, mesh.attributes[0].names);
+  Attribute second{"uv_1", 0, 2, false, {0, 0, 1, 0, 1, 1, 0, 1}};
+  Attribute first{"uv", 2, 2, false, {0, 0, 1, 0, 1, 1, 0.5, 0, 1, 1, 0, 1}};
+  for (Attribute* a : {&first, &second}) a->meaning = Meaning::Texture;
+  for (const bool seams : {true, false}) {
+    mesh.attributes = {second};
+    mesh.corners = {first};
+    if (!seams) {
+      mesh.corners[0].name = "uv_1";
+      mesh.attributes[0].name = "uv";
+    }
+    const MeshData again =
+        io::read_bytes("a.glb", io::to_bytes("a.glb", io::Format::Gltf, mesh).bytes).mesh;
+    ASSERT_EQ(again.corners.size(), 1u);
+    EXPECT_EQ(again.corners[0].name, mesh.corners[0].name);
+    EXPECT_EQ(again.corners[0].values, mesh.corners[0].values);
+    EXPECT_EQ(again.attributes[0].values, mesh.attributes[0].values);
   }
-}
-
-TEST(Gltf, PicturesGoAlongToAnotherFolder) {
-  const TemporaryFolder folder, other;
-  const MeshData mesh = painted(folder);
-  io::write(other / "a.gltf", mesh);
-  EXPECT_EQ(bytes_of(other / "wood grain.png"), png);
-  io::write_file(folder / "wood grain.png", "something else, by another mesh");
-  io::write(other / "b.obj", mesh);
-  EXPECT_EQ(bytes_of(other / "wood grain.png"), png) << "what is there stays";
-  EXPECT_EQ(bytes_of(other / "b_wood grain.png"), "something else, by another mesh");
-  EXPECT_EQ(bytes_of(other / "inside.jpg"), jpeg);
-  EXPECT_EQ(bytes_of(other / "b.mtl"),
-            "# AOMD Studio\nnewmtl wood\nKd 0.5 0.25 1\nd 1\nPm 0\nPr 1\nmap_Kd b_wood grain.png\n"
-            "newmtl paint\nKd 1 1 1\nd 1\nPm 0.5\nPr 1\nmap_Kd inside.jpg\n");
-  const io::ReadResult again = io::read(other / "b.obj");
-  EXPECT_EQ(again.notes, Notes{"faces classified by 2 materials"});
-  ASSERT_EQ(again.mesh.appearance.materials.size(), 2u);
-  EXPECT_EQ(again.mesh.appearance.materials[0].colour, mesh.appearance.materials[0].colour);
-  EXPECT_EQ(again.mesh.appearance.materials[1].metallic, 0.5);
-  EXPECT_EQ(again.mesh.appearance.pictures[0].name, "b_wood grain.png");
 }
 
 TEST(Gltf, AFileOfItsNumbersIsNotWrittenOverAnothers) {
@@ -362,43 +293,6 @@ TEST(Gltf, AFileOfItsNumbersIsNotWrittenOverAnothers) {
   io::write(folder / "b.gltf", sheet());
   EXPECT_EQ(io::read(folder / "b.gltf").mesh, sheet());
   EXPECT_TRUE(std::filesystem::exists(folder / "b.bin"));
-}
-
-TEST(Gltf, LibrariesOfObjGoAlong) {
-  const TemporaryFolder folder, other;
-  io::write_file(folder / "a.obj",
-                 "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl wood\nf 1 2 3\n");
-  io::ReadResult result = io::read(folder / "a.obj");
-  EXPECT_EQ(result.notes, Notes{"not there: material library \"m.mtl\""});
-  io::write_file(folder / "m.mtl", "newmtl wood\nKd 0 0 0\nmap_Kd tex\\w.png\n");
-  result = io::read(folder / "a.obj");
-  EXPECT_EQ(result.notes, Notes{"not there: picture \"tex/w.png\""});
-  EXPECT_EQ(io::write(other / "b.obj", result.mesh), Notes{});
-  EXPECT_EQ(bytes_of(other / "m.mtl"), bytes_of(folder / "m.mtl"));
-  EXPECT_EQ(io::write(other / "b.vtk", result.mesh),
-            (Notes{"left out: names of \"material\", material library \"m.mtl\""}));
-  EXPECT_EQ(io::write(folder / "b.glb", result.mesh), Notes{});
-  const Appearance looks = io::read(folder / "b.glb").mesh.appearance;
-  EXPECT_EQ(looks.materials[0].colour, (std::array<double, 4>{1, 1, 1, 1}));
-  EXPECT_EQ(looks.pictures[0], (Picture{"tex/w.png", {}}));
-}
-
-TEST(Gltf, ThePictureOfAPlyGoesAlong) {
-  const TemporaryFolder folder, other;
-  MeshData mesh = sheet();
-  mesh.remarks = {{"comment", "TextureFile wood.png"}};
-  io::write_file(folder / "wood.png", png);
-  io::write(folder / "a.ply", mesh);
-  const MeshData read = io::read(folder / "a.ply").mesh;
-  EXPECT_EQ(read.appearance.pictures, (std::vector<Picture>{{"wood.png", {}}}));
-  EXPECT_EQ(io::write(other / "a.ply", read), Notes{});
-  EXPECT_EQ(bytes_of(other / "wood.png"), png);
-  EXPECT_EQ(io::write(other / "a.glb", read), Notes{});
-  const MeshData embedded = io::read(other / "a.glb").mesh;
-  EXPECT_EQ(embedded.appearance.pictures[0].bytes, png);
-  const TemporaryFolder third;
-  EXPECT_EQ(io::write(third / "a.ply", embedded), Notes{"left out: names of \"material\""});
-  EXPECT_EQ(io::read(third / "a.ply").mesh.remarks, mesh.remarks);
 }
 
 }  // namespace
