@@ -4,6 +4,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -192,6 +193,21 @@ TEST_F(SuiteRun, ARecordingIsACase) {
         "[defaults]\nthreshold = 1\npanels = true\nsize = \"900x600\"\n[cases]\ndone = "
         "\"done.aomd\"\n");
   EXPECT_EQ(run(), 0) << said() << test::bytes_of(at("done.aomd"));
+}
+
+TEST_F(SuiteRun, ReportsInItsOwnOrderWhateverIsDrawnFirst) {
+  write("make.aomd", "sample bracket 4\nsave a.ply\nsample sphere 8\nsave b.ply\n");
+  ASSERT_EQ(view("--headless --script make.aomd"), 0) << said();
+  write("suite.toml",
+        "[cases]\nfirst = \"b.ply\"\nsecond = \"a.ply\"\n"
+        "third = { mesh = \"b.ply\", size = \"320x240\" }\nfourth = \"b.ply\"\n");
+  ASSERT_EQ(run("--update"), 0) << said();
+  std::vector<std::size_t> places;
+  for (const char* name : {"\nfirst ", "\nsecond ", "\nthird ", "\nfourth "})
+    places.push_back(table().find(name));
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << table();
+  EXPECT_NE(places.back(), std::string::npos);
+  EXPECT_EQ(run("--jobs 2"), 0) << said();
 }
 
 TEST_F(SuiteRun, AMenuShowsThoughAPictureWithoutPanelsCameBefore) {

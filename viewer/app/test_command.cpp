@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <tuple>
+#include <utility>
 
 #include "core/base/processes.h"
 #include "core/base/text.h"
@@ -64,10 +66,20 @@ suite::CaseResult result_of(const Piece& piece) {
   return result;
 }
 
-std::vector<Finished> carry_out(const suite::Suite& suite,
-                                const std::vector<const suite::Case*>& cases,
+/// Those of one size and one mesh follow one another: what drawing takes is then made once.
+void sort_by_mesh(std::vector<const suite::Case*>& cases) {
+  const auto key = [](const suite::Case* each) {
+    return std::tuple(each->size.x, each->size.y, (each->folder / each->mesh).lexically_normal());
+  };
+  std::stable_sort(cases.begin(), cases.end(),
+                   [&](const suite::Case* a, const suite::Case* b) { return key(a) < key(b); });
+}
+
+/// In the order of the suite.
+std::vector<Finished> carry_out(const suite::Suite& suite, std::vector<const suite::Case*> cases,
                                 const TestOptions& options, const fs::path& work) {
   CaseRunner runner(suite, work, options.update);
+  sort_by_mesh(cases);
   Sharing how;
   how.jobs = options.jobs;
   const auto pieces = share_among_processes(
@@ -75,6 +87,8 @@ std::vector<Finished> carry_out(const suite::Suite& suite,
   std::vector<Finished> finished;
   for (std::size_t i = 0; i < cases.size(); ++i)
     finished.push_back({cases[i], result_of(pieces[i])});
+  std::sort(finished.begin(), finished.end(),
+            [](const Finished& a, const Finished& b) { return a.what < b.what; });
   return finished;
 }
 

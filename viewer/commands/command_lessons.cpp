@@ -45,7 +45,8 @@ void turn(Session& session, bool forwards) {
     session.status = "No lesson is open: F2 lists them";
   } else if (forwards ? player.last_page() : player.page_number() == 0) {
     session.status =
-        forwards ? "This is the lesson's last page" : "This is the lesson's first page";
+        forwards ? "This is the lesson's last page: the button below it opens the next lesson"
+                 : "This is the lesson's first page";
   } else {
     open_lesson(session, *player.lesson(),
                 forwards ? player.page_number() + 1 : player.page_number() - 1);

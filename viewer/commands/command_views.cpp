@@ -1,7 +1,10 @@
 // What is shown, and how.
 
 #include <array>
+#include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "viewer/base/text.h"
 #include "viewer/commands/command_groups.h"
@@ -196,9 +199,7 @@ void dismiss(Session& session, Arguments& arguments) {
   session.error.clear();
 }
 
-}  // namespace
-
-std::vector<Command> view_commands() {
+std::vector<Command> surface_commands() {
   return {
       {"color",
        "classification|spacing|quality|distance|curvature|verdict|texture|none",
@@ -246,6 +247,11 @@ std::vector<Command> view_commands() {
        CommandGroup::View,
        hide,
        {{"H", "hide"}}},
+  };
+}
+
+std::vector<Command> look_commands() {
+  return {
       {"theme",
        "light|dark|toggle",
        "The colours of panels and background.",
@@ -282,6 +288,11 @@ std::vector<Command> view_commands() {
        CommandGroup::View,
        presentation,
        {{"F11", "presentation toggle"}}},
+  };
+}
+
+std::vector<Command> panel_commands() {
+  return {
       {"panel",
        "mesh|decimation|adjacency|histograms|selection|timeline|runs|all [on|off|toggle]",
        "Which panels are there; decimation, adjacency, histograms and selection share the one on "
@@ -305,6 +316,15 @@ std::vector<Command> view_commands() {
        {{"F1", "dialog shortcuts"}, {"F2", "dialog lessons"}}},
       {"dismiss", "", "Closes the message about an error.", CommandGroup::View, dismiss, {}},
   };
+}
+
+}  // namespace
+
+std::vector<Command> view_commands() {
+  std::vector<Command> all = surface_commands();
+  for (std::vector<Command>& more : std::array{look_commands(), panel_commands()})
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace aomd::scene

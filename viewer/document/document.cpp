@@ -151,9 +151,10 @@ AsLoaded& Document::copy_mesh_as_loaded() {
 void Document::begin_strategy() {
   stale_ = false;
   strategy_from_ = classified_start();
+  begun_with_ = options_for_mesh();
   visit(*strategy_from_, [&] {
     loaded_->decimation.reset();
-    loaded_->decimation.emplace(loaded_->mesh, options_for_mesh());
+    loaded_->decimation.emplace(loaded_->mesh, begun_with_);
   });
 }
 
@@ -179,6 +180,15 @@ Decimation& Document::build_decimation() {
   stale_ = false;
   loaded_->decimation->set_options(options);
   return *loaded_->decimation;
+}
+
+/// How densely a strategy looks at the original, for one, follows from the options that it begins
+/// with: what was asked under other options must not tell in what is made.
+Decimation& Document::decimation_to_operate() {
+  prepare();
+  const bool begins = decimation() && journal().cursor() == classified_start();
+  if (begins && begun_with_ != options_for_mesh()) loaded_->decimation.reset();
+  return build_decimation();
 }
 
 /// The present decimation has what it takes from the mesh as loaded: it need not begin there again.
@@ -300,7 +310,7 @@ void Document::reclassify(const ClassifyOptions& options) {
 
 std::size_t Document::step(std::size_t count) {
   const std::size_t made = operate("step", [&] {
-    Decimation& decimation = build_decimation();
+    Decimation& decimation = decimation_to_operate();
     for (std::size_t i = 0; i < count && decimation.step(); ++i) {
     }
   });
@@ -310,27 +320,27 @@ std::size_t Document::step(std::size_t count) {
 
 std::size_t Document::sweep(std::size_t count) {
   return operate("sweep", [&] {
-    Decimation& decimation = build_decimation();
+    Decimation& decimation = decimation_to_operate();
     for (std::size_t i = 0; i < count; ++i) decimation.sweep();
   });
 }
 
 std::size_t Document::swap() {
-  return operate("swap", [&] { build_decimation().swap_pass(); });
+  return operate("swap", [&] { decimation_to_operate().swap_pass(); });
 }
 
 std::size_t Document::smooth() {
-  return operate("smooth", [&] { build_decimation().smooth_pass(); });
+  return operate("smooth", [&] { decimation_to_operate().smooth_pass(); });
 }
 
 std::size_t Document::improve() {
-  return operate("improve", [&] { build_decimation().improve(); });
+  return operate("improve", [&] { decimation_to_operate().improve(); });
 }
 
 void Document::start_run() {
   cancel_run();
   if (snaps() && loaded_->model) fit_to(*loaded_->model);
-  Decimation& decimation = build_decimation();
+  Decimation& decimation = decimation_to_operate();
   if (decimation.done()) return;
   end_trial();
   open_mark("run");
@@ -362,7 +372,7 @@ double Document::run_progress() const {
 
 void Document::tick(std::optional<std::chrono::microseconds> budget) {
   if (!running_) return;
-  const Decimation::Stop stop = build_decimation().run(budget);
+  const Decimation::Stop stop = decimation_to_operate().run(budget);
   keep_cut();
   if (stop == Decimation::Stop::Done) note_stop(end_run());
 }

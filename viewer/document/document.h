@@ -193,6 +193,7 @@ class Document {
 
  private:
   Decimation& build_decimation();
+  Decimation& decimation_to_operate();
   [[nodiscard]] bool keeps_to_original() const;
   [[nodiscard]] DecimationOptions options_for_mesh() const;
   void begin_strategy();
@@ -223,6 +224,7 @@ class Document {
   std::optional<FeatureTrial> trial_;  ///< holds on to the mesh
   /// The step whose mesh the decimation keeps to; none once the history has been before it.
   std::optional<std::size_t> strategy_from_;
+  DecimationOptions begun_with_;  ///< of the decimation
   DocumentOptions& options_;
   std::vector<HistoryMark> marks_;
   std::vector<HistoryMark>

@@ -17,15 +17,15 @@
 namespace aomd::scene {
 namespace {
 
+/// Of the vertices of faces; T(0,2) must be stored.
 Box box_of(const Mesh& mesh) {
   Box box;
-  for (const Face f : mesh.faces())
-    for (const Vertex v : mesh.triangle(f)) box.add(mesh.position(v));
+  for (const Vertex v : mesh.vertices())
+    if (!mesh.row<2>(v).empty()) box.add(mesh.position(v));
   const glm::dvec3 center = box.center();
   double radius = 0;
-  for (const Face f : mesh.faces())
-    for (const Vertex v : mesh.triangle(f))
-      radius = std::max(radius, glm::length(mesh.position(v) - center));
+  for (const Vertex v : mesh.vertices())
+    if (!mesh.row<2>(v).empty()) radius = std::max(radius, glm::length(mesh.position(v) - center));
   box.set_radius(radius);
   return box;
 }
@@ -48,6 +48,7 @@ UpAxis usual_up_axis(io::Format format) {
 
 bool needs_skin(const Mesh& mesh) {
   if (mesh.count(3) > 0) return true;
+  if (mesh.uniform_shape(2)) return mesh.shape(Face(0)) != Shape::Triangle;
   for (const Face f : mesh.faces())
     if (mesh.shape(f) != Shape::Triangle) return true;
   return false;
