@@ -77,7 +77,9 @@ void classify_for(Mesh& mesh, const aomd::MeshData& data, const aomd_decimate_op
   how.complete = options.paper != 0;
   classify(mesh, how);
   if (mesh.count(3) > 0) mesh.keep_model_faces_only();
-  if (!options.paper) keep_edges_for_quality(mesh);
+  // The paper's strategy goes over listed edges first.
+  if (!options.paper || (mesh.count(3) == 0 && data.edges.shapes.empty()))
+    keep_edges_for_quality(mesh);
 }
 
 void ask(const aomd_decimate_options& options, double done) {

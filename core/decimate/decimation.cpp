@@ -157,7 +157,7 @@ void Decimation::begin(const DecimationOptions& options) {
     need(1, 0);
   } else {
     need(0, 2);
-    if (paper || !lists_model_edges_only(mesh_)) need(0, 1);
+    if (!lists_model_edges_only(mesh_)) need(0, 1);
   }
   needs_ = std::move(needs);
   require_classified(mesh_);
@@ -240,7 +240,8 @@ std::uint32_t Decimation::sweep() {
 EdgesByReason Decimation::edges_left() {
   constexpr std::uint32_t judged_at_once = 300'000;  // less than a second
   EdgesByReason edges{};
-  if (options().strategy == Strategy::Paper && mesh_.count(1) > judged_at_once) {
+  const std::uint32_t all = mesh_.complete(1) ? mesh_.count(1) : mesh_.count(2) / 2 * 3;  // nearly
+  if (options().strategy == Strategy::Paper && all > judged_at_once) {
     const auto& refused = sweeps().back().refused;
     std::copy(refused.begin(), refused.end(), edges.begin());
     return edges;

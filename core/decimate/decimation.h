@@ -29,16 +29,18 @@ class Loop;
 [[nodiscard]] const char* decimation_obstacle(const Mesh& mesh);
 
 /// Lets go of all edges but those on model edges (Mesh::keep_model_edges_only), which Quality needs
-/// no others than. All stay where that would gain nothing, since all are on model edges, or where a
-/// model edge has no face and could not be found any more. The number of edges that are left tells
-/// whether it did, for journals that start from there. O(entities).
+/// no others than, nor Paper on a surface, where nobody asks for the others as entities. All stay
+/// where that would gain nothing, since all are on model edges, or where a model edge has no face
+/// and could not be found any more. The number of edges that are left tells whether it did, for
+/// journals that start from there. O(entities).
 void keep_edges_for_quality(Mesh& mesh);
 
 /// Decimates one mesh by either strategy. Holds T(2,0) and T(0,2) stored while it lives, T(0,1) too
-/// for Paper and where the mesh has other edges than those on model edges; with
-/// DecimationOptions::exchange T(2,0), and what the present phase needs. On a volume T(3,0),
-/// T(0,3), T(1,0) and T(0,1), and T(2,0) and T(0,2) as listed. They go with it. The mesh must not
-/// change otherwise while it lives, except through invalidate().
+/// where the mesh has other edges than those on model edges; with DecimationOptions::exchange Paper
+/// holds T(2,0) and T(1,0), and what the present phase needs. On a volume T(3,0), T(0,3), T(1,0)
+/// and T(0,1), and T(2,0) and T(0,2) as listed. They go with it. The mesh must not change otherwise
+/// while it lives, except through invalidate(). Operation::entity is the edge that was collapsed or
+/// swapped where all edges are entities, else the vertex that was kept, or a face at the edge.
 class Decimation {
  public:
   /// Throws std::invalid_argument where there is an obstacle (above), and where a vertex lies on a

@@ -41,13 +41,19 @@ std::vector<Held> hold_all(const Mesh& mesh, Items items) {
   return held;
 }
 
-Items of_dimension(Items items, int dim) {
-  const auto low = std::partition_point(
-      items.begin(), items.end(), [&](const Rebinding& r) { return r.entity.dimension < dim; });
-  const auto high = std::partition_point(
-      low, items.end(), [&](const Rebinding& r) { return r.entity.dimension == dim; });
-  return {low, high};
-}
+// They come in the order of their dimensions.
+struct ByDimension {
+  Items edges, faces, regions;
+
+  explicit ByDimension(Items items) {
+    const auto first_of = [items](int dim) {
+      return std::partition_point(items.begin(), items.end(),
+                                  [dim](const Rebinding& r) { return r.entity.dimension < dim; });
+    };
+    const auto face = first_of(2), region = first_of(3);
+    edges = {items.begin(), face}, faces = {face, region}, regions = {region, items.end()};
+  }
+};
 
 }  // namespace
 
@@ -125,8 +131,7 @@ bool Mesh::regions_are_bare() const {
 
 // Regions let go of their sides before these change, and look them up again afterwards.
 void Mesh::apply_rebindings(Items items) {
-  const Items edges = of_dimension(items, 1), faces = of_dimension(items, 2),
-              regions = of_dimension(items, 3);
+  const auto [edges, faces, regions] = ByDimension(items);
   const bool bare = regions_are_bare();
   std::vector<Held> held_faces, held_regions = hold_all(*this, bare ? Items() : regions);
   if (!stored(2, 0)) held_faces = hold_all(*this, faces);

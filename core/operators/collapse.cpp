@@ -21,10 +21,10 @@ Verdict Collapser::judge_topology(const Mesh& mesh, EntityRef edge, const EdgeEn
   return link_.judge(mesh, edge, ends, stars, marks_);
 }
 
-Verdict Collapser::judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
-                                const CollapseRules& rules, CollapsePlan& plan) {
-  const auto ends = mesh.edge_vertices(edge);
-  const ModelRef model = mesh.classification(edge);
+Verdict Collapser::judge_either(const Mesh& mesh, const EdgeEnds& ends, ModelRef model,
+                                std::array<bool, 2> may_go, const CollapseRules& rules,
+                                CollapsePlan& plan) {
+  const EntityRef edge = plan.edge.valid() ? EntityRef(plan.edge) : EntityRef(ends[1]);
   Verdict furthest = judge_classes(mesh, ends, model, may_go);
   if (!may_go[0] && !may_go[1]) return furthest;
   for (const Vertex v : ends)
@@ -76,7 +76,15 @@ Verdict Collapser::judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go
                          const CollapseRules& rules, CollapsePlan& plan) {
   plan.edge = edge;
   plan.revision = mesh.revision();
-  return plan.verdict = judge_either(mesh, edge, may_go, rules, plan);
+  return plan.verdict = judge_either(mesh, mesh.edge_vertices(edge), mesh.classification(edge),
+                                     may_go, rules, plan);
+}
+
+Verdict Collapser::judge(const Mesh& mesh, const EdgeEnds& ends, std::array<bool, 2> may_go,
+                         const CollapseRules& rules, CollapsePlan& plan) {
+  plan.edge = {};
+  plan.revision = mesh.revision();
+  return plan.verdict = judge_either(mesh, ends, class_between(mesh, ends), may_go, rules, plan);
 }
 
 Verdict Collapser::judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,

@@ -56,6 +56,10 @@ class Collapser {
   /// Topology also where an end is crowded. The plan receives the verdict too.
   Verdict judge(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go, const CollapseRules& rules,
                 CollapsePlan& plan);
+  /// The same for an edge that is known by its ends, which faces join: of the edges of the mesh
+  /// those on model edges may be the only entities.
+  Verdict judge(const Mesh& mesh, const EdgeEnds& ends, std::array<bool, 2> may_go,
+                const CollapseRules& rules, CollapsePlan& plan);
   /// What collapsing `edge` would do by deleting its end `deleted`: the checks and the cost of the
   /// function above.
   Verdict judge(const Mesh& mesh, Edge edge, Vertex deleted, const CollapseRules& rules,
@@ -80,8 +84,9 @@ class Collapser {
   void apply(Mesh& mesh, Edge edge, Vertex deleted);
 
  private:
-  [[nodiscard]] Verdict judge_either(const Mesh& mesh, Edge edge, std::array<bool, 2> may_go,
-                                     const CollapseRules& rules, CollapsePlan& plan);
+  [[nodiscard]] Verdict judge_either(const Mesh& mesh, const EdgeEnds& ends, ModelRef model,
+                                     std::array<bool, 2> may_go, const CollapseRules& rules,
+                                     CollapsePlan& plan);
   [[nodiscard]] Verdict judge_topology(const Mesh& mesh, EntityRef edge, const EdgeEnds& ends,
                                        ModelRef model, const StarPair& stars);
   [[nodiscard]] Verdict judge_contraction(const Mesh& mesh, const Contraction& contraction,

@@ -24,16 +24,23 @@ glm::dvec3 original_normal(const EndMove& move, const StarFace& f, const Collaps
                     normals[f.previous]);
 }
 
+// Whether a face neither gets flat nor turns too far, unless it was flat before.
+inline Verdict judge_turn(const TurnLimit& limit, const StarFace& f, const glm::dvec3& from,
+                          const glm::dvec3& to, const glm::dvec3& p, const glm::dvec3& q) {
+  const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
+  if (limit.allows(before, after) & has_area(to, p, q, after)) return {};
+  if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
+  if (is_flat(from, p, q, before)) return {};
+  return {Reason::Angle, f.face, cosine_between(before, after)};
+}
+
 Verdict judge_face(const Mesh& mesh, const Star& star, const StarFace& f, const EndMove& move,
                    const CollapseRules& rules) {
   const glm::dvec3 from = mesh.position(move.vertex), to = move.to;
   const glm::dvec3 p = mesh.position(f.next), q = mesh.position(f.previous);
-  const glm::dvec3 before = area_normal(from, p, q), after = area_normal(to, p, q);
-  if (is_flat(to, p, q, after)) return {Reason::Flat, f.face};
-  if (!rules.max_turn.allows(before, after) && !is_flat(from, p, q, before))
-    return {Reason::Angle, f.face, cosine_between(before, after)};
+  if (const Verdict v = judge_turn(rules.max_turn, f, from, to, p, q); !v.accepted()) return v;
   if (rules.original_normals) {
-    const glm::dvec3 original = original_normal(move, f, rules);
+    const glm::dvec3 original = original_normal(move, f, rules), after = area_normal(to, p, q);
     if (original != glm::dvec3(0.0) && !rules.max_away.allows(original, after))
       return {Reason::Angle, f.face, cosine_between(original, after)};
   }
@@ -42,6 +49,18 @@ Verdict judge_face(const Mesh& mesh, const Star& star, const StarFace& f, const 
   if (!rules.least_angle.allows(cosine, [&] { return smallest_angle_cosine(from, p, q); }) ||
       !rules.least_around.allows(cosine, [&] { return smallest_angle_around(mesh, star, from); }))
     return {Reason::Shape, f.face, cosine};
+  return {};
+}
+
+// Where nothing but turning is limited.
+Verdict judge_turns(const Mesh& mesh, const Star& star, const EndMove& move,
+                    const TurnLimit& limit) {
+  const glm::dvec3 from = mesh.position(move.vertex), to = move.to;
+  for (const StarFace& f : star) {
+    if (f.uses(move.other)) continue;
+    const glm::dvec3 &p = mesh.position(f.next), &q = mesh.position(f.previous);
+    if (const Verdict v = judge_turn(limit, f, from, to, p, q); !v.accepted()) return v;
+  }
   return {};
 }
 
@@ -92,6 +111,8 @@ Verdict judge_in_pairs(const Mesh& mesh, const Star& star, const EndMove& move,
 Verdict judge_faces(const Mesh& mesh, const Star& star, const EndMove& move,
                     const CollapseRules& rules) {
   if (rules.original_normals) return judge_in_pairs(mesh, star, move, rules);
+  if (!rules.least_angle.binds() && !rules.least_around.binds())
+    return judge_turns(mesh, star, move, rules.max_turn);
   for (const StarFace& f : star) {
     if (f.uses(move.other)) continue;
     if (const Verdict v = judge_face(mesh, star, f, move, rules); !v.accepted()) return v;

@@ -22,6 +22,27 @@ void fetch_rows(const Mesh& mesh, const std::vector<Vertex>& apexes) {
   for (const Vertex apex : apexes) __builtin_prefetch(mesh.row<2>(apex).indices().data());
 }
 
+// Where two faces meet at the edge, as nearly everywhere: whether the ends have no neighbours in
+// common but these apexes, each has a further face around the first end, and no face there joins
+// them. Then nothing speaks against a collapse. Without branches: which faces have one of them
+// cannot be foretold.
+bool is_plain(const Star& star, Vertex other_end, const std::vector<Vertex>& apexes,
+              const VertexMarks& marks) {
+  const Vertex a = apexes[0], b = apexes[1];
+  bool at_a = false, at_b = false, others = false;
+  for (const StarFace& f : star) {
+    const bool stays = !f.uses(other_end);
+    const bool next = stays & marks.has(f.next), previous = stays & marks.has(f.previous);
+    const bool next_a = f.next == a, next_b = f.next == b;
+    const bool previous_a = f.previous == a, previous_b = f.previous == b;
+    at_a |= (next & next_a) | (previous & previous_a);
+    at_b |= (next & next_b) | (previous & previous_b);
+    others |=
+        (next & previous) | (next & !(next_a | next_b)) | (previous & !(previous_a | previous_b));
+  }
+  return at_a & at_b & !others;
+}
+
 }  // namespace
 
 // The third vertices of the faces at the edge. False where two of them are one: those faces enclose
@@ -105,6 +126,7 @@ Verdict LinkCondition::judge(const Mesh& mesh, EntityRef edge, const EdgeEnds& e
   if (!gather_apexes(stars[0], ends[1])) return {Reason::Topology, edge};
   fetch_rows(mesh, apexes_);
   if (!keeps_fans(ends, stars)) return {Reason::Topology, edge};
+  if (apexes_.size() == 2 && is_plain(stars[0], ends[1], apexes_, marks)) return {};
   std::uint64_t has_further_face = 0;
   for (const StarFace& f : stars[0]) {
     const bool next = marks.has(f.next), previous = marks.has(f.previous);

@@ -7,26 +7,25 @@ namespace aomd {
 namespace {
 
 // Average of the neighbours; on a model edge, of those along it. False where there is nothing to
-// average.
-bool find_target(const Mesh& mesh, Vertex v, glm::dvec3& target) {
-  const ModelRef model = mesh.classification(v);
+// average. `far` gives the i-th neighbour; `along` tells whether the edge to it lies on what the
+// vertex lies on.
+template <typename Far, typename Along>
+bool find_target(const Mesh& mesh, Vertex v, std::size_t neighbours, Far&& far, Along&& along,
+                 glm::dvec3& target) {
+  const bool on_curve = mesh.classification(v).dimension() == 1;
   glm::dvec3 sum(0.0);
   int count = 0;
-  for (const Edge e : mesh.row<1>(v)) {
-    if (model.dimension() == 1 && mesh.classification(e) != model) continue;
-    sum += mesh.position(mesh.other_end(e, v));
+  for (std::size_t i = 0; i < neighbours; ++i) {
+    if (on_curve && !along(i)) continue;
+    sum += mesh.position(far(i));
     ++count;
   }
-  if (count == 0 || (model.dimension() == 1 && count != 2)) return false;
+  if (count == 0 || (on_curve && count != 2)) return false;
   target = sum / double(count);
   return true;
 }
 
-}  // namespace
-
-Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::dvec3& target) {
-  if (mesh.classification(v).dimension() == 0 || !find_target(mesh, v, target))
-    return {Reason::Classification, v};
+Verdict judge_move(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::dvec3& target) {
   if (const ModelRef on = mesh.classification(v); rules.model && on.valid())
     target = rules.model->snap(on, target);
   const glm::dvec3 from = mesh.position(v);
@@ -46,6 +45,32 @@ Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::
       return {Reason::Shape, f, cosine};
   }
   return {};
+}
+
+}  // namespace
+
+Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules, glm::dvec3& target) {
+  const ModelRef on = mesh.classification(v);
+  const Row<1> edges = mesh.row<1>(v);
+  const auto far = [&](std::size_t i) { return mesh.other_end(edges[i], v); };
+  const auto along = [&](std::size_t i) { return mesh.classification(edges[i]) == on; };
+  if (on.dimension() == 0 || !find_target(mesh, v, edges.size(), far, along, target))
+    return {Reason::Classification, v};
+  return judge_move(mesh, v, rules, target);
+}
+
+Verdict judge_smooth(const Mesh& mesh, Vertex v, std::span<const Vertex> neighbours,
+                     const SmoothRules& rules, glm::dvec3& target) {
+  const ModelRef on = mesh.classification(v);
+  const auto far = [&](std::size_t i) { return neighbours[i]; };
+  const auto along = [&](std::size_t i) {
+    if (!may_end_model_edge(mesh, neighbours[i])) return false;
+    const Edge e = mesh.find_edge(v, neighbours[i]);
+    return e.valid() && mesh.classification(e) == on;
+  };
+  if (on.dimension() == 0 || !find_target(mesh, v, neighbours.size(), far, along, target))
+    return {Reason::Classification, v};
+  return judge_move(mesh, v, rules, target);
 }
 
 void apply_smooth(Mesh& mesh, Vertex v, const glm::dvec3& target) {

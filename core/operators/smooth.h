@@ -1,6 +1,8 @@
 #pragma once
 // Vertex smoothing (paper, section 3; there V_smooth_).
 
+#include <span>
+
 #include "core/mesh/geometry.h"
 #include "core/mesh/mesh.h"
 #include "core/model/model.h"
@@ -29,6 +31,11 @@ struct SmoothRules {
 /// and one closest point.
 [[nodiscard]] Verdict judge_smooth(const Mesh& mesh, Vertex v, const SmoothRules& rules,
                                    glm::dvec3& target);
+
+/// The same where the vertices at the other ends of the edges are known: they are averaged in this
+/// order. T(0,2) and T(2,0) must be stored; edges need not be entities (see for_edges_at).
+[[nodiscard]] Verdict judge_smooth(const Mesh& mesh, Vertex v, std::span<const Vertex> neighbours,
+                                   const SmoothRules& rules, glm::dvec3& target);
 
 /// Moves the vertex. One journal step.
 void apply_smooth(Mesh& mesh, Vertex v, const glm::dvec3& target);

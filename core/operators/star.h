@@ -25,12 +25,14 @@ using Star = std::vector<StarFace>;
 
 /// Fills `star` with these faces around `v`. T(2,0) must be stored, all faces be triangles.
 inline void gather(const Mesh& mesh, Vertex v, const Row<2>& faces, Star& star) {
-  constexpr std::array<std::uint8_t, 5> turn{0, 1, 2, 0, 1};
+  static constexpr std::array<std::uint8_t, 3> next{1, 2, 0}, previous{2, 0, 1};
+  const DownRows& corners = mesh.representation().down(2, 0);
   star.resize(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const auto t = mesh.triangle(faces[i]);
-    const std::uint32_t slot = std::uint32_t{t[1] == v} + 2 * std::uint32_t{t[2] == v};
-    star[i] = {faces[i], slot, t[turn[slot + 1]], t[turn[slot + 2]]};
+  StarFace* to = star.data();
+  for (const Face f : faces) {
+    const std::uint32_t* const t = corners.row(f.index);
+    const std::uint32_t slot = std::uint32_t{t[1] == v.index} + 2 * std::uint32_t{t[2] == v.index};
+    *to++ = {f, slot, Vertex(t[next[slot]]), Vertex(t[previous[slot]])};
   }
 }
 
@@ -126,6 +128,20 @@ void for_neighbours(const Star& star, Visit&& visit) {
   if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
   for (const StarFace& f : around_a)
     if (f.uses(b)) return mesh.classification(f.face);
+  return {};
+}
+
+/// The same where the faces around neither end are gathered yet.
+[[nodiscard]] inline ModelRef class_between(const Mesh& mesh, const std::array<Vertex, 2>& ends) {
+  for (const Vertex v : ends)
+    if (!may_end_model_edge(mesh, v)) return mesh.classification(v);
+  const auto& [a, b] = ends;
+  if (const Edge e = mesh.find_edge(a, b); e.valid()) return mesh.classification(e);
+  for (const Face f : fewer_faces(mesh, a, b)) {
+    const auto t = mesh.triangle(f);
+    const auto has = [&t](Vertex v) { return t[0] == v || t[1] == v || t[2] == v; };
+    if (has(a) && has(b)) return mesh.classification(f);
+  }
   return {};
 }
 

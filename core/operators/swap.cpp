@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/lanes.h"
 #include "core/mesh/journal_scope.h"
 #include "core/mesh/shared_edits.h"
 #include "core/operators/star.h"
@@ -37,11 +38,19 @@ std::array<Rebinding, 2> face_rebindings(const Mesh& mesh, const EdgePair& pair)
            {pair.g, slot_of(mesh.triangle(pair.g), pair.b), pair.b, pair.c}}};
 }
 
+bool on_model_edge(const Mesh& mesh, Vertex a, Vertex b) {
+  if (!may_end_model_edge(mesh, a) || !may_end_model_edge(mesh, b)) return false;
+  return aomd::on_model_edge(mesh, mesh.find_edge(a, b));
+}
+
+double largest(const DoubleLanes& lanes) { return std::max(lanes[0], lanes[1]); }
+
 Verdict judge_shape(const Mesh& mesh, const EdgePair& e, const TurnLimit& limit) {
   const glm::dvec3 a = mesh.position(e.a), b = mesh.position(e.b), c = mesh.position(e.c),
                    d = mesh.position(e.d);
-  const double before = std::max(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
-  const double after = std::max(smallest_angle_cosine(d, b, c), smallest_angle_cosine(c, a, d));
+  const TwoPoints ba = two_points(b, a), cd = two_points(c, d), dc = two_points(d, c);
+  const double before = largest(smallest_angle_cosine(two_points(a, b), ba, cd));
+  const double after = largest(smallest_angle_cosine(dc, ba, cd));
   if (after > before - smallest_gain) return {Reason::Quality, e.f, after};
   const glm::dvec3 old_f = area_normal(a, b, c), old_g = area_normal(b, a, d);
   const glm::dvec3 new_f = area_normal(d, b, c), new_g = area_normal(c, a, d);
@@ -93,6 +102,17 @@ Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn, EdgeP
   if (crowded(mesh, pair.c) && crowded(mesh, pair.d)) return {Reason::Topology, pair.c};
   if (const Edge other = mesh.find_edge(pair.c, pair.d); other.valid())
     return {Reason::Topology, other};
+  return {};
+}
+
+Verdict judge_swap(const Mesh& mesh, Vertex a, Vertex b, const TurnLimit& max_turn,
+                   EdgePair& pair) {
+  const Verdict found = find_pair(mesh, a, b, pair);
+  if (found.reason == Reason::Topology && on_model_edge(mesh, a, b))
+    return {Reason::Classification, a};
+  if (!found.accepted()) return found;
+  if (const Verdict v = judge_shape(mesh, pair, max_turn); !v.accepted()) return v;
+  if (joined(mesh, pair.c, pair.d)) return {Reason::Topology, pair.c};
   return {};
 }
 

@@ -46,6 +46,11 @@ struct EdgePair {
 [[nodiscard]] Verdict judge_swap(const Mesh& mesh, Edge edge, const TurnLimit& max_turn,
                                  EdgePair& pair);
 
+/// The same for an edge that is known by its ends. T(0,2) and T(2,0) must be stored; edges need not
+/// be entities (see for_edges_at).
+[[nodiscard]] Verdict judge_swap(const Mesh& mesh, Vertex a, Vertex b, const TurnLimit& max_turn,
+                                 EdgePair& pair);
+
 /// Swaps: both faces keep their ids, and so does the edge where it is an entity. One journal step.
 void apply_swap(Mesh& mesh, Edge edge, const EdgePair& pair);
 void apply_swap(Mesh& mesh, const EdgePair& pair);

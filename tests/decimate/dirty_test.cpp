@@ -150,7 +150,7 @@ TEST(DirtyTest, NoOperationBreaksWhatIsDrawnAtRandom) {
     const DecimationOptions options = random_options(random);
     Mesh mesh(data);
     classify(mesh, random_rules(random));
-    if (options.strategy == Strategy::Quality && random() % 2) mesh.keep_model_edges_only();
+    if (!options.exchange && random() % 2) keep_edges_for_quality(mesh);
     SCOPED_TRACE(seed);
     ASSERT_NO_FATAL_FAILURE(run(mesh, options, operations));
   }

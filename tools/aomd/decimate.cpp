@@ -240,16 +240,25 @@ class Run {
     lap("repair");
   }
 
+  /// Whether nothing asks for edges as entities, but for those on model edges. The paper's strategy
+  /// records its steps by them, goes over listed ones first, and means come of them in their order.
+  [[nodiscard]] bool knows_edges_by_ends() const {
+    if (!options_.paper()) return true;
+    const bool named = !options_.journal.empty() || steps_.exchange || options_.spacing_source();
+    return !volume() && !named && given().edges.shapes.empty();
+  }
+
   void classify_mesh() {
     progress_.show("classifying");
     const bool looks_at_all = model_ || options_.snaps();  // at edges, and faces of a volume
-    how_.complete = looks_at_all || options_.paper();
+    const bool by_ends = !looks_at_all && knows_edges_by_ends();
+    how_.complete = !by_ends;
     if (!volume() && options_.seams == "keep") how_.seams = fields::seams_of(given());
     if (volume()) balls_ = mesh_.request_listed(0, 3, "the command");
     classify_by_angle();
     if (!looks_at_all) {
       if (volume()) mesh_.keep_model_faces_only();
-      if (!options_.paper()) keep_edges_for_quality(mesh_);
+      if (by_ends) keep_edges_for_quality(mesh_);
     }
     if (!options_.journal.empty()) {
       record_.classify = how_;

@@ -9,17 +9,18 @@
 namespace aomd {
 
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options, int dimension)
-    : Loop(mesh, options),
-      dimension_(dimension),
-      changed_(mesh.capacity(0), 1),
-      judged_(mesh.capacity(1), 0),
-      refusal_(mesh.capacity(1), Reason::None) {}
+    : Loop(mesh, options), dimension_(dimension) {}
 
 void PaperLoop::start() {
   set_rules();
   reach_ = first_reach();
-  average_length_ = evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
+  average_length_ = average_lengths();
+  forget();
   begin_sweep();
+}
+
+Column<Vertex, double> PaperLoop::average_lengths() const {
+  return evaluate_spacing(mesh_, {SpacingByFactor{1}, {}});
 }
 
 // Towards a target twice the factor that would lead there if the angle refused nothing: started
@@ -47,8 +48,8 @@ void PaperLoop::restart(const DecimationOptions& options) {
 }
 
 void PaperLoop::forget() {
-  judged_.assign(mesh_.capacity(1), 0);
-  refusal_.assign(mesh_.capacity(1), Reason::None);
+  judged_.assign(edges().capacity(), 0);
+  refusal_.assign(edges().capacity(), Reason::None);
   changed_.assign(mesh_.capacity(0), ++now_);
 }
 
@@ -60,12 +61,12 @@ void PaperLoop::begin_sweep() {
 
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 Verdict PaperLoop::judge(Vertex a, Vertex b) {
-  Vertex deleted;
-  return judge(mesh_.find_edge(a, b), deleted);
+  Plan plan;
+  return judge(between(a, b), {true, true}, plan);
 }
 
 Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
-  const auto ends = mesh_.edge_vertices(edge);
+  const EdgeEnds ends = this->ends(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
   if (!may_go[0] && !may_go[1]) return {Reason::Spacing, edge, length};
@@ -77,13 +78,18 @@ Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
 
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
   Plan plan;
-  const Verdict verdict = judge(edge, {true, true}, plan);
+  const Verdict verdict = judge(edge_of(edge), {true, true}, plan);
   deleted = plan.collapse.contraction.deleted;
   return verdict;
 }
 
+Reason PaperLoop::last_refusal(Edge e) const {
+  const Edge edge = edge_of(e);
+  return edge.index < refusal_.size() ? refusal_[edge] : Reason::None;
+}
+
 bool PaperLoop::unchanged_since(Edge e) const {
-  const auto [a, b] = mesh_.edge_vertices(e);
+  const auto [a, b] = ends(e);
   return std::max(changed_[a], changed_[b]) <= judged_[e];
 }
 
@@ -99,21 +105,22 @@ bool PaperLoop::try_collapse(Edge edge) {
     ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
     return false;
   }
-  collapse();
+  const EntityRef known_by = collapse(edge);
   ++now_;
-  made(StepKind::Collapse, edge, plan_.change);
+  made(StepKind::Collapse, known_by, plan_.change);
   return true;
 }
 
-std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
-  const auto ends = mesh_.edge_vertices(edge);
+std::vector<CollapseOutlook> PaperLoop::outlook(Edge entity) {
+  const Edge edge = edge_of(entity);
+  const EdgeEnds ends = this->ends(edge);
   std::vector<CollapseOutlook> outlooks(2);
   Plan plan;
   for (std::size_t i = 0; i < 2; ++i) {
     CollapseOutlook& o = outlooks[i];
     o.contraction = {ends[i], ends[1 - i], mesh_.position(ends[1 - i])};
     o.verdict = judge(edge, {i == 0, i == 1}, plan);
-    o.limits = limits(mesh_.classification(edge));
+    o.limits = limits(mesh_.classification(entity));
     o.length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
     o.longest = 0.5 * spacing(ends[i]);
   }
@@ -122,11 +129,12 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge edge) {
 
 // Edges that a swap among tetrahedra has made were not judged yet.
 bool PaperLoop::try_swap(Edge edge) {
-  if (!swap(edge)) return false;
+  const EntityRef known_by = swap(edge);
+  if (!known_by.valid()) return false;
   ++now_;
-  judged_.resize(mesh_.capacity(1), 0);
-  refusal_.resize(mesh_.capacity(1), Reason::None);
-  made(StepKind::Swap, edge, plan_.change);
+  judged_.resize(edges().capacity(), 0);
+  refusal_.resize(edges().capacity(), Reason::None);
+  made(StepKind::Swap, known_by, plan_.change);
   return true;
 }
 
@@ -138,7 +146,7 @@ bool PaperLoop::try_smooth(Vertex v) {
 }
 
 std::uint32_t PaperLoop::end_of_phase() const {
-  return mesh_.capacity(phase_ == Phase::Smooth ? 0 : 1);
+  return (phase_ == Phase::Smooth ? mesh_.ids(0) : edges()).capacity();
 }
 
 bool PaperLoop::at_target() const {
@@ -151,7 +159,7 @@ bool PaperLoop::advance() {
     next_phase();
     return false;
   }
-  const std::uint32_t id = mesh_.ids(phase_ == Phase::Smooth ? 0 : 1).next_alive(cursor_);
+  const std::uint32_t id = (phase_ == Phase::Smooth ? mesh_.ids(0) : edges()).next_alive(cursor_);
   cursor_ = id + 1;
   if (id >= end_of_phase()) return false;
   if (phase_ == Phase::Collapse) return try_collapse(Edge(id));
@@ -196,9 +204,9 @@ bool PaperLoop::grow() {
 // could: between vertices without a length around them at the start, or of infinite length.
 double PaperLoop::needed_reach() const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Edge e : mesh_.edges()) {
+  for (const Edge e : EntityRange<1>(edges())) {
     if (refusal_[e] != Reason::Spacing) continue;
-    const auto [a, b] = mesh_.edge_vertices(e);
+    const auto [a, b] = ends(e);
     const double length = glm::length(mesh_.position(a) - mesh_.position(b));
     const double needed = 2 * length * reach_ / std::max(spacing(a), spacing(b));
     if (needed < least) least = needed;
@@ -208,7 +216,7 @@ double PaperLoop::needed_reach() const {
 
 std::uint32_t PaperLoop::swap_pass() {
   std::uint32_t made = 0;
-  for (const Edge e : mesh_.edges()) made += try_swap(e);
+  for (const Edge e : EntityRange<1>(edges())) made += try_swap(e);
   return made;
 }
 

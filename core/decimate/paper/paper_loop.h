@@ -20,9 +20,7 @@ class PaperLoop : public Loop {
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
   [[nodiscard]] Verdict judge(Vertex a, Vertex b) override;
   [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
-  [[nodiscard]] Reason last_refusal(Edge e) const override {
-    return e.index < refusal_.size() ? refusal_[e] : Reason::None;
-  }
+  [[nodiscard]] Reason last_refusal(Edge e) const override;
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
 
@@ -35,16 +33,25 @@ class PaperLoop : public Loop {
   /// Something around a vertex is about to have changed.
   void touch(Vertex v) { changed_[v] = now_ + 1; }
 
+  // The edges that are gone over: entities, unless a derived class numbers them itself
+  [[nodiscard]] virtual const IdPool& edges() const { return mesh_.ids(1); }
+  [[nodiscard]] virtual EdgeEnds ends(Edge edge) const { return mesh_.edge_vertices(edge); }
+  [[nodiscard]] virtual Edge between(Vertex a, Vertex b) const { return mesh_.find_edge(a, b); }
+  /// The one that is this entity, which is what those who look from outside name.
+  [[nodiscard]] virtual Edge edge_of(Edge entity) const { return entity; }
+  /// The mean length of the edges at each vertex.
+  [[nodiscard]] virtual Column<Vertex, double> average_lengths() const;
+
   // What an operation is, by derived class
   virtual void set_rules() = 0;
   [[nodiscard]] virtual Limits limits(ModelRef edge) const = 0;
   /// Where length allows it: the operator's and the guards' say on deleting one of these ends.
   [[nodiscard]] virtual Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go,
                                                Plan& plan) = 0;
-  /// Makes what plan_ holds and touches what is around it.
-  virtual void collapse() = 0;
-  /// The same for a swap and for smoothing; false where it was refused.
-  virtual bool swap(Edge edge) = 0;
+  /// Makes what plan_ holds and touches what is around it. Returns what Operation::entity says.
+  virtual EntityRef collapse(Edge edge) = 0;
+  /// The same for a swap; invalid where it was refused. For smoothing, whether it was made.
+  virtual EntityRef swap(Edge edge) = 0;
   virtual bool smooth(Vertex v) = 0;
 
  private:

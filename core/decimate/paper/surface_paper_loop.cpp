@@ -24,7 +24,10 @@ bool has_wires(Mesh& mesh) {
 
 SurfacePaperLoop::SurfacePaperLoop(Mesh& mesh, const DecimationOptions& options)
     : PaperLoop(mesh, options, 2), collapser_(mesh), curves_(mesh, most_points) {
-  if (options_.exchange) wires_ = has_wires(mesh_);
+  if (options_.exchange)
+    wires_ = has_wires(mesh_);
+  else if (!mesh_.complete(1))
+    edges_.emplace(mesh_);
   start();
 }
 
@@ -33,8 +36,29 @@ SurfacePaperLoop::~SurfacePaperLoop() {
   if (built_hash_) mesh_.drop_hash(1);
 }
 
+const IdPool& SurfacePaperLoop::edges() const { return edges_ ? edges_->ids() : mesh_.ids(1); }
+
+EdgeEnds SurfacePaperLoop::ends(Edge edge) const {
+  return edges_ ? edges_->ends(edge) : mesh_.edge_vertices(edge);
+}
+
+Edge SurfacePaperLoop::between(Vertex a, Vertex b) const {
+  return edges_ ? edges_->find(mesh_, a, b) : mesh_.find_edge(a, b);
+}
+
+Edge SurfacePaperLoop::edge_of(Edge entity) const {
+  if (!edges_) return entity;
+  const auto [a, b] = mesh_.edge_vertices(entity);
+  return edges_->find(mesh_, a, b);
+}
+
+Column<Vertex, double> SurfacePaperLoop::average_lengths() const {
+  return edges_ ? edges_->average_lengths(mesh_) : PaperLoop::average_lengths();
+}
+
 void SurfacePaperLoop::restart(const DecimationOptions& options) {
   curves_.locate_anywhere(mesh_);
+  if (edges_) edges_.emplace(mesh_);
   PaperLoop::restart(options);
 }
 
@@ -76,12 +100,16 @@ Limits SurfacePaperLoop::limits(ModelRef edge) const {
 Verdict SurfacePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
   hold(true);
   CollapsePlan& collapse = plan.collapse;
-  Verdict verdict = collapser_.judge(mesh_, edge, may_go, rules_, collapse);
+  const auto judge = [&] {
+    return edges_ ? collapser_.judge(mesh_, edges_->ends(edge), may_go, rules_, collapse)
+                  : collapser_.judge(mesh_, edge, may_go, rules_, collapse);
+  };
+  Verdict verdict = judge();
   if (verdict.accepted()) verdict = judge_curve(collapse.contraction);
   if (!verdict.accepted() && collapse.verdict.accepted()) {  // the other end may be the better one
-    may_go[mesh_.edge_vertices(edge)[0] == collapse.contraction.deleted ? 0 : 1] = false;
+    may_go[ends(edge)[0] == collapse.contraction.deleted ? 0 : 1] = false;
     if (!may_go[0] && !may_go[1]) return verdict;
-    if (!collapser_.judge(mesh_, edge, may_go, rules_, collapse).accepted()) return verdict;
+    if (!judge().accepted()) return verdict;
     verdict = judge_curve(collapse.contraction);
   }
   if (!verdict.accepted()) return verdict;
@@ -106,15 +134,20 @@ bool SurfacePaperLoop::turns_too_far(const CurvePlace& place, const glm::dvec3& 
   return cosine < limit;
 }
 
-void SurfacePaperLoop::collapse() {
-  collapser_.apply(mesh_, plan_.collapse);
-  curves_.merged(mesh_, plan_.collapse.contraction.deleted, plan_.collapse.contraction.kept);
-  for (const StarFace& f : plan_.collapse.around_deleted()) touch(f.next), touch(f.previous);
+EntityRef SurfacePaperLoop::collapse(Edge edge) {
+  const CollapsePlan& plan = plan_.collapse;
+  if (edges_) edges_->collapse(mesh_, plan.contraction, plan.stars, rules_.topology);
+  collapser_.apply(mesh_, plan);
+  curves_.merged(mesh_, plan.contraction.deleted, plan.contraction.kept);
+  for (const StarFace& f : plan.around_deleted()) touch(f.next), touch(f.previous);
+  return edges_ ? EntityRef(plan.contraction.kept) : EntityRef(edge);
 }
 
 Verdict SurfacePaperLoop::judge_swapping(Edge edge, Plan& plan) {
   hold(false);
-  const Verdict verdict = judge_swap(mesh_, edge, rules_.max_turn, plan.pair);
+  const EdgeEnds ends = this->ends(edge);
+  const Verdict verdict = edges_ ? judge_swap(mesh_, ends[0], ends[1], rules_.max_turn, plan.pair)
+                                 : judge_swap(mesh_, edge, rules_.max_turn, plan.pair);
   if (verdict.accepted() && keeps_face_of(plan.pair)) return {Reason::Kept, plan.pair.a};
   return verdict.accepted() ? guards_.judge(mesh_, plan.change, plan.pair) : verdict;
 }
@@ -122,16 +155,21 @@ Verdict SurfacePaperLoop::judge_swapping(Edge edge, Plan& plan) {
 std::optional<SwapOutlook> SurfacePaperLoop::swap_outlook(Edge edge) {
   SwapOutlook o;
   Plan plan;
-  o.verdict = judge_swapping(edge, plan);
+  o.verdict = judge_swapping(edge_of(edge), plan);
   o.pair = plan.pair;
   o.limits = limits({});
   return o;
 }
 
+Verdict SurfacePaperLoop::judge_average(Vertex v, glm::dvec3& target) {
+  if (!edges_) return judge_smooth(mesh_, v, smooth_, target);
+  return judge_smooth(mesh_, v, edges_->neighbours(mesh_, v), smooth_, target);
+}
+
 Verdict SurfacePaperLoop::judge_smoothing(Vertex v, Plan& plan) {
   if (options_.kept(v)) return {Reason::Kept, v};
   hold(false);
-  const Verdict verdict = judge_smooth(mesh_, v, smooth_, plan.move.target);
+  const Verdict verdict = judge_average(v, plan.move.target);
   if (double cosine = 1; verdict.accepted() && curves_.inside(v) &&
                          rules_.topology == TopologyRule::Safe &&
                          turns_too_far(curves_.around(v), plan.move.target, cosine))
@@ -153,19 +191,23 @@ std::optional<MoveOutlook> SurfacePaperLoop::move_outlook(Vertex v) {
   return o;
 }
 
-bool SurfacePaperLoop::swap(Edge edge) {
-  if (!judge_swapping(edge, plan_).accepted()) return false;
+EntityRef SurfacePaperLoop::swap(Edge edge) {
+  if (!judge_swapping(edge, plan_).accepted()) return {};
   const EdgePair& pair = plan_.pair;
-  apply_swap(mesh_, edge, pair);
+  if (edges_) edges_->swap(mesh_, pair);
+  apply_swap(mesh_, edges_ ? Edge() : edge, pair);
   for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
-  return true;
+  return edges_ ? EntityRef(pair.f) : EntityRef(edge);
 }
 
 bool SurfacePaperLoop::smooth(Vertex v) {
   if (!judge_smoothing(v, plan_).accepted()) return false;
   apply_smooth(mesh_, v, plan_.move.target);
-  for (const Edge e : mesh_.row<1>(v))
-    for (const Vertex u : mesh_.edge_vertices(e)) touch(u);
+  touch(v);
+  if (edges_)
+    for (const Vertex u : edges_->neighbours(mesh_, v)) touch(u);
+  else
+    for (const Edge e : mesh_.row<1>(v)) touch(mesh_.other_end(e, v));
   return true;
 }
 

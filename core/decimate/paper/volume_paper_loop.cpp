@@ -44,9 +44,10 @@ Verdict VolumePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, P
                        collapse.around_kept());
 }
 
-void VolumePaperLoop::collapse() {
+EntityRef VolumePaperLoop::collapse(Edge edge) {
   collapser_.apply(mesh_, plan_.collapse);
   for_corners(plan_.collapse.balls[0], [&](Vertex v) { touch(v); });
+  return edge;
 }
 
 Verdict VolumePaperLoop::judge_removing(Edge edge, Plan& plan) {
@@ -61,15 +62,15 @@ Verdict VolumePaperLoop::judge_removing(Edge edge, Plan& plan) {
   return guards_.judge(mesh_, plan.change, plan.pair);
 }
 
-bool VolumePaperLoop::swap(Edge edge) {
-  if (!judge_removing(edge, plan_).accepted()) return false;
+EntityRef VolumePaperLoop::swap(Edge edge) {
+  if (!judge_removing(edge, plan_).accepted()) return {};
   aomd::apply(mesh_, plan_.removal);
   const EdgeRing& ring = plan_.removal.ring;
   for (std::uint32_t s = 0; s < ring.side_count; ++s)
     for (std::uint32_t i = 0; i < ring.sides[s].count; ++i) touch(ring.sides[s].ring[i]);
   touch(ring.a);
   touch(ring.b);
-  return true;
+  return edge;
 }
 
 Verdict VolumePaperLoop::judge_moving(Vertex v, Plan& plan) {

@@ -23,8 +23,8 @@ class VolumePaperLoop final : public PaperLoop {
   [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) override;
   [[nodiscard]] Verdict judge_removing(Edge edge, Plan& plan);
   [[nodiscard]] Verdict judge_moving(Vertex v, Plan& plan);
-  void collapse() override;
-  bool swap(Edge edge) override;
+  EntityRef collapse(Edge edge) override;
+  EntityRef swap(Edge edge) override;
   bool smooth(Vertex v) override;
 
   VolumeRules rules_;

@@ -1,0 +1,164 @@
+#include "core/decimate/paper/surface_edges.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aomd {
+namespace {
+
+constexpr std::array<std::uint8_t, 3> next_side{1, 2, 0}, previous_side{2, 0, 1};
+
+std::size_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
+  return t[0] == v ? 0 : t[1] == v ? 1 : 2;
+}
+
+bool uses(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+}  // namespace
+
+// Each edge is met at its smaller vertex, where marks tell those that were met before.
+SurfaceEdges::SurfaceEdges(const Mesh& mesh)
+    : sides_(3 * std::size_t{mesh.capacity(2)}), marks_(mesh), edge_to_(mesh.capacity(0)) {
+  ends_.reserve(mesh.count(2) / 2 * std::size_t{3} + mesh.count(2) / 16);
+  for (const Vertex v : mesh.vertices()) {
+    marks_.clear(mesh);
+    for (const Face f : mesh.row<2>(v)) {
+      const auto t = mesh.triangle(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex from = t[k], to = t[next_side[k]];
+        if (std::min(from, to) != v) continue;
+        const Vertex far = std::max(from, to);
+        if (!marks_.has(far)) edge_to_[far] = add(from, to);
+        marks_.set(far);
+        sides(f)[k] = edge_to_[far];
+      }
+    }
+  }
+  ids_.create_many(static_cast<std::uint32_t>(ends_.size()));
+}
+
+std::uint32_t SurfaceEdges::add(Vertex from, Vertex to) {
+  ends_.push_back({from, to});
+  return static_cast<std::uint32_t>(ends_.size() - 1);
+}
+
+Edge SurfaceEdges::find(const Mesh& mesh, Vertex a, Vertex b) const {
+  for (const Face f : fewer_faces(mesh, a, b)) {
+    const auto t = mesh.triangle(f);
+    if (!uses(t, a) || !uses(t, b)) continue;
+    const std::size_t slot = slot_of(t, a);
+    const std::size_t k = t[next_side[slot]] == b ? slot : previous_side[slot];
+    return Edge(sides_[3 * std::size_t{f.index} + k]);
+  }
+  return {};
+}
+
+// Around most vertices each edge is the side before a face as well as the one after another.
+std::span<const Vertex> SurfaceEdges::neighbours(const Mesh& mesh, Vertex v) {
+  const Row<2> faces = mesh.row<2>(v);
+  std::vector<std::uint64_t>& edges = edges_around_;
+  edges.resize(2 * faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto t = mesh.triangle(faces[i]);
+    const std::uint32_t* const side = sides(faces[i]);
+    const std::size_t k = slot_of(t, v), before = previous_side[k];
+    edges[i] = std::uint64_t{side[k]} << 32 | t[next_side[k]].index;
+    edges[faces.size() + i] = std::uint64_t{side[before]} << 32 | t[before].index;
+  }
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(faces.size());
+  const auto end = std::remove_if(middle, edges.end(), [&](std::uint64_t edge) {
+    return std::find(edges.begin(), middle, edge) != middle;
+  });
+  std::sort(edges.begin(), end);
+  edges.erase(std::unique(edges.begin(), end), edges.end());
+  around_.clear();
+  for (const std::uint64_t edge : edges) around_.emplace_back(static_cast<std::uint32_t>(edge));
+  return around_;
+}
+
+Column<Vertex, double> SurfaceEdges::average_lengths(const Mesh& mesh) const {
+  Column<Vertex, double> average(mesh.capacity(0), 0.0);
+  Column<Vertex, std::uint32_t> count(mesh.capacity(0), 0);
+  for (const Edge e : EntityRange<1>(ids_)) {
+    const double length = glm::length(mesh.position(ends(e)[0]) - mesh.position(ends(e)[1]));
+    for (const Vertex v : ends(e)) average[v] += length, ++count[v];
+  }
+  for (const Vertex v : mesh.vertices())
+    if (count[v] > 0) average[v] /= count[v];
+  return average;
+}
+
+void SurfaceEdges::end(Edge e) {
+  if (ids_.alive(e.index)) ids_.destroy(e.index);
+}
+
+// Beside a face that goes, the edge from the deleted end falls together with that from the kept
+// one.
+void SurfaceEdges::merge_beside(const StarFace& gone, Vertex kept) {
+  const std::uint32_t* const side = sides(gone.face);
+  const bool ahead = gone.next == kept;
+  end(Edge(side[ahead ? gone.slot : previous_side[gone.slot]]));
+  add_merge(side[ahead ? previous_side[gone.slot] : gone.slot], side[next_side[gone.slot]]);
+}
+
+// Without the link condition the ends may have other neighbours in common.
+void SurfaceEdges::merge_others(const Contraction& c, const Mesh& mesh, const StarPair& stars) {
+  marks_.clear(mesh);
+  for (const StarFace& f : stars[1]) {
+    marks_.set(f.next);
+    marks_.set(f.previous);
+    edge_to_[f.next] = sides(f.face)[f.slot];
+    edge_to_[f.previous] = sides(f.face)[previous_side[f.slot]];
+  }
+  for (const StarFace& f : stars[0]) {
+    if (f.uses(c.kept)) continue;
+    if (marks_.has(f.next)) add_merge(sides(f.face)[f.slot], edge_to_[f.next]);
+    if (marks_.has(f.previous))
+      add_merge(sides(f.face)[previous_side[f.slot]], edge_to_[f.previous]);
+  }
+}
+
+void SurfaceEdges::add_merge(std::uint32_t gone, std::uint32_t stays) {
+  end(Edge(gone));
+  merges_.push_back({gone, stays});
+}
+
+void SurfaceEdges::stretch(std::uint32_t& side, const Contraction& c) {
+  for (const Merge& merge : merges_)
+    if (side == merge.gone) {
+      side = merge.stays;
+      return;
+    }
+  for (Vertex& v : ends_[side])
+    if (v == c.deleted) v = c.kept;
+}
+
+void SurfaceEdges::collapse(const Mesh& mesh, const Contraction& c, const StarPair& stars,
+                            TopologyRule topology) {
+  merges_.clear();
+  for (const StarFace& f : stars[0])
+    if (f.uses(c.kept)) merge_beside(f, c.kept);
+  if (topology != TopologyRule::Safe) merge_others(c, mesh, stars);
+  for (const StarFace& f : stars[0]) {
+    if (f.uses(c.kept)) continue;
+    stretch(sides(f.face)[f.slot], c);
+    stretch(sides(f.face)[previous_side[f.slot]], c);
+  }
+  for (const StarFace& f : stars[0])  // the last face of an edge may go, but not with Safe
+    if (topology != TopologyRule::Safe && f.uses(c.kept) &&
+        leaves_bare_edge({c.deleted, c.kept}, stars, f.third(c.kept)))
+      end(Edge(sides(f.face)[next_side[f.slot]]));
+}
+
+void SurfaceEdges::swap(const Mesh& mesh, const EdgePair& pair) {
+  const std::size_t a = slot_of(mesh.triangle(pair.f), pair.a),
+                    b = slot_of(mesh.triangle(pair.g), pair.b);
+  std::uint32_t *f = sides(pair.f), *g = sides(pair.g);
+  const std::uint32_t diagonal = f[a];
+  f[a] = std::exchange(g[previous_side[b]], diagonal);
+  g[b] = std::exchange(f[previous_side[a]], diagonal);
+  EdgeEnds& ends = ends_[diagonal];
+  ends = ends[0] == pair.a ? EdgeEnds{pair.c, pair.d} : EdgeEnds{pair.d, pair.c};
+}
+
+}  // namespace aomd
