@@ -3,19 +3,20 @@ in vec3 eye_normal;
 in vec3 face_color;
 noperspective in vec3 corner_weight;
 flat in uint face_flags;
+#ifdef PICTURES
 in vec2 picture_place;
-
-uniform int picture;  // greater than 0: the one that is bound lies on all faces; 0: none does; -1: there are none
+uniform int picture;  // greater than 0: the one that is bound lies on all faces; 0: none does
 uniform sampler2D picture_colors;
+#else
+in float open;
+#endif
+
 uniform int light;
 uniform vec4 edge_color;
 uniform float edge_width;
-uniform int wires;  // the edges alone
 uniform float pixel_scale;
 uniform vec4 back_color;
 uniform vec4 highlight_color;
-uniform int show_edge_codes;
-uniform vec3 code_colors[16];
 
 out vec4 color;
 
@@ -59,26 +60,38 @@ float edge_cover() {
   return fade * clamp(0.5 * edge_width * pixel_scale + 0.5 - nearest, 0.0, 1.0);
 }
 
+#ifdef CODES
+uniform vec3 code_colors[16];
+
 // The colour of the side that is nearest: each has a third of the face, so that an edge's two faces form a diamond.
 vec3 code_color() {
   vec3 w = corner_weight;
   uint side = w.z <= w.x && w.z <= w.y ? 0u : w.x <= w.y ? 1u : 2u;
   return code_colors[(face_flags >> (8u + 4u * side)) & 15u];
 }
+#endif
 
+#ifdef WIRES
 void main() {
-  if (wires != 0) {
-    float cover = edge_color.a * edge_cover();
-    if (cover <= 0.0) discard;
-    color = vec4(edge_color.rgb, cover);
-    return;
-  }
+  float cover = edge_color.a * edge_cover();
+  if (cover <= 0.0) discard;
+  color = vec4(edge_color.rgb, cover);
+}
+#else
+void main() {
   vec3 n = normalize(eye_normal);
-  vec3 base = show_edge_codes != 0 ? code_color() : face_color * strength;
+#ifdef CODES
+  vec3 base = code_color();
+#else
+  vec3 base = face_color * strength;
+#endif
+#ifdef PICTURES
+  const float open = 1.0;
   if (picture > 0) {
     vec4 shown = texture(picture_colors, picture_place);
     base *= mix(vec3(1.0), shown.rgb, shown.a);
   }
+#endif
   if ((face_flags & 16u) != 0u) {
     if (n.z < 0.0) n = -n;
   } else if (!gl_FrontFacing) {
@@ -89,6 +102,7 @@ void main() {
   }
   if ((face_flags & 8u) != 0u) base = mix(base, highlight_color.rgb, highlight_color.a);
   // Squares and roots stand in for the sRGB curve.
-  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, picture >= 0 ? 1.0 : picture_place.x), 1.0)) : base;
+  vec3 shaded = light != 0 ? sqrt(min(lit(base * base, n, open), 1.0)) : base;
   color = vec4(mix(shaded, edge_color.rgb, edge_color.a * edge_cover()), 1.0);
 }
+#endif

@@ -6,48 +6,11 @@
 #include <memory>
 #include <type_traits>
 
-#include "core/blocks/vertex_ranks.h"
 #include "core/decimate/decimation.h"
+#include "core/io/left_out.h"
 
 namespace aomd {
 namespace {
-
-Block read_block(const io::StreamedSurface& surface, const BlockCut& cut, std::size_t block) {
-  Block read;
-  VertexRanks used(surface.vertices());
-  read.faces.reserve(cut.faces(block));
-  surface.each_faces([&](std::uint32_t, std::span<const Block::Triangle> triangles) {
-    for (const Block::Triangle& t : triangles) {
-      if (cut.block_of(t[0]) != block || !cut.is_inside(t) || !BlockCut::has_three_corners(t))
-        continue;
-      read.faces.push_back(t);
-      for (const std::uint32_t v : t) used.add(v);
-    }
-  });
-  used.finish();
-  for (Block::Triangle& t : read.faces)
-    for (std::uint32_t& v : t) v = used.rank(v);
-  read.positions.reserve(used.count());
-  read.ids.reserve(used.count());
-  surface.each_vertices([&](std::uint32_t first, std::span<const glm::dvec3> positions) {
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-      if (!used.has(first + i)) continue;
-      read.positions.push_back(positions[i]);
-      read.ids.push_back(cut.on_seam(first + i) ? first + i : no_index);
-    }
-  });
-  return read;
-}
-
-MeshData mesh_of(Block&& block) {
-  MeshData data;
-  data.positions = std::move(block.positions);
-  data.faces.shapes.assign(block.faces.size(), Shape::Triangle);
-  data.faces.vertices.reserve(3 * block.faces.size());
-  for (const Block::Triangle& t : block.faces)
-    data.faces.vertices.insert(data.faces.vertices.end(), t.begin(), t.end());
-  return data;
-}
 
 // Which of so many samples stays does not hang on what was decimated: each stands for its
 // neighbours in the order of the file too.
@@ -61,19 +24,25 @@ OriginalSamples thinned(const OriginalSamples& all, std::uint32_t every) {
   return kept;
 }
 
-/// The faces of a mesh whose vertices had these ids.
-Block block_of(const Mesh& mesh, const std::vector<std::uint32_t>& ids) {
+/// What has become of a part of the file: its vertices had these ids.
+Block block_of(const Mesh& mesh, const std::vector<std::uint32_t>& ids, const MeshData& original,
+               int threads) {
+  MeshData result = to_data(mesh);
+  if (!original.attributes.empty()) static_cast<void>(io::carry_along(original, result, threads));
   Block block;
-  Column<Vertex, std::uint32_t> number(mesh.capacity(0), no_index);
-  for (const Vertex v : mesh.vertices()) {
-    number[v] = static_cast<std::uint32_t>(block.positions.size());
-    block.positions.push_back(mesh.position(v));
-    block.ids.push_back(ids[v.index]);
+  for (const Attribute& array : original.attributes) {
+    const auto same = [&](const Attribute& a) {
+      return a.name == array.name && a.dimension == array.dimension;
+    };
+    const auto found = std::find_if(result.attributes.begin(), result.attributes.end(), same);
+    block.values.push_back(found == result.attributes.end() ? std::vector<double>()
+                                                            : std::move(found->values));
   }
-  for (const Face f : mesh.faces()) {
-    const auto t = mesh.triangle(f);
-    block.faces.push_back({number[t[0]], number[t[1]], number[t[2]]});
-  }
+  for (const Vertex v : mesh.vertices()) block.ids.push_back(ids[v.index]);
+  block.positions = std::move(result.positions);
+  for (std::size_t i = 0; i + 2 < result.faces.vertices.size(); i += 3)
+    block.faces.push_back(
+        {result.faces.vertices[i], result.faces.vertices[i + 1], result.faces.vertices[i + 2]});
   return block;
 }
 
@@ -99,13 +68,13 @@ std::uint32_t every_how_many(const io::StreamedSurface& surface, const BlockRule
   return static_cast<std::uint32_t>(std::max<std::uint64_t>(1, surface.vertices() / wanted));
 }
 
-DecimationOptions options_for(const Block& block, std::uint32_t goal, const BlockRules& rules) {
+DecimationOptions options_for(const std::vector<std::uint32_t>& ids, std::uint32_t goal,
+                              const BlockRules& rules) {
   DecimationOptions options = rules.decimation;
   options.target_faces = goal;
   options.without |= 1u << static_cast<int>(Idea::SecondStage);
-  auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(block.ids.size(), std::uint8_t{0});
-  for (std::uint32_t v = 0; v < block.ids.size(); ++v)
-    (*keep)[Vertex(v)] = block.ids[v] != no_index;
+  auto keep = std::make_shared<Column<Vertex, std::uint8_t>>(ids.size(), std::uint8_t{0});
+  for (std::uint32_t v = 0; v < ids.size(); ++v) (*keep)[Vertex(v)] = ids[v] != no_index;
   options.keep = std::move(keep);
   options.seal_kept = true;
   return options;
@@ -133,12 +102,16 @@ void take(std::string_view& bytes, std::vector<Value>& values) {
 
 std::string Block::bytes() const {
   std::string bytes;
-  bytes.reserve(32 + positions.size() * (sizeof positions[0] + sizeof ids[0]) +
-                faces.size() * sizeof faces[0] + samples.size() * sizeof samples[0]);
+  std::size_t numbers = 0;
+  for (const std::vector<double>& array : values) numbers += array.size() + 1;
+  bytes.reserve(48 + positions.size() * (sizeof positions[0] + sizeof ids[0]) +
+                faces.size() * sizeof faces[0] + samples.size() * sizeof samples[0] +
+                numbers * sizeof(double));
   put(bytes, positions);
   put(bytes, ids);
   put(bytes, faces);
   put(bytes, samples);
+  for (const std::vector<double>& array : values) put(bytes, array);
   return bytes;
 }
 
@@ -148,26 +121,28 @@ Block Block::from(std::string_view bytes) {
   take(bytes, block.ids);
   take(bytes, block.faces);
   take(bytes, block.samples);
+  while (!bytes.empty()) take(bytes, block.values.emplace_back());
   return block;
 }
 
 Block coarse_block(const io::StreamedSurface& surface, const BlockCut& cut, std::size_t block,
                    const BlockRules& rules) {
-  Block read = read_block(surface, cut, block);
-  if (read.faces.empty()) return {};
-  const DecimationOptions options =
-      options_for(read, goal_of(surface, read.faces.size(), rules), rules);
-  const std::vector<std::uint32_t> ids = std::move(read.ids);
-  Mesh mesh(mesh_of(std::move(read)));
+  io::StreamedSurface::Part part =
+      surface.part([&](const Block::Triangle& t) { return cut.is_of(block, t); });
+  if (part.mesh.faces.empty()) return {};
+  for (std::uint32_t& id : part.ids)
+    if (!cut.on_seam(id)) id = no_index;
+  Mesh mesh(part.mesh);
   if (const char* obstacle = decimation_obstacle(mesh))
     throw io::LimitError(surface.name(), {}, obstacle);
+  if (part.mesh.attributes.empty()) part.mesh = {};
   classify(mesh, rules.classify);
   keep_edges_for_quality(mesh);
-  Decimation decimation(mesh, options);
+  Decimation decimation(mesh, options_for(part.ids, goal_of(surface, mesh.count(2), rules), rules));
   decimation.run_phase();
   OriginalSamples samples = thinned(decimation.original(), every_how_many(surface, rules));
   renumber_faces(mesh, samples);
-  Block coarse = block_of(mesh, ids);
+  Block coarse = block_of(mesh, part.ids, part.mesh, rules.decimation.threads);
   coarse.samples = std::move(samples);
   return coarse;
 }

@@ -24,6 +24,8 @@ struct Block {
   /// By vertex: its number in the file where it lies on the seam, else no_index.
   std::vector<std::uint32_t> ids;
   std::vector<Triangle> faces;
+  /// Of each array of the file: at the vertices, or on the faces.
+  std::vector<std::vector<double>> values;
   OriginalSamples samples;
 
   /// As bytes for another process of the same machine type, and back.
@@ -40,8 +42,9 @@ struct BlockRules {
   double above = 4;  ///< blocks end at so many times their share of that
 };
 
-/// Collapses alone, in the order of what they cost; what lies on the seam stays where it is. Twice
-/// through the file. The result does not depend on the number of threads.
+/// Collapses alone, in the order of what they cost; what lies on the seam stays where it is. The
+/// file's arrays have no say, and go along (io::carry_along). Once through the file. The result
+/// does not depend on the number of threads.
 [[nodiscard]] Block coarse_block(const io::StreamedSurface& surface, const BlockCut& cut,
                                  std::size_t block, const BlockRules& rules);
 

@@ -32,12 +32,9 @@ void BlockCut::share_out(const io::StreamedSurface& surface, std::size_t blocks)
 void BlockCut::find_seams(const io::StreamedSurface& surface) {
   surface.each_faces([&](std::uint32_t, std::span<const Triangle> triangles) {
     for (const Triangle& t : triangles) {
-      if (is_inside(t)) {
-        ++faces_[block_of(t[0])];
-        continue;
-      }
+      if (is_of(block_of(t[0]), t)) ++faces_[block_of(t[0])];
+      if (!is_of_strip(t)) continue;
       for (const std::uint32_t v : t) place_[v] |= 1;
-      strip_.push_back(t);
     }
   });
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/blocks/vertex_ranks.h"
+#include "core/base/vertex_ranks.h"
 #include "core/mesh/geometry.h"
 
 namespace aomd {
@@ -16,28 +16,27 @@ namespace {
 class Glue {
  public:
   Glue(const io::StreamedSurface& surface, const BlockCut& cut) : seam_(surface.vertices()) {
-    for (const Block::Triangle& t : cut.strip())
-      for (const std::uint32_t v : t) seam_.add(v);
+    io::StreamedSurface::Part strip =
+        surface.part([&](const Block::Triangle& t) { return cut.is_of_strip(t); });
+    for (const std::uint32_t v : strip.ids) seam_.add(v);
     seam_.finish();
-    surface.each_vertices([&](std::uint32_t first, std::span<const glm::dvec3> positions) {
-      for (std::uint32_t i = 0; i < positions.size(); ++i)
-        if (seam_.has(first + i)) mesh_.positions.push_back(positions[i]);
-    });
-    for (Block::Triangle t : cut.strip()) {
-      for (std::uint32_t& v : t) v = seam_.rank(v);
-      if (!BlockCut::has_three_corners(t)) continue;
-      add_sample(t);
-      add_face(t);
-    }
+    mesh_ = std::move(strip.mesh);
+    const auto& corners = mesh_.faces.vertices;
+    for (std::size_t i = 0; i < mesh_.faces.size(); ++i)
+      add_sample({corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]},
+                 Face(static_cast<std::uint32_t>(i)));
   }
 
   void add(const Block& block) {
     const auto first_face = static_cast<std::uint32_t>(mesh_.faces.size());
+    add_values(block);
     std::vector<std::uint32_t> number;
     number.reserve(block.ids.size());
     for (std::size_t v = 0; v < block.ids.size(); ++v) number.push_back(number_of(block, v));
-    for (const Block::Triangle& t : block.faces)
-      add_face({number[t[0]], number[t[1]], number[t[2]]});
+    for (const Block::Triangle& t : block.faces) {
+      mesh_.faces.shapes.push_back(Shape::Triangle);
+      for (const std::uint32_t v : t) mesh_.faces.vertices.push_back(number[v]);
+    }
     for (OriginalSample s : block.samples) {
       s.face = Face(first_face + s.face.index);
       samples_.push_back(s);
@@ -56,20 +55,25 @@ class Glue {
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
   }
 
-  void add_face(const Block::Triangle& t) {
-    mesh_.faces.shapes.push_back(Shape::Triangle);
-    mesh_.faces.vertices.insert(mesh_.faces.vertices.end(), t.begin(), t.end());
+  // Vertices on the seam have theirs from the strip.
+  void add_values(const Block& block) {
+    for (std::size_t i = 0; i < block.values.size(); ++i) {
+      Attribute& array = mesh_.attributes[i];
+      const auto n = static_cast<std::size_t>(array.components);
+      const std::vector<double>& values = block.values[i];
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (array.dimension == 2 || block.ids[k / n] == no_index) array.values.push_back(values[k]);
+    }
   }
 
   // Of a face of the strip: one point in its middle, for all of it.
-  void add_sample(const Block::Triangle& t) {
+  void add_sample(const Block::Triangle& t, Face f) {
     const auto& p = mesh_.positions;
     const glm::dvec3 normal = area_normal(p[t[0]], p[t[1]], p[t[2]]);
     const double length = glm::length(normal);
     if (!(length > 0)) return;
     samples_.push_back({(p[t[0]] + p[t[1]] + p[t[2]]) / 3.0, glm::vec3(normal / length),
-                        static_cast<float>(length / 2),
-                        Face(static_cast<std::uint32_t>(mesh_.faces.size()))});
+                        static_cast<float>(length / 2), f});
   }
 
   VertexRanks seam_;

@@ -83,7 +83,8 @@ std::vector<ArrayWeight> usual_weights(const MeshData& mesh) {
   std::vector<ArrayWeight> weights;
   const auto look_at = [&](const Attribute& a, bool on_corners) {
     const bool usual = a.meaning == Meaning::Colour || a.meaning == Meaning::Texture;
-    if (usual && can_count(a, on_corners)) weights.push_back({a.name, 1});
+    if (usual && can_count(a, on_corners))
+      weights.push_back({a.name, a.meaning == Meaning::Colour ? 3.0 : 1.0});
   };
   for (const Attribute& a : mesh.attributes) look_at(a, false);
   for (const Attribute& a : mesh.corners) look_at(a, true);
@@ -114,6 +115,8 @@ std::shared_ptr<const CountedValues> counted_values(const MeshData& data, const 
   std::size_t first = 0;
   for (const auto& [array, on_corners, weight] : list) {
     const auto n = static_cast<std::size_t>(array.components);
+    const bool fits = !on_corners && fields::kind_of(array) == fields::FieldKind::Colour;
+    counted->fitted.insert(counted->fitted.end(), n, fits);
     fill(*counted, first, on_corners ? on_vertices(data, array) : array.values, n, range_of(array),
          1e-3 * weight * diagonal_of(data), mesh);
     first += n;

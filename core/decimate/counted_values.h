@@ -19,6 +19,9 @@ namespace aomd {
 struct CountedValues {
   std::size_t components = 0;
   std::vector<float> numbers;  ///< `components` for each vertex; NaN where nothing counts
+  /// By component: the result's are those that fit best on the faces around a vertex (colours),
+  /// and not the original's at its place.
+  std::vector<bool> fitted;
 
   [[nodiscard]] std::span<const float> at(Vertex v) const {
     return std::span(numbers).subspan(components * v.index, components);
@@ -35,7 +38,7 @@ struct ArrayWeight {
 /// Whether an array can count: those on vertices and on corners can, but for labels, which have no
 /// differences.
 [[nodiscard]] bool can_count(const Attribute& array, bool on_corners);
-/// Colours and texture coordinates, at weight 1.
+/// Colours, at weight 3, and texture coordinates, at weight 1.
 [[nodiscard]] std::vector<ArrayWeight> usual_weights(const MeshData& mesh);
 /// What these arrays of a mesh as plain arrays come to on its vertices in the database, which are
 /// in the same order; null where none has a weight. A value on corners counts where those of a

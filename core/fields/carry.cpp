@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/fields/cell_values.h"
+#include "core/fields/fitted_values.h"
 #include "core/fields/surface_pairing.h"
 #include "core/fields/vertex_values.h"
 
@@ -13,6 +14,21 @@ namespace aomd::fields {
 namespace {
 
 using Arrays = std::vector<const Attribute*>;
+
+std::vector<bool> where_moved(const std::vector<VertexSource>& sources) {
+  std::vector<bool> moved;
+  for (const VertexSource& s : sources)
+    moved.push_back(s.corners[0] != no_index && s.weights[0] != 1);
+  return moved;
+}
+
+void fit_colours(const std::vector<FitPoint>& points, const Attribute& original,
+                 const std::vector<bool>& moved, Attribute& result) {
+  const auto n = static_cast<std::size_t>(result.components);
+  fit_values(n, points, moved, original.values, result.values);
+  for (std::size_t v = 0; v < moved.size(); ++v)
+    if (moved[v]) settle(result, std::span(result.values).subspan(n * v, n));
+}
 
 /// The arrays of one dimension of an original at the entities of its result.
 class Carrier {
@@ -33,6 +49,9 @@ class Carrier {
  protected:
   [[nodiscard]] virtual std::vector<Attribute> on_cells(const Arrays& arrays) const = 0;
   [[nodiscard]] virtual std::vector<VertexSource> vertex_sources() const = 0;
+  /// Brings colours at vertices, those at the places that `sources` say, closer to the original's
+  /// between them.
+  virtual void fit(const Arrays&, const std::vector<VertexSource>&, std::span<Attribute>) const {}
 
   int threads_;
   Cells original_, result_;
@@ -43,6 +62,7 @@ class Carrier {
     const std::vector<VertexSource> sources = vertex_sources();
     std::vector<Attribute> results;
     for (const Attribute* array : arrays) results.push_back(at_vertices(*array, sources));
+    fit(arrays, sources, results);
     return results;
   }
 
@@ -95,10 +115,37 @@ class SurfaceCarrier final : public Carrier {
   [[nodiscard]] std::vector<VertexSource> vertex_sources() const override {
     return pairing_.vertex_sources();
   }
+  void fit(const Arrays& arrays, const std::vector<VertexSource>& sources,
+           std::span<Attribute> results) const override {
+    const auto is_colour = [](const Attribute& a) { return kind_of(a) == FieldKind::Colour; };
+    if (std::none_of(results.begin(), results.end(), is_colour)) return;
+    const std::vector<bool> moved = where_moved(sources);
+    const std::vector<FitPoint> points = original_on_result();
+    for (std::size_t i = 0; i < results.size(); ++i)
+      if (is_colour(results[i])) fit_colours(points, *arrays[i], moved, results[i]);
+  }
   [[nodiscard]] std::vector<Attribute> on_cells(const Arrays& arrays) const override {
     const FaceParts parts(pairing_, result_);
     const auto same = same_cells(original_, result_, vertices_);
     return at_cells(arrays, {original_, result_, same, parts}, threads_);
+  }
+
+  /// Where the vertices of the original lie on the result.
+  [[nodiscard]] std::vector<FitPoint> original_on_result() const {
+    const SameVertices same(result_.mesh(), original_.mesh());
+    const SurfacePairing pairing(result_, original_, same, threads_);
+    const std::vector<double> areas = measures(original_.mesh(), 0);
+    std::vector<FitPoint> points;
+    for (const VertexSource& place : pairing.vertex_sources()) {
+      FitPoint point{{}, glm::vec3(0.0f), 0};  // what lies nowhere weighs nothing
+      if (place.corners[0] != no_index) {
+        std::copy_n(place.corners.begin(), 3, point.corners.begin());
+        point.weights = glm::vec3(place.weights[0], place.weights[1], place.weights[2]);
+        point.area = static_cast<float>(areas[points.size()]);
+      }
+      points.push_back(point);
+    }
+    return points;
   }
 
   SurfacePairing pairing_;

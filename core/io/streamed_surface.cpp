@@ -1,10 +1,15 @@
 #include "core/io/streamed_surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/base/vertex_ranks.h"
+#include "core/io/io.h"
 #include "core/io/ply_body.h"
 #include "core/io/ply_header.h"
 #include "core/mesh/handle.h"
@@ -45,6 +50,16 @@ std::vector<int> axes_of(const PlyElement& element, const std::string& name) {
   return axes;
 }
 
+/// Of our own PLY files: what vertices and faces are classified on.
+bool is_class(const PlyProperty& p) { return p.name.starts_with("model_"); }
+
+void put_integer(char* at, std::uint32_t value, std::size_t size, PlyEncoding encoding) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t place = encoding == PlyEncoding::LittleEndian ? i : size - 1 - i;
+    at[place] = static_cast<char>(i < sizeof value ? value >> (8 * i) & 0xffu : 0);
+  }
+}
+
 }  // namespace
 
 /// Where in the file the records of vertices and of faces lie.
@@ -60,13 +75,16 @@ struct StreamedSurface::Layout {
   std::string name;
   PlyEncoding encoding = PlyEncoding::LittleEndian;
   Records vertices, faces;
+  std::string header;
   std::vector<int> axes;  ///< of the properties of vertices
   std::vector<std::string> left_out;
 
   explicit Layout(const std::filesystem::path& file_path);
-  void take(const PlyHeader& header, std::uint64_t file_size);
+  void take(const PlyHeader& parsed, std::uint64_t file_size);
   [[nodiscard]] std::size_t record_size(const PlyElement& element) const;
   void name_what_is_left_out(const PlyElement& element);
+  [[nodiscard]] std::string header_for(std::uint64_t vertex_count, std::uint64_t face_count) const;
+  void put_corners(std::string& records, const std::vector<Triangle>& triangles) const;
 
   /// Calls visit(source, first, count) for pieces of whole records.
   template <typename Visit>
@@ -75,6 +93,7 @@ struct StreamedSurface::Layout {
   void vertices_in(const Source& piece, std::size_t count, const Visit& visit) const;
   template <std::endian Order, typename Visit>
   void faces_in(const Source& piece, std::size_t count, const Visit& visit) const;
+  void triangles_in(const Source& piece, std::size_t count, std::vector<Triangle>& triangles) const;
 };
 
 StreamedSurface::Layout::Layout(const std::filesystem::path& file_path)
@@ -85,15 +104,16 @@ StreamedSurface::Layout::Layout(const std::filesystem::path& file_path)
   if (!file) throw ReadError(name, {}, "cannot be opened");
   const std::string head = first_bytes(file);
   if (!head.starts_with("ply")) refuse(name, "what is no PLY");
-  const PlyHeader header = read_ply_header(Source{name, head});
-  encoding = header.encoding;
+  const PlyHeader parsed = read_ply_header(Source{name, head});
+  encoding = parsed.encoding;
   if (encoding == PlyEncoding::Ascii) refuse(name, "PLY as text");
-  take(header, std::filesystem::file_size(path));
+  header = head.substr(0, parsed.body);
+  take(parsed, std::filesystem::file_size(path));
 }
 
-void StreamedSurface::Layout::take(const PlyHeader& header, std::uint64_t file_size) {
-  std::uint64_t at = header.body;
-  for (const PlyElement& element : header.elements) {
+void StreamedSurface::Layout::take(const PlyHeader& parsed, std::uint64_t file_size) {
+  std::uint64_t at = parsed.body;
+  for (const PlyElement& element : parsed.elements) {
     const bool of_vertices = element.name == "vertex", of_faces = element.name == "face";
     if (of_vertices || of_faces) {
       Records& records = of_vertices ? vertices : faces;
@@ -129,10 +149,44 @@ std::size_t StreamedSurface::Layout::record_size(const PlyElement& element) cons
 }
 
 void StreamedSurface::Layout::name_what_is_left_out(const PlyElement& element) {
-  for (const PlyProperty& p : element.properties) {
-    const bool place = element.name == "vertex" && axis_of(p) >= 0;
-    if (!place && !p.list) left_out.push_back(element.name + ' ' + shown(p.name));
+  const bool goes_along = element.name == "vertex" || element.name == "face";
+  for (const PlyProperty& p : element.properties)
+    if (!goes_along || is_class(p)) left_out.push_back(element.name + ' ' + shown(p.name));
+}
+
+// The lines of the file's own one, but for other elements and other counts.
+std::string StreamedSurface::Layout::header_for(std::uint64_t vertex_count,
+                                                std::uint64_t face_count) const {
+  std::istringstream lines(header);
+  std::string kept, line, word, element;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    words >> word;
+    if (word == "element") words >> element;
+    const bool of_vertices = element == "vertex", passed = !of_vertices && element != "face";
+    if (word == "element" && !passed)
+      kept += "element " + element + ' ' + std::to_string(of_vertices ? vertex_count : face_count);
+    else if (word != "element" && (word != "property" || !passed))
+      kept += line;
+    else
+      continue;
+    kept += '\n';
   }
+  return kept;
+}
+
+// Into the records of as many faces.
+void StreamedSurface::Layout::put_corners(std::string& records,
+                                          const std::vector<Triangle>& triangles) const {
+  std::size_t begin = 0, size = 0;
+  for (const PlyProperty& p : faces.element.properties) {
+    size = size_of(p.type);
+    begin += p.list ? size_of(p.count_type) : size;
+    if (p.list) break;
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      put_integer(&records[i * faces.size + begin + k * size], triangles[i][k], size, encoding);
 }
 
 template <typename Visit>
@@ -192,6 +246,16 @@ void StreamedSurface::Layout::faces_in(const Source& piece, std::size_t count,
   }
 }
 
+void StreamedSurface::Layout::triangles_in(const Source& piece, std::size_t count,
+                                           std::vector<Triangle>& triangles) const {
+  triangles.clear();
+  const auto add = [&](const Triangle& t) { triangles.push_back(t); };
+  if (encoding == PlyEncoding::LittleEndian)
+    faces_in<std::endian::little>(piece, count, add);
+  else
+    faces_in<std::endian::big>(piece, count, add);
+}
+
 StreamedSurface::StreamedSurface(const std::filesystem::path& path)
     : layout_(std::make_unique<const Layout>(path)) {}
 StreamedSurface::~StreamedSurface() = default;
@@ -228,14 +292,48 @@ void StreamedSurface::each_faces(
     const std::function<void(std::uint32_t, std::span<const Triangle>)>& visit) const {
   std::vector<Triangle> triangles;
   layout_->pieces(layout_->faces, [&](const Source& piece, std::uint64_t first, std::size_t count) {
-    triangles.clear();
-    const auto add = [&](const Triangle& t) { triangles.push_back(t); };
-    if (layout_->encoding == PlyEncoding::LittleEndian)
-      layout_->faces_in<std::endian::little>(piece, count, add);
-    else
-      layout_->faces_in<std::endian::big>(piece, count, add);
+    layout_->triangles_in(piece, count, triangles);
     visit(static_cast<std::uint32_t>(first), triangles);
   });
+}
+
+// As a small file of the same kind, which the whole reader reads.
+StreamedSurface::Part StreamedSurface::part(
+    const std::function<bool(const Triangle&)>& wanted) const {
+  std::string vertex_records, face_records;
+  std::vector<Triangle> piece_of, triangles;
+  VertexRanks used(vertices());
+  layout_->pieces(layout_->faces, [&](const Source& piece, std::uint64_t, std::size_t count) {
+    layout_->triangles_in(piece, count, piece_of);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!wanted(piece_of[i])) continue;
+      triangles.push_back(piece_of[i]);
+      face_records += piece.bytes.substr(i * layout_->faces.size, layout_->faces.size);
+      for (const std::uint32_t v : piece_of[i]) used.add(v);
+    }
+  });
+  used.finish();
+  Part part;
+  layout_->pieces(
+      layout_->vertices, [&](const Source& piece, std::uint64_t first, std::size_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const auto v = static_cast<std::uint32_t>(first + i);
+          if (!used.has(v)) continue;
+          part.ids.push_back(v);
+          vertex_records += piece.bytes.substr(i * layout_->vertices.size, layout_->vertices.size);
+        }
+      });
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = used.rank(v);
+  layout_->put_corners(face_records, triangles);
+  const bool vertices_first = layout_->vertices.begin < layout_->faces.begin;
+  part.mesh = read_bytes(name(), layout_->header_for(part.ids.size(), triangles.size()) +
+                                     (vertices_first ? vertex_records + face_records
+                                                     : face_records + vertex_records))
+                  .mesh;
+  part.mesh.faces.classes.clear();
+  part.mesh.vertex_classes.clear();
+  return part;
 }
 
 }  // namespace aomd::io

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/io/error.h"
+#include "core/mesh/mesh_data.h"
 
 namespace aomd::io {
 
@@ -32,7 +33,7 @@ class StreamedSurface {
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] std::uint32_t vertices() const;
   [[nodiscard]] std::uint32_t faces() const;
-  /// What the file has beside vertices and faces, which is passed over: "vertex red".
+  /// Elements of the file beside vertices and faces, which are passed over.
   [[nodiscard]] std::vector<std::string> left_out() const;
 
   /// Calls visit(number of the first, positions) for all vertices, and the same for all faces, in
@@ -41,6 +42,15 @@ class StreamedSurface {
   void each_vertices(
       const std::function<void(std::uint32_t, std::span<const glm::dvec3>)>& visit) const;
   void each_faces(const std::function<void(std::uint32_t, std::span<const Triangle>)>& visit) const;
+
+  /// Some of the faces with their vertices, both in the order of the file, and the arrays on them.
+  struct Part {
+    MeshData mesh;
+    std::vector<std::uint32_t> ids;  ///< by vertex: its number in the file
+  };
+  /// The faces that are wanted, which must have three corners. Once through faces and vertices; in
+  /// memory are the records of the part twice, and one and a half bits a vertex of the file.
+  [[nodiscard]] Part part(const std::function<bool(const Triangle&)>& wanted) const;
 
  private:
   struct Layout;

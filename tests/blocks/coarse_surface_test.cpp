@@ -97,6 +97,66 @@ TEST_F(Blocks, GoThroughWithoutChangeWhereTheTargetIsFarAbove) {
     }
 }
 
+/// A mesh with a colour, the place as a vector, and a label on faces.
+MeshData with_arrays(MeshData mesh) {
+  Attribute red{.name = "red", .integer = true, .values = {}, .type = NumberType::UInt8};
+  Attribute x{.name = "x2", .values = {}},
+      label{.name = "label", .dimension = 2, .integer = true, .values = {}};
+  for (const glm::dvec3& p : mesh.positions) {
+    red.values.push_back(double(red.values.size() % 251));
+    x.values.push_back(2 * p.x);
+  }
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) label.values.push_back(double(f / 100));
+  mesh.attributes = {red, x, label};
+  return mesh;
+}
+
+/// Values by the places that have them.
+std::vector<std::vector<double>> values_by_place(const MeshData& mesh) {
+  std::vector<std::vector<double>> all;
+  for (const Attribute& a : mesh.attributes)
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+      glm::dvec3 p(0.0);
+      if (a.dimension == 0) p = mesh.positions[i];
+      for (std::size_t k = 0; a.dimension == 2 && k < 3; ++k)
+        p += mesh.positions[mesh.faces.vertices[3 * i + k]];
+      all.push_back({double(a.dimension), p.x, p.y, p.z, a.values[i]});
+    }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST_F(Blocks, ArraysGoAlong) {
+  const MeshData mesh = with_arrays(make_sample("torus", 80));
+  const TriangleTree original(triangles_of(Mesh(mesh)).corners);
+  for (const std::size_t blocks : {1u, 2u, 7u}) {
+    const CoarseSurface same = coarse(mesh, blocks, rules(1'000'000));
+    ASSERT_EQ(same.mesh.attributes.size(), 3u);
+    EXPECT_EQ(values_by_place(same.mesh), values_by_place(mesh)) << blocks;
+    const CoarseSurface result = coarse(mesh, blocks, rules(800));
+    ASSERT_EQ(result.mesh.attributes.size(), 3u);
+    for (const Attribute& a : result.mesh.attributes) {
+      ASSERT_EQ(a.values.size(),
+                a.dimension == 0 ? result.mesh.positions.size() : result.mesh.faces.size());
+      for (std::size_t v = 0; a.name == "x2" && v < a.values.size(); ++v)
+        EXPECT_NEAR(a.values[v], 2 * original.nearest(result.mesh.positions[v]).point.x, 1e-6)
+            << blocks;
+    }
+  }
+}
+
+// Blocks that touch nowhere have no strip between them that could tell what arrays there are.
+TEST_F(Blocks, ArraysGoAlongWhereBlocksDoNotTouch) {
+  MeshData two = make_sample("sphere", 12);
+  const auto n = static_cast<std::uint32_t>(two.positions.size());
+  const std::size_t corners = two.faces.vertices.size();
+  for (std::uint32_t v = 0; v < n; ++v) two.positions.push_back(two.positions[v] + 100.0);
+  for (std::size_t i = 0; i < corners; ++i) two.faces.vertices.push_back(two.faces.vertices[i] + n);
+  two.faces.shapes.resize(2 * two.faces.shapes.size(), Shape::Triangle);
+  const MeshData mesh = with_arrays(two);
+  EXPECT_EQ(values_by_place(coarse(mesh, 2, rules(1'000'000)).mesh), values_by_place(mesh));
+}
+
 // In blocks of a few faces each, where the seams run close to each other, too.
 TEST_F(Blocks, KeepTheTopology) {
   for (const auto& animal : test::samples(
@@ -211,7 +271,7 @@ void as_processes(std::size_t count, const Work& work) {
 }
 
 TEST_F(Blocks, SameResultForAnyNumberOfProcesses) {
-  const MeshData mesh = make_sample("scan", 12'000);
+  const MeshData mesh = with_arrays(make_sample("scan", 12'000));
   const auto path = file_of(mesh);
   const CoarseSurface alone = coarse(mesh, 5, rules(500));
   for (const std::size_t count : {2u, 3u, 7u})

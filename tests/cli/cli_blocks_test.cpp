@@ -33,14 +33,31 @@ TEST_F(BlocksCommand, OneBlockIsNone) {
   EXPECT_EQ(text("a.ply"), text("b.ply"));
 }
 
-TEST_F(BlocksCommand, SaysWhatItLeavesBehind) {
+TEST_F(BlocksCommand, ArraysGoAlongAndHaveNoSay) {
   MeshData mesh = make_sample("terrain", 20);
-  mesh.attributes.push_back({.name = "heat", .values = std::vector(mesh.positions.size(), 1.5)});
+  io::write(at("bare.ply"), mesh);
+  Attribute heat{.name = "heat", .values = {}};
+  for (const glm::dvec3& p : mesh.positions) heat.values.push_back(p.x);
+  mesh.attributes = {heat};
   io::write(at("t.ply"), mesh);
   const Outcome run = aomd("decimate t.ply o.ply --blocks 2 --target-faces 300");
   EXPECT_EQ(run.code, 0);
-  EXPECT_NE(run.err.find("left out, since blocks hold the shape alone: vertex \"heat\""),
-            std::string::npos)
+  EXPECT_EQ(run.err, "");
+  ASSERT_EQ(aomd("decimate bare.ply b.ply --blocks 2 --target-faces 300").code, 0);
+  const MeshData result = io::read(at("o.ply")).mesh;
+  EXPECT_EQ(result.positions, io::read(at("b.ply")).mesh.positions);
+  ASSERT_EQ(result.attributes.size(), 1u);
+  for (std::size_t v = 0; v < result.positions.size(); ++v)
+    EXPECT_NEAR(result.attributes[0].values[v], result.positions[v].x, 0.1);
+}
+
+TEST_F(BlocksCommand, SaysWhatItLeavesBehind) {
+  MeshData mesh = make_sample("terrain", 20);
+  mesh.faces.classes.assign(mesh.faces.size(), ModelRef(2, 1));
+  io::write(at("t.ply"), mesh);
+  const Outcome run = aomd("decimate t.ply o.ply --blocks 2 --target-faces 300");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("left out, since blocks hold vertices and faces alone"), std::string::npos)
       << run.err;
 }
 

@@ -154,7 +154,9 @@ TEST_F(FieldsCommand, AttributesSaysWhatCountsBesideTheShape) {
   EXPECT_NE(usual, shape);
   EXPECT_EQ(run("--attributes color=0"), shape);
   EXPECT_EQ(run("--attributes color"), usual);
-  EXPECT_EQ(run("--attributes none,color=1"), usual);
+  EXPECT_EQ(run("--attributes none,color"), usual);
+  EXPECT_EQ(run("--attributes none,color=3"), usual);
+  EXPECT_NE(run("--attributes color=1"), usual);
   EXPECT_NE(run("--attributes heat=2=1"), usual);
   EXPECT_EQ(run("--attributes none,heat=2"), run("--attributes color=0,heat=2=1"));
 }

@@ -142,6 +142,20 @@ TEST_F(TargetCommand, MissedNamesWhatHelpsForEachReason) {
   EXPECT_TRUE(why["let_go"].empty());
 }
 
+// Without its features a part goes further; the corners of borders are a matter of --reach.
+TEST_F(TargetCommand, MissedForItsModelNamesWhatGoesFurther) {
+  sample("bracket", "bracket.ply", 5);
+  ASSERT_EQ(aomd("convert bracket.ply bare.off").code, 0);
+  const auto faces = [&](const std::string& options) {
+    const auto why = stopped("bare.off o.off --target-faces 10 " + options);
+    EXPECT_EQ(why["why"], "missed");
+    return json("r.json")["output"]["faces"].get<int>();
+  };
+  const int before = faces("");
+  EXPECT_EQ(json("r.json")["stopped"]["would_help"], "--feature-angle off");
+  EXPECT_LT(faces("--feature-angle off"), before);
+}
+
 // The edges of a box are features that 8 faces leave no room for.
 TEST_F(TargetCommand, ReachLetsGoOfGuardsInOrderUntilItIsMet) {
   sample("sphere", "s.ply", 8);
@@ -181,7 +195,7 @@ TEST_F(TargetCommand, ReachLetsGoOfCornersLast) {
     faces += "3 " + std::to_string(t[0]) + ' ' + std::to_string(t[1]) + ' ' + std::to_string(t[2]) +
              '\n';
   put("ring.off", text + faces);
-  EXPECT_EQ(stopped("ring.off o.off --target-faces 6")["would_help"], "--feature-angle off");
+  EXPECT_EQ(stopped("ring.off o.off --target-faces 6")["would_help"], "--reach");
   const auto why = stopped("ring.off o.off --target-faces 6 --reach");
   EXPECT_EQ(why["let_go"], nlohmann::json({"facing", "features", "corners"}));
   ASSERT_EQ(aomd("classify ring.off ring.ply").code, 0);

@@ -134,6 +134,20 @@ TEST(OriginalSurfaceTest, PointsInFacesMakeTheSumsExact) {
   EXPECT_NEAR(squares, 1, 1e-6);
 }
 
+// A tip of four faces: the middle of a third of each is 7/18 of its height below.
+TEST(OriginalSurfaceTest, PointsOfASurfaceThatBendsGoInward) {
+  const auto height_of_tip = [](double height, double inward, Sampling sampling) {
+    const Mesh mesh(zoo::make({{0, 0, height}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}));
+    return OriginalSurface(mesh, sampling, inward).points()[0].position.z;
+  };
+  EXPECT_NEAR(height_of_tip(0.2, 1, Sampling::Vertices), 0.2 * 11 / 18, 1e-7);
+  EXPECT_NEAR(height_of_tip(0.2, 0.5, Sampling::Vertices), 0.2 * 29 / 36, 1e-7);
+  EXPECT_EQ(height_of_tip(0.2, 0, Sampling::Vertices), 0.2);
+  EXPECT_EQ(height_of_tip(0.2, 1, Sampling::VerticesAndFaces), 0.2);
+  EXPECT_EQ(height_of_tip(2, 1, Sampling::Vertices), 2) << "its faces look several ways";
+}
+
 TEST(OriginalSurfaceTest, NormalsHaveLengthOneAtAnyScale) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     MeshData data = zoo::octahedron();

@@ -178,6 +178,28 @@ TEST(PartsTest, TheTargetIsMet) {
     }
 }
 
+/// How often the next of the first collapses is in the other one of two parts.
+int turns_taken(const MeshData& data, std::uint32_t target) {
+  constexpr int collapses = 1000;
+  Mesh mesh = classified(data, Edges::OnModelEdges);
+  const Partition parts(mesh, 2);
+  Decimation decimation(mesh, in_parts(target, 2, 1));
+  int turns = 0;
+  for (std::size_t i = 0, last = 0; i < collapses; ++i) {
+    const std::size_t part = parts.part_of(Vertex(decimation.step()->entity.index));
+    turns += part != last;
+    last = part;
+  }
+  return turns;
+}
+
+// Many buckets of costs at once, and only one near the target.
+TEST(PartsTest, EachWorksForLongFarAboveTheTarget) {
+  const MeshData data = make_sample("scan", 9000);
+  EXPECT_LT(turns_taken(data, 1000), 10);
+  EXPECT_GT(turns_taken(data, 5000), 50);
+}
+
 TEST(PartsTest, AsGoodAsOnePart) {
   const MeshData data = make_sample("scan", 40'000);
   const Mesh original = classified(data, Edges::OnModelEdges);

@@ -129,8 +129,64 @@ TEST_F(StreamedSurfaceTest, PassesOverWhatStandsBetweenAndNamesIt) {
   surface.each_faces([](std::uint32_t, std::span<const StreamedSurface::Triangle> t) {
     EXPECT_EQ(t.front(), (StreamedSurface::Triangle{0, 1, 2}));
   });
-  EXPECT_EQ(surface.left_out(),
-            (std::vector<std::string>{"camera \"view\"", "vertex \"red\"", "face \"part\""}));
+  EXPECT_EQ(surface.left_out(), (std::vector<std::string>{"camera \"view\""}));
+}
+
+/// Four vertices with a colour and three faces with a label, between other elements; faces first
+/// where that is asked for.
+std::string square_with_arrays(std::endian order, bool faces_first) {
+  const std::string vertices =
+      "element vertex 4\nproperty uchar red\n" + xyz +
+      "property uchar model_dimension\nproperty int model_tag\nproperty double heat\n";
+  const std::string faces =
+      "element face 3\nproperty short part\nproperty list uchar ushort vertex_index\n";
+  const std::string between = "element camera 2\nproperty double view\n";
+  Numbers of_vertices(order), of_faces(order), rest(order);
+  for (int i = 0; i < 4; ++i) {
+    of_vertices.put(std::uint8_t(200 + i)).put(float(i % 2)).put(float(i / 2)).put(0.f);
+    of_vertices.put(std::uint8_t(2)).put(std::int32_t(7)).put(0.5 + i);
+  }
+  const std::uint16_t corners[3][3] = {{0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
+  for (std::int16_t f = 0; f < 3; ++f) {
+    of_faces.put(std::int16_t(10 * f)).put(std::uint8_t(3));
+    for (const std::uint16_t v : corners[f]) of_faces.put(v);
+  }
+  rest.put(1.0).put(2.0);
+  const std::string format = order == std::endian::little ? little : "binary_big_endian";
+  return faces_first ? header(format, "comment kept\n" + faces + between + vertices) +
+                           of_faces.text() + rest.text() + of_vertices.text()
+                     : header(format, "comment kept\n" + vertices + between + faces) +
+                           of_vertices.text() + rest.text() + of_faces.text();
+}
+
+// The two faces at the last vertex, which leave out the first one.
+TEST_F(StreamedSurfaceTest, APartHasItsArraysAndItsOwnNumbers) {
+  for (const std::endian order : {std::endian::little, std::endian::big})
+    for (const bool faces_first : {false, true}) {
+      const StreamedSurface surface(put(square_with_arrays(order, faces_first)));
+      const StreamedSurface::Part part =
+          surface.part([](const StreamedSurface::Triangle& t) { return t[0] == 3; });
+      EXPECT_EQ(part.ids, (std::vector<std::uint32_t>{1, 2, 3}));
+      EXPECT_EQ(part.mesh.positions, (std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+      EXPECT_EQ(part.mesh.faces.vertices, (std::vector<std::uint32_t>{2, 0, 1}));
+      ASSERT_EQ(part.mesh.attributes.size(), 3u);
+      for (const Attribute& a : part.mesh.attributes)
+        EXPECT_EQ(a.values, a.name == "red"    ? (std::vector<double>{201, 202, 203})
+                            : a.name == "heat" ? (std::vector<double>{1.5, 2.5, 3.5})
+                                               : (std::vector<double>{20}))
+            << a.name;
+      EXPECT_TRUE(part.mesh.vertex_classes.empty());
+      EXPECT_EQ(part.mesh.remarks.size(), 1u);
+      std::vector<std::string> left_out = surface.left_out();
+      std::sort(left_out.begin(), left_out.end());
+      EXPECT_EQ(left_out, (std::vector<std::string>{"camera \"view\"", "vertex \"model_dimension\"",
+                                                    "vertex \"model_tag\""}));
+      const auto all = [](const StreamedSurface::Triangle&) { return true; };
+      MeshData whole = io::read(folder_ / "a.ply").mesh;
+      EXPECT_FALSE(whole.vertex_classes.empty());
+      whole.vertex_classes.clear();
+      EXPECT_TRUE(surface.part(all).mesh == whole);
+    }
 }
 
 TEST_F(StreamedSurfaceTest, SaysWhatIsWrong) {

@@ -154,6 +154,18 @@ TEST_P(Render, ShowsSomethingInTheMiddleAndBackgroundAround) {
   for (int c = 0; c < 4; ++c) EXPECT_EQ(image.pixel(2, 2)[c], empty.pixel(2, 2)[c]);
 }
 
+TEST_P(Render, FacesBehindVeryManyOthersShowToo) {
+  scene::Drawable torus = round_thing(48, true), same = round_thing(48, true);
+  const io::Image alone = stage_->picture(torus);
+  std::vector<scene::Corner> corners(3 * 150'001);
+  const auto values = same.corners.values();
+  corners.insert(corners.end(), values.begin(), values.end());
+  same.corners.assign(std::move(corners));
+  stage_.reset();
+  stage_.emplace(GetParam());
+  EXPECT_EQ(stage_->picture(same), alone);
+}
+
 TEST_P(Render, TwoRunsAreEqualByteForByte) {
   scene::Drawable torus = round_thing(48, true);
   const io::Image first = stage_->picture(torus);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -12,6 +13,7 @@
 #include "viewer/drawing/coarse_surface.h"
 #include "viewer/drawing/crowding.h"
 #include "viewer/drawing/ground.h"
+#include "viewer/drawing/hollows.h"
 #include "viewer/drawing/openness.h"
 
 namespace aomd::scene {
@@ -103,6 +105,41 @@ TEST(Openness, IsLessInTheHoleOfATorusThanOutside) {
   }
   EXPECT_GT(out, 240);
   EXPECT_LT(in, out - 30);
+}
+
+/// A flat plate of 2 by 2, with a groove or a ridge of this height along y.
+MeshData grooved_plate(double height) {
+  constexpr std::uint32_t n = 80;
+  MeshData mesh;
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x) {
+      const double u = 2.0 * x / n - 1;
+      mesh.positions.emplace_back(u, 2.0 * y / n - 1, height * std::exp(-u * u / 0.002));
+    }
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t at = y * (n + 1) + x;
+      mesh.faces.add(Shape::Triangle, {at, at + 1, at + n + 2});
+      mesh.faces.add(Shape::Triangle, {at, at + n + 2, at + n + 1});
+    }
+  return mesh;
+}
+
+std::vector<float> hollows_of(const MeshData& mesh) {
+  Session s;
+  s.show(make_loaded(mesh, "plate"));
+  const OpennessSource source = openness_source(s.document().mesh(), {}, glm::dvec3(0));
+  return hollows(source.positions, source.normals, source.lengths, source.faces, 2.8f);
+}
+
+TEST(Hollows, AreWhereASurfaceBendsTowardsItsNormalAndNowhereElse) {
+  constexpr std::size_t middle = 40 * 81 + 40, aside = 40 * 81 + 10;
+  const std::vector<float> groove = hollows_of(grooved_plate(-0.02));
+  EXPECT_GT(groove[middle], 0.1f);
+  EXPECT_EQ(groove[aside], 0);
+  const std::vector<float> ridge = hollows_of(grooved_plate(0.02));
+  EXPECT_EQ(ridge[middle], 0);
+  EXPECT_GT(ridge[middle + 2], 0.005f) << "at its foot";
 }
 
 TEST(Openness, StopsWhenItIsAskedTo) {

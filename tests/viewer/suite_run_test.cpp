@@ -120,6 +120,33 @@ TEST_F(SuiteRun, ACaseInheritsNothing) {
   EXPECT_NE(table().find("2 cases: 2 same\n"), std::string::npos) << table();
 }
 
+TEST_F(SuiteRun, ACaseInheritsNothingOfAMeshThatOthersHaveUsed) {
+  write("make.aomd", "sample bracket 4\nsave part.ply\nsample tet-box 3\nsave box.msh\n");
+  ASSERT_EQ(view("--headless --script make.aomd"), 0) << said();
+  const std::string head = "[defaults]\npanels = true\nthreshold = 1\n[cases]\n";
+  const auto quiet = [](const std::string& name, const std::string& mesh) {
+    return name + " = { mesh = \"" + mesh + "\", commands = \"panel adjacency on\" }\n";
+  };
+  for (const std::string mesh : {"part.ply", "box.msh"}) {
+    write("suite.toml", head + quiet("alone", mesh));
+    ASSERT_EQ(run("--update"), 0) << said();
+    std::string all = head;
+    int cases = 0;
+    for (const char* line : {"color quality", "step 3", "select edge 5", "adjacency 1 2 on",
+                             "hash-sets build edge 61", "clip x 0.5 cells"}) {
+      const std::string number = std::to_string(++cases);
+      all += "loud" + number + " = { mesh = \"" + mesh + "\", commands = \"" + line + "\" }\n";
+      all += quiet("quiet" + number, mesh);
+      fs::copy_file(at("baselines/alone.png"), at("baselines/quiet" + number + ".png"),
+                    fs::copy_options::overwrite_existing);
+      fs::remove(at("baselines/loud" + number + ".png"));
+    }
+    write("suite.toml", all);
+    ASSERT_EQ(run("--update"), 0) << said();
+    EXPECT_NE(table().find("12 cases: 6 same, 6 new\n"), std::string::npos) << mesh << table();
+  }
+}
+
 TEST_F(SuiteRun, ACaseIsWhatTheProgramDrawsForItAlone) {
   write("turn.aomd", "sample bracket 4\norbit 20 10\nselect edge 3\n");
   write("suite.toml",
@@ -165,6 +192,28 @@ TEST_F(SuiteRun, ARecordingIsACase) {
         "[defaults]\nthreshold = 1\npanels = true\nsize = \"900x600\"\n[cases]\ndone = "
         "\"done.aomd\"\n");
   EXPECT_EQ(run(), 0) << said() << test::bytes_of(at("done.aomd"));
+}
+
+TEST_F(SuiteRun, AMenuShowsThoughAPictureWithoutPanelsCameBefore) {
+  for (const char* menu : {"menu view", "menu 0.1 0.2"}) {
+    const std::string begin = "sample bracket 4\nselect edge 3\nwait-idle\n";
+    const std::string end = std::string(menu) + "\nscreenshot ";
+    write("first.aomd", begin + end + "first.png 900x600\n");
+    write("later.aomd", begin + "screenshot x.png 300x200 no-ui\n" + end + "later.png 900x600\n");
+    ASSERT_EQ(view("--headless --script first.aomd --size 900x600"), 0) << said();
+    ASSERT_EQ(view("--headless --script later.aomd --size 900x600"), 0) << said();
+    // The line below says that the other picture is saved.
+    io::Image first = io::read_png(at("first.png")), later = io::read_png(at("later.png"));
+    for (io::Image* each : {&first, &later}) each->rgba.resize(std::size_t{4} * 900 * 560);
+    EXPECT_TRUE(first.rgba == later.rgba) << menu;
+  }
+}
+
+TEST_F(SuiteRun, PicturesWithoutPanelsSayHowLongWhatIsMeasuredIs) {
+  write("part.aomd", "sample bracket 4\nselect vertex 1 40\nscreenshot shot.png 600x400 no-ui\n");
+  ASSERT_EQ(view("--headless --no-ui --size 600x400 --script part.aomd --screenshot whole.png"), 0)
+      << said();
+  EXPECT_TRUE(io::read_png(at("shot.png")) == io::read_png(at("whole.png")));
 }
 
 TEST_F(SuiteRun, PathsAreThoseOfTheSuite) {

@@ -28,12 +28,20 @@ std::string list_of(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
-ArrayWeight parsed(const std::string& word, const std::vector<std::string>& names) {
+/// What a name alone says: the weight that the array has anyway, else 1.
+ArrayWeight usual_or_1(const std::string& name, const std::vector<ArrayWeight>& usual) {
+  const auto same = std::find_if(usual.begin(), usual.end(),
+                                 [&](const ArrayWeight& w) { return w.name == name; });
+  return same == usual.end() ? ArrayWeight{name, 1} : *same;
+}
+
+ArrayWeight parsed(const std::string& word, const std::vector<std::string>& names,
+                   const std::vector<ArrayWeight>& usual) {
   const auto known = [&](const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   const std::size_t equals = word.rfind('=');
-  ArrayWeight result{word, 1};
+  ArrayWeight result = usual_or_1(word, usual);
   if (!known(word) && equals != std::string::npos) {
     const auto weight = parse_number(word.substr(equals + 1));
     if (!weight || !(*weight >= 0 && *weight <= heaviest))
@@ -51,14 +59,15 @@ ArrayWeight parsed(const std::string& word, const std::vector<std::string>& name
 
 std::vector<ArrayWeight> attribute_weights(const MeshData& mesh,
                                            const std::vector<std::string>& words) {
-  std::vector<ArrayWeight> weights = usual_weights(mesh);
+  const std::vector<ArrayWeight> usual = usual_weights(mesh);
+  std::vector<ArrayWeight> weights = usual;
   const std::vector<std::string> names = countable(mesh);
   for (const std::string& word : words) {
     if (word == "none") {
       weights.clear();
       continue;
     }
-    const ArrayWeight given = parsed(word, names);
+    const ArrayWeight given = parsed(word, names, usual);
     const auto same = std::find_if(weights.begin(), weights.end(),
                                    [&](const ArrayWeight& w) { return w.name == given.name; });
     if (same == weights.end())

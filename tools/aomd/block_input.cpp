@@ -17,7 +17,7 @@ std::optional<CoarseSurface> read_in_blocks(const DecimateOptions& options, Exch
 
 std::vector<std::string> notes_of(const CoarseSurface& input) {
   if (input.left_out.empty()) return {};
-  return {"left out, since blocks hold the shape alone: " + joined(input.left_out, ", ")};
+  return {"left out, since blocks hold vertices and faces alone: " + joined(input.left_out, ", ")};
 }
 
 }  // namespace aomd::cli

@@ -17,10 +17,6 @@
 #include "core/io/left_out.h"
 #include "core/io/output_files.h"
 #include "core/measure/distance.h"
-#include "core/measure/distinct.h"
-#include "core/measure/intersections.h"
-#include "core/measure/normals.h"
-#include "core/measure/volume_statistics.h"
 #include "core/mesh/extent.h"
 #include "core/mesh/verify.h"
 #include "core/model/classify.h"
@@ -36,14 +32,15 @@
 #include "tools/aomd/decimate_input.h"
 #include "tools/aomd/decimate_report.h"
 #include "tools/aomd/given_classes.h"
+#include "tools/aomd/given_mesh.h"
 #include "tools/aomd/in_memory.h"
 #include "tools/aomd/keep_file.h"
 #include "tools/aomd/letting_go.h"
 #include "tools/aomd/missed_target.h"
 #include "tools/aomd/outputs.h"
 #include "tools/aomd/progress.h"
+#include "tools/aomd/result_check.h"
 #include "tools/aomd/surface_lines.h"
-#include "tools/aomd/volume_faults.h"
 
 namespace aomd::cli {
 namespace {
@@ -72,7 +69,9 @@ class Run {
         progress_(listener ? Progress(listener->progress)
                            : Progress(options.quiet || options.one_of_several)),
         steps_(options.for_library()),
-        asked_(options.for_classification()) {}
+        asked_(options.for_classification()),
+        given_(options),
+        check_(options, given_, steps_.threads) {}
 
   int run() {
     format_ = format_of_output(options_.output, options_.format);
@@ -92,7 +91,8 @@ class Run {
   Decimated run(const MeshData& mesh) {
     options_.check_spacing();
     check_files(beside_mesh(options_.inputs()), beside_mesh(options_.outputs()));
-    take(mesh);
+    given_.take(mesh);
+    prepare();
     meet_target();
     check();
     write();
@@ -114,32 +114,17 @@ class Run {
   }
 
   void read() {
-    if (options_.blocks > 1) return read_blocks();
-    progress_.show("reading");
-    io::ReadResult read = read_input(options_.input);
-    progress_.wipe();
-    note(options_.input, read.notes);
-    own_ = std::move(read.mesh);
-    take(own_);
+    note(options_.input, given_.read(exchange_, progress_));
+    if (given_.in_blocks()) lap("blocks");
+    did_.in_blocks = given_.in_blocks();
+    steps_.original = given_.samples();
+    prepare();
   }
 
-  // What is coarser already stands for the file.
-  void read_blocks() {
-    std::optional<CoarseSurface> input = read_in_blocks(options_, exchange_, progress_);
-    progress_.wipe();
-    note(options_.input, notes_of(*input));
-    steps_.original = std::move(input->samples);
-    own_ = std::move(input->mesh);
-    did_.in_blocks = InBlocks{input->vertices, input->faces};
-    lap("blocks");
-    take(own_);
-  }
-
-  void take(const MeshData& mesh) {
-    given_ = &mesh;
+  void prepare() {
     lap("read");
-    if (options_.triangulate) note(options_.input, cut_quads(own()));
-    if (options_.split_to_tets) note(options_.input, cut_regions(own()));
+    if (options_.triangulate) note(options_.input, cut_quads(given_.own()));
+    if (options_.split_to_tets) note(options_.input, cut_regions(given_.own()));
     if (options_.repair) repair_mesh();
     mesh_ = Mesh(given());
     check_decimable(mesh_, options_.input);
@@ -149,17 +134,12 @@ class Run {
     count_cells();
     if (!options_.model.empty()) model_ = load_gmsh_model(options_.model);
     diagonal_ = diagonal_of(given());
-    if (volume()) forget_regions();
+    if (volume()) given_.forget_regions();
     lap("read");
   }
 
-  [[nodiscard]] const MeshData& given() const { return *given_; }
-  /// The same to be changed: what another program holds is copied first.
-  MeshData& own() {
-    if (given_ != &own_) own_ = *given_;
-    given_ = &own_;
-    return own_;
-  }
+  [[nodiscard]] const MeshData& given() const { return given_.mesh(); }
+  [[nodiscard]] bool volume() const { return given_.is_volume(); }
 
   /// A stage may come several times.
   void lap(const char* stage) {
@@ -239,26 +219,6 @@ class Run {
       run(best);
   }
 
-  [[nodiscard]] bool volume() const { return !given().regions.empty(); }
-
-  // Their vertices, a fifth of what a decimation takes, are asked for where data go with them, and
-  // where something is to be blamed on the input, which can be read again.
-  void forget_regions() {
-    const bool again = listener_ == nullptr && options_.input != "-" &&
-                       std::filesystem::is_regular_file(options_.input);
-    if (options_.reach || options_.triangulate || options_.split_to_tets) return;
-    if (!again || data_need_regions() || !given().periodic.empty()) return;
-    own_.regions.vertices = std::vector<std::uint32_t>();
-    forgotten_ = true;
-  }
-
-  // What Medit says of vertices, edges and faces is followed without the regions, or not at all.
-  [[nodiscard]] bool data_need_regions() const {
-    return std::any_of(
-        given().attributes.begin(), given().attributes.end(),
-        [](const Attribute& a) { return a.dimension == 3 || !a.name.starts_with("medit:"); });
-  }
-
   // Regions of other shapes than tetrahedra stay, and count beside the target.
   void count_cells() {
     for (const Region r : mesh_.regions()) did_.others += mesh_.shape(r) != Shape::Tetrahedron;
@@ -274,7 +234,7 @@ class Run {
   void repair_mesh() {
     progress_.show("repairing");
     std::vector<std::string> notes;
-    did_.repaired = mend(own(), options_, notes);
+    did_.repaired = mend(given_.own(), options_, notes);
     progress_.wipe();
     note(options_.input, notes);
     lap("repair");
@@ -311,28 +271,15 @@ class Run {
     if (options_.snaps()) check_snapping(mesh_, *model_, options_);
     if (options_.snaps()) steps_.model = model_.get();
     lap("classify");
-    did_.input = measure::count_entities(mesh_);
-    volumes_before_ = measure::region_volumes(mesh_);
-    if (volume()) faults_.emplace(mesh_, did_.input);
-    note(options_.input, what_is_wrong());
+    note(options_.input, check_.before(mesh_, did_));
     watch_.lap();
-  }
-
-  /// What keeps a surface from its target, or what does not fit together in a volume.
-  [[nodiscard]] std::vector<std::string> what_is_wrong() const {
-    if (!volume()) return dirt_notes(given(), did_.input, false);
-    std::vector<std::string> notes =
-        notes_of(*faults_, did_.others == 0 ? "tetrahedra" : "regions");
-    for (const SurfaceFinding& finding :
-         hanging_findings(mesh_, steps_.threads, measure::Skin::Listed))
-      notes.push_back(finding.dirt.name + ": " + finding.dirt.text + ": aomd check names them");
-    return notes;
   }
 
   // What the angle finds is classified without edges that would cost too much of the target.
   void classify_by_angle() {
     const ClassifyResult found = classify(mesh_, how_);
     given_classes_ = found.given || !options_.model.empty();
+    has_features_ = found.features.sharp > 0;
     if (found.given && options_.feature_angle_given)
       note(options_.input, {"the file classifies faces or edges: --feature-angle has no say"});
     const bool free = !volume() && !options_.feature_angle_given && !model_ &&
@@ -340,7 +287,7 @@ class Run {
     if (!free || features_pay(found.features, found.model_vertices, steps_.target_faces)) return;
     how_.feature_angle_deg = FacetJudge::corner_deg;
     mesh_ = Mesh(given());
-    classify(mesh_, how_);
+    has_features_ = classify(mesh_, how_).features.sharp > 0;
     note(options_.input, {dear_features(found.model_vertices, steps_.target_faces)});
   }
 
@@ -354,7 +301,7 @@ class Run {
     steps_.keep = keep_required(mesh_, steps_.keep, required);
     if (required > 0)
       note(options_.input, {counted(required, "required vertex") + " kept in place"});
-    if (!volume() && !options_.paper())
+    if (!volume() && !options_.paper() && !did_.in_blocks)
       steps_.values =
           counted_values(given(), mesh_, attribute_weights(given(), options_.attributes));
     const auto source = options_.spacing_source();
@@ -387,42 +334,24 @@ class Run {
     if (!misses(cells(), did_.target)) return;
     progress_.show("asking why");
     did_.missed = {decimation.edges_left(), {}};
-    did_.missed->help =
-        what_would_help(did_.missed->edges, options_, steps_, given(), did_.input, mesh_.count(2));
+    did_.missed->help = what_would_help(did_.missed->edges, options_, steps_,
+                                        {given(), did_.input, has_features_}, mesh_.count(2));
   }
 
   void check() {
     progress_.show("checking");
     mesh_.attach(nullptr);
     if (const auto findings = verify(mesh_); !findings.empty()) blame(findings.front());
-    did_.self_intersections = measure::count_self_intersections(mesh_, steps_.threads).pairs;
-    did_.output = measure::count_entities(mesh_);
-    if (volume()) check_volume();
-    if (!volume()) count_flips();
+    check_.after(mesh_, did_);
     lap("check");
     did_.quality = measure::measure_quality(mesh_);
     watch_.lap();
   }
 
-  void count_flips() {
-    const TriangleTree original(measure::distinct(triangles_of(given()).corners).triangles,
-                                steps_.threads);
-    did_.flips = measure::measure_normals(original, mesh_, steps_.threads).flips;
-  }
-
-  // An input may have faults of its own.
-  void check_volume() {
-    did_.volume_quality = measure::measure_volume(mesh_);
-    did_.volumes = volume_changes(volumes_before_, measure::region_volumes(mesh_));
-    if (const auto worse = made_worse(*faults_, VolumeFaults(mesh_, did_.output)))
-      throw InternalFault(options_.input + ": internal fault: " + *worse +
-                          " in the result, which was not written");
-  }
-
   /// The result contradicts itself: because the input did, or because of a fault in this program.
   /// Nothing is written then but the journal, which shows the operation at fault.
   [[noreturn]] void blame(const Finding& finding) const {
-    Mesh start(forgotten_ ? read_input(options_.input).mesh : given());
+    Mesh start(given_.whole());
     classify(start, how_);
     if (const auto findings = verify(start); !findings.empty())
       throw io::ReadError(options_.input, {}, "cannot be decimated: " + findings.front().text);
@@ -462,8 +391,7 @@ class Run {
   // Where nothing was done all data stay, which regions have to be compared for.
   void carry_arrays(MeshData& result) {
     const bool same_count = result.regions.size() == given().regions.size();
-    if (forgotten_ && same_count && !given().attributes.empty())
-      own_ = read_input(options_.input).mesh;
+    if (same_count && !given().attributes.empty()) given_.recall_regions();
     io::CarriedAlong along = io::carry_along(given(), result, steps_.threads);
     did_.fields = std::move(along.fields);
     if (!did_.fields.empty()) lap("fields");
@@ -499,18 +427,16 @@ class Run {
   DecimationOptions steps_;
   ClassifyOptions asked_, how_;  ///< how the mesh is to be classified, and how it was
   Stopwatch watch_;
-  MeshData own_;  ///< as read, or as repaired
-  const MeshData* given_ = &own_;
+  GivenMesh given_;
   double diagonal_ = 0;
-  bool forgotten_ = false;      ///< the vertices of the regions of `own_`
   bool repeated_ = false;       ///< the attempt is not the first
   bool given_classes_ = false;  ///< by the file or a model: the angle had no say
+  bool has_features_ = false;   ///< the angle has found some
   Mesh mesh_;
   Request balls_;  ///< T(0,3) of a volume, which all stages but the last ones read
   std::unique_ptr<Model> model_;
   io::JournalFile record_;
-  std::vector<measure::RegionVolume> volumes_before_;
-  std::optional<VolumeFaults> faults_;  ///< of a volume as classified
+  ResultCheck check_;
   DecimateReport did_;
   MeshData result_;
   Json report_;

@@ -139,8 +139,8 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
       "--attributes", o.attributes,
       "For quality: arrays that count beside the shape. At weight 1 a difference\n"
       "over the whole range counts like 0.1 % of the diagonal, at 0 it does not.\n"
-      "Colours and texture coordinates do by themselves; after none only what\n"
-      "follows");
+      "Colours (3) and texture coordinates (1) do by themselves; after none only\n"
+      "what follows");
   attributes->type_name("NAME[=WEIGHT],...|none")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -16,9 +16,8 @@ constexpr std::int64_t least_share = 20;
 /// Looks for what loosens one reason. What --reach has let go of is no help any more.
 class Loosening {
  public:
-  Loosening(const DecimateOptions& given, const DecimationOptions& steps, const MeshData& original,
-            const measure::Counts& input)
-      : given_(given), steps_(steps), original_(original), input_(input) {}
+  Loosening(const DecimateOptions& given, const DecimationOptions& steps, const RunInput& input)
+      : given_(given), steps_(steps), input_(input), original_(input.mesh) {}
 
   [[nodiscard]] std::string against(Reason reason) const {
     const bool volume = !original_.regions.empty();
@@ -59,7 +58,7 @@ class Loosening {
 
   /// Borders that should be none.
   [[nodiscard]] std::string by_welding() const {
-    if (input_.boundary_edges > 0)
+    if (input_.counts.boundary_edges > 0)
       for (const SurfaceFinding& finding : survey(original_))
         if (finding.remedy == Remedy::Weld) return "aomd repair " + weld_words(finding);
     return "";
@@ -78,14 +77,16 @@ class Loosening {
   }
 
   /// Borders that should be none, and edges of many faces, are model edges as features are. Those
-  /// of a volume are mostly its interfaces, which no option takes away.
+  /// of a volume are mostly its interfaces, which no option takes away. Only --reach lets go of the
+  /// corners of borders.
   [[nodiscard]] std::string against_classification() const {
     if (!original_.regions.empty()) return "";
     if (std::string mending = by_mending(); !mending.empty()) return mending;
     const bool by_file = !original_.faces.classes.empty() || !original_.edges.classes.empty();
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     if (given_.reach) return "";
-    return given_.feature_angle != "off" ? "--feature-angle off" : "--reach";
+    if (input_.features) return "--feature-angle off";
+    return given_.blocks > 1 ? "" : "--reach";
   }
 
   /// Vertices of regions that are no tetrahedra stay.
@@ -97,13 +98,13 @@ class Loosening {
 
   [[nodiscard]] std::string by_mending() const {
     if (std::string welding = by_welding(); !welding.empty()) return welding;
-    return input_.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
+    return input_.counts.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
   }
 
   const DecimateOptions& given_;
   const DecimationOptions& steps_;
+  const RunInput& input_;
   const MeshData& original_;
-  const measure::Counts& input_;
 };
 
 /// "; --angle 20 would help, or --feature-angle off"
@@ -126,16 +127,16 @@ std::uint64_t least_faces(const measure::Counts& input) {
 }
 
 std::vector<Help> what_would_help(const EdgesByReason& edges, const DecimateOptions& given,
-                                  const DecimationOptions& steps, const MeshData& original,
-                                  const measure::Counts& input, std::uint64_t faces) {
-  const Loosening loosening(given, steps, original, input);
+                                  const DecimationOptions& steps, const RunInput& input,
+                                  std::uint64_t faces) {
+  const Loosening loosening(given, steps, input);
   std::vector<Help> help;
   const auto add = [&](Reason reason, std::string option) {
     const auto same = [&](const Help& each) { return each.option == option; };
     if (!option.empty() && std::none_of(help.begin(), help.end(), same))
       help.push_back({reason, std::move(option)});
   };
-  if (faces <= least_faces(input)) {
+  if (faces <= least_faces(input.counts)) {
     add(Reason::None, loosening.by_welding());
     return help;
   }

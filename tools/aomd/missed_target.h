@@ -30,14 +30,20 @@ struct MissedTarget {
   std::vector<Help> help;  ///< the one for most edges first
 };
 
+/// The input of a run.
+struct RunInput {
+  const MeshData& mesh;
+  const measure::Counts& counts;
+  bool features;  ///< edges became model edges by their angle
+};
+
 /// Says what would loosen each reason that keeps a twentieth of the edges at least: an option of
-/// `given`, or a command that mends `original`, of which `input` counts the entities. Where the
-/// `faces` that are left are no more than its pieces need, only welding can.
+/// `given`, or a command that mends the input. Where the `faces` that are left are no more than its
+/// pieces need, only welding can.
 [[nodiscard]] std::vector<Help> what_would_help(const EdgesByReason& edges,
                                                 const DecimateOptions& given,
                                                 const DecimationOptions& steps,
-                                                const MeshData& original,
-                                                const measure::Counts& input, std::uint64_t faces);
+                                                const RunInput& input, std::uint64_t faces);
 
 /// "3,210 faces, above the target of 1,000: of 4,815 edges left, ...; --angle 20 would help, or
 /// --feature-angle off"; of a volume tetrahedra.

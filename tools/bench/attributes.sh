@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tools/bench/attributes.sh: what decimation makes of colours and texture coordinates. A sphere of 99,372 faces with a
-# colour at each vertex goes to 5,000 faces, one with six charts of a texture to 10 %, each with the arrays in the cost of
-# collapses and without. Prints two tables.
+# colour at each vertex goes to 5,000 faces, at several weights of the colours in the cost of collapses: what they are off
+# by against what the shape is. One with six charts of a texture goes to 10 %. Prints a table for each pattern.
 #   AOMD           the program (build/bin/aomd)
 #   MESHOPTIMIZER  the folder of the npm package meshoptimizer, to run its simplifyWithAttributes beside it (with node)
 #   VTK            the program aomd-peer-vtk-attributes (tools/bench/peers), which runs VTK's attribute metric beside it
@@ -43,11 +43,10 @@ for pattern in globe patches smooth; do
   python3 "$here/spheres.py" "$pattern" "$work/$pattern.ply"
   echo "## $pattern to $faces faces"
   python3 "$here/report.py" head
-  decimate "\`--attributes none\`" "$pattern" --attributes none
-  decimate "default" "$pattern"
-  decimate "\`--attributes color=3\`" "$pattern" --attributes color=3
-  decimate "\`--regularity 0 --attributes none\`" "$pattern" --regularity 0 --attributes none
-  decimate "\`--regularity 0\`" "$pattern" --regularity 0
+  for weight in 0 0.5 1 2 3 5 10; do decimate "weight $weight" "$pattern" --attributes "color=$weight"; done
+  for weight in 0 3 5; do
+    decimate "weight $weight, \`--regularity 0\`" "$pattern" --regularity 0 --attributes "color=$weight"
+  done
   if [ -n "${MESHOPTIMIZER:-}" ]; then
     for weight in 0 0.01 0.1 1; do meshoptimizer "$weight" "$pattern"; done
   fi

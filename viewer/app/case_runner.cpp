@@ -92,6 +92,7 @@ CaseResult CaseRunner::draw_and_judge(const Case& each) {
   if (error) throw io::ReadError(each.folder.string(), {}, error.message());
   const Options options = options_of(each);
   scene::Session session;
+  session.spare = &spare_;
   if (const std::string first = first_command(options); !first.empty())
     scene::execute(session, first);
   provide_window(options.size);
@@ -100,6 +101,7 @@ CaseResult CaseRunner::draw_and_judge(const Case& each) {
   drawn.missed = carry_out(viewer, session, each);
   drawn.picture = viewer.picture(options.size, each.transparent);
   drawn.scene = viewer.scene_area(options.size);
+  spare_.keep(session.document().take_untouched());
   CaseResult result;
   if (update_ && drawn.missed.empty())
     make_baseline(each, drawn, result);

@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "viewer/app/graphics.h"
+#include "viewer/document/spare_mesh.h"
 #include "viewer/suite/case_result.h"
 
 namespace aomd::app {
 
 /// Each case is carried out as if the program had been started for it alone, with a session and a
-/// viewer of its own. Cases of one size that follow one another share the context and the shaders.
+/// viewer of its own. Cases of one size that follow one another share the context and the shaders,
+/// those of one mesh the mesh, as long as they leave it as it was loaded.
 class CaseRunner {
  public:
   /// Pictures go into the folder `work`, an absolute path. `update`: baselines are made.
@@ -36,6 +38,7 @@ class CaseRunner {
   bool update_;
   std::unique_ptr<Window> window_;  ///< of the last case
   std::shared_ptr<Graphics> graphics_;
+  scene::SpareMesh spare_;  ///< of the last case
 };
 
 }  // namespace aomd::app

@@ -1,8 +1,11 @@
 // aomd-view: see docs/COMMANDS.md for its commands and --help for its options.
 
+#include <malloc.h>
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <string_view>
 
 #include "core/io/png.h"
@@ -18,6 +21,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* fallback_picture = "aomd-view.png";
+
+/// Of a program that ends with its pictures. What loading lets go of is of use to drawing as it is;
+/// given back, the system would have to fill it with zeros again.
+void keep_freed_memory() {
+  constexpr int all = std::numeric_limits<int>::max();
+  mallopt(M_ARENA_MAX, 1);
+  mallopt(M_MMAP_THRESHOLD, all);
+  mallopt(M_TRIM_THRESHOLD, all);
+}
 
 int compare(const Options& options, const io::Image& result) {
   const io::Image baseline = io::read_png(options.compare);
@@ -72,6 +84,7 @@ std::unique_ptr<Window> window_or_none(const Options& options) {
 int run(Options options) {
   // Loading starts before the context and its shaders are made: with two processors neither waits
   // for the other.
+  if (options.headless) keep_freed_memory();
   scene::Session session;
   const bool alone = !options.headless && options.script.empty();
   if (const fs::path folder =
@@ -97,8 +110,10 @@ int run(Options options) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc > 1 && std::string_view(argv[1]) == "test")
+    if (argc > 1 && std::string_view(argv[1]) == "test") {
+      aomd::app::keep_freed_memory();
       return aomd::app::test_command(argc - 1, argv + 1);
+    }
     const aomd::app::ParsedOptions parsed = aomd::app::parse_options(argc, argv);
     return parsed.options ? aomd::app::run(*parsed.options) : parsed.exit_code;
   } catch (const std::exception& error) {

@@ -40,6 +40,7 @@ std::string_view Document::hindrance() const { return loaded_ ? loaded_->obstacl
 
 Column<Vertex, double> Document::wanted_lengths() const {
   if (options().spacing) return *options().spacing;
+  prepare_lengths(*loaded_);
   if (options().coarsest || options().target_faces > 0 || loaded_->edge_lengths.size() == 0)
     return Column<Vertex, double>(mesh().capacity(0), std::numeric_limits<double>::infinity());
   Column<Vertex, double> lengths = loaded_->edge_lengths;
@@ -67,6 +68,7 @@ Document::Document(DocumentOptions& options, std::unique_ptr<LoadedMesh> loaded)
 }
 
 void Document::restore(const SavedWork& work) {
+  prepare();
   marks_ = work.marks;
   options_.set(work.options);
   options_.classify = work.classify;
@@ -85,7 +87,20 @@ void Document::renew_skin() {
   skin_place_ = place();
 }
 
+/// Relations that were asked for are told in panels, and sets for look-up too.
+std::unique_ptr<LoadedMesh> Document::take_untouched() {
+  if (!loaded_ || loaded_->file.empty() || loaded_->mesh.revision() != loaded_->revision)
+    return nullptr;
+  if (loaded_->prepared || loaded_->decimation || loaded_->model || loaded_->original || trial_ ||
+      adjacency_change_)
+    return nullptr;
+  for (int dim = 1; dim <= 3; ++dim)
+    if (loaded_->mesh.hash(dim).built()) return nullptr;
+  return std::move(loaded_);
+}
+
 void Document::prepare() {
+  if (!loaded_->volume()) prepare_lengths(*loaded_);
   if (loaded_->prepared || !loaded_->volume() || !hindrance().empty()) return;
   prepare_volume(*loaded_);
   as_loaded_.reset();

@@ -152,9 +152,12 @@ class Document {
   [[nodiscard]] bool answers_about(EntityRef e) const;
   /// Whether build_decimation_to_judge() costs next to nothing.
   [[nodiscard]] bool judges_at_once() const;
-  /// Before the first operation among tetrahedra, or the first question about one: prepare_volume()
-  /// once. Nothing for other meshes.
+  /// Before the first operation, or the first question about one: prepare_lengths() and, for
+  /// tetrahedra, prepare_volume(), once.
   void prepare();
+  /// The mesh, where nothing has been done to it since its file was read: the document is then
+  /// without one, and must go before it. Else null, and it stays.
+  [[nodiscard]] std::unique_ptr<LoadedMesh> take_untouched();
   /// Brings the skin, where there is one, up to the mesh. O(size) where that has changed.
   void renew_skin();
 

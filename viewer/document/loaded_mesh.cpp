@@ -107,10 +107,10 @@ std::unique_ptr<LoadedMesh> make_loaded(const MeshData& data, std::string name,
     loaded->skin.emplace(mesh);
     find_obstacle(*loaded);
   }
-  if (!loaded->skin) loaded->edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   mesh.keep_class_lists(true);
   loaded->bounds = loaded->skin ? loaded->skin->bounds() : box_of(mesh);
   mesh.attach(&loaded->journal);
+  loaded->revision = mesh.revision();
   return loaded;
 }
 
@@ -176,9 +176,14 @@ void prepare_volume(LoadedMesh& loaded) {
   mesh.attach(&loaded.journal);
   if (loaded.source.recoverable) loaded.start = io::fingerprint(mesh);
   loaded.needs = request_for_patches(mesh);
-  loaded.edge_lengths = evaluate_spacing(mesh, {SpacingByFactor{1}, {}});
   loaded.prepared = true;
+  prepare_lengths(loaded);
   if (loaded.skin) loaded.skin.emplace(whole_skin(loaded));
+}
+
+void prepare_lengths(LoadedMesh& loaded) {
+  if (loaded.edge_lengths.size() > 0 || (loaded.skin && !loaded.prepared)) return;
+  loaded.edge_lengths = evaluate_spacing(loaded.mesh, {SpacingByFactor{1}, {}});
 }
 
 Skin whole_skin(const LoadedMesh& loaded) {

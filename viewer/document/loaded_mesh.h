@@ -2,6 +2,7 @@
 // A mesh with all that a session keeps about it, made from a file or a generator on any thread.
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -58,6 +59,7 @@ struct LoadedMesh {
   std::vector<std::string> notes;  ///< what the reader had to do
   Box bounds;                      ///< of the vertices that can be seen
   Mesh mesh;
+  std::uint64_t revision = 0;  ///< of the mesh as loaded
   Journal journal;
   std::vector<Attribute> corners;  ///< what the file has on the corners of faces
   std::vector<Remark> remarks;     ///< and what it says of the whole,
@@ -65,7 +67,7 @@ struct LoadedMesh {
   std::vector<VertexSeams> seams;  ///< of those that have one
   ClassifyOptions classify_options;
   ClassifyResult classified;
-  /// Mean at each vertex as loaded; empty for quads, and for volumes before they are prepared.
+  /// Mean at each vertex as loaded; empty for quads, and before prepare_lengths().
   Column<Vertex, double> edge_lengths;
   /// The file's own classification by level and id; empty where it has none. It wins over derived
   /// ones.
@@ -99,6 +101,10 @@ struct LoadedMesh {
 /// faces. Faces that its file lists inside of regions stay; then all others are entities too. Only
 /// while nothing is recorded. Takes about a second for a million regions.
 void prepare_volume(LoadedMesh& loaded);
+
+/// Measures the edges of a mesh to which nothing has been done, where that is not known yet; not of
+/// quads. A volume must be prepared. O(edges).
+void prepare_lengths(LoadedMesh& loaded);
 
 /// That of the mesh as it is now.
 [[nodiscard]] Skin whole_skin(const LoadedMesh& loaded);

@@ -19,11 +19,20 @@ void Loader::start(LoadRequest request) {
   });
 }
 
+void Loader::give(std::unique_ptr<LoadedMesh> mesh) {
+  forget_finished();
+  name_ = mesh->name;
+  jobs_.push_back(std::make_unique<Job>());
+  present_ = jobs_.back().get();
+  present_->result.mesh = std::move(mesh);
+  present_->finished = true;
+}
+
 void Loader::cancel() { present_ = nullptr; }
 
 std::optional<Loader::Result> Loader::take(bool wait) {
   if (present_ == nullptr) return {};
-  if (wait) present_->thread.join();
+  if (wait && present_->thread.joinable()) present_->thread.join();
   if (!present_->finished) return {};
   std::optional<Result> result = std::move(present_->result);
   present_ = nullptr;

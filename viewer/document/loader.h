@@ -24,6 +24,8 @@ class Loader {
   Loader& operator=(const Loader&) = delete;
 
   void start(LoadRequest request);
+  /// This is the result: nothing has to be read.
+  void give(std::unique_ptr<LoadedMesh> mesh);
   void cancel();
   [[nodiscard]] bool busy() const { return present_ != nullptr; }
   /// What is being loaded: a file's or a sample's name.
@@ -40,7 +42,7 @@ class Loader {
   struct Job {
     Result result;
     std::atomic<bool> finished = false;
-    std::jthread thread;  ///< last: joined before the rest goes
+    std::jthread thread;  ///< none where the mesh was given; last: joined before the rest goes
   };
   void forget_finished();
 

@@ -11,12 +11,16 @@ namespace {
 constexpr float split_cosine = 0.76604444f;  // of 40 degrees
 constexpr float half_cosine = 0.93969262f;   // of 20 degrees: any two of these are within 40
 
+}  // namespace
+
 glm::vec3 unit_or_zero(const glm::vec3& v) {
   const float length = glm::length(v);
   return length > 0 ? v / length : glm::vec3(0);
 }
 
-}  // namespace
+bool shares_normal(const glm::vec3& of_face, const glm::vec3& mean) {
+  return glm::dot(of_face, mean) >= half_cosine;
+}
 
 FaceNormal face_normal(const Mesh& mesh, Face face) {
   const auto t = mesh.triangle(face);
@@ -84,7 +88,7 @@ bool CornerNormals::share_one() {
   for (std::size_t i = 0; i < corners_.size(); ++i) sum += weights_[i] * normals_[i];
   const glm::vec3 mean = unit_or_zero(sum);
   for (std::size_t i = 0; i < corners_.size(); ++i)
-    if (inside_[i] != inside_[0] || glm::dot(normals_[i], mean) < half_cosine) return false;
+    if (inside_[i] != inside_[0] || !shares_normal(normals_[i], mean)) return false;
   for (Corner& c : corners_) c.normal = mean;
   return true;
 }

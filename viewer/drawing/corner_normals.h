@@ -27,6 +27,9 @@ struct alignas(32) FaceNormal {
   }
 };
 [[nodiscard]] FaceNormal face_normal(const Mesh& mesh, Face face);
+[[nodiscard]] glm::vec3 unit_or_zero(const glm::vec3& v);
+/// Whether the mean of unit normals around a vertex can stand for that of a face, all being unit.
+[[nodiscard]] bool shares_normal(const glm::vec3& of_face, const glm::vec3& mean);
 
 /// Works out the corners around one vertex at a time; holds the scratch space. The mesh must store
 /// T(0,1), T(0,2) and T(2,0).

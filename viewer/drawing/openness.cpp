@@ -9,6 +9,7 @@
 
 #include "viewer/drawing/coarse_surface.h"
 #include "viewer/drawing/depth_picture.h"
+#include "viewer/drawing/hollows.h"
 
 namespace aomd::scene {
 namespace {
@@ -17,6 +18,7 @@ constexpr std::size_t directions = 96;
 constexpr int picture_px = 384;
 constexpr std::size_t most_occluders = 120'000;
 constexpr float detail_of_diagonal = 0.06f;
+constexpr float strength_of_fold = 1.7f, most_of_fold = 0.4f;
 
 /// Whether something stands before a place. Half a pixel's depth is no obstacle: that is how exact
 /// the picture is.
@@ -63,8 +65,10 @@ OpennessSource openness_source(const Mesh& mesh, std::span<const Corner> corners
   std::vector<float> sides(mesh.capacity(0));
   for (const Vertex v : mesh.vertices())
     source.positions[v.index] = glm::vec3(mesh.position(v) - origin);
+  source.faces.reserve(mesh.count(2));
   for (const Face f : mesh.faces()) {
     const auto t = mesh.triangle(f);
+    source.faces.push_back({t[0].index, t[1].index, t[2].index});
     const auto at = [&](std::size_t i) { return source.positions[t[i].index]; };
     const glm::vec3 normal = glm::cross(at(1) - at(0), at(2) - at(0));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -93,12 +97,15 @@ std::vector<std::uint8_t> openness(const OpennessSource& source, const std::stop
     if (stop.stop_requested()) return {};
     look_from(side, source, 1.01f * radius, lights);
   }
+  const std::vector<float> hollow =
+      hollows(source.positions, source.normals, source.lengths, source.faces, 2 * radius);
   std::vector<std::uint8_t> result(lights.size(), 255);
   for (std::size_t v = 0; v < lights.size(); ++v) {
     if (lights[v].whole <= 0) continue;
     const float known = std::min(
         1.0f, 2 * detail_of_diagonal * radius / std::max(source.lengths[v], 1e-6f * radius));
-    const float open = glm::mix(1.0f, lights[v].seen / lights[v].whole, known);
+    const float fold = 1 - std::min(most_of_fold, strength_of_fold * hollow[v]);
+    const float open = glm::mix(1.0f, fold * lights[v].seen / lights[v].whole, known);
     result[v] = static_cast<std::uint8_t>(std::lround(255 * open));
   }
   return result;

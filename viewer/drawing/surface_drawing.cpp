@@ -1,29 +1,18 @@
 #include "viewer/drawing/surface_drawing.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include <glm/common.hpp>
 
 #include "core/base/parallel.h"
 #include "core/mesh/id_pool.h"
-#include "viewer/drawing/crowding.h"
-#include "viewer/drawing/step_before.h"
+#include "viewer/drawing/packed_normals.h"
 
 namespace aomd::scene {
 namespace {
 
-constexpr float model_edge_px = 2.4f;
-constexpr float highlighted_edge_px = 4.6f;
-constexpr float highlighted_vertex_px = 6.5f;
-constexpr float step_line_px = 2.6f;
-constexpr float step_disc_px = 5.0f;
-constexpr float marked_line_px = 2.0f;
-constexpr float marked_disc_px = 3.0f;
 constexpr std::size_t items_a_piece = 2048;
-constexpr Color highlight_color = rgb(0xff2f92);
-constexpr Color before_color = rgb(0x1f4fd8);
 
 /// On a part with a dozen corners they may be large; a thousand of them must not hide the surface.
 float vertex_radius_px(const Mesh& mesh) {
@@ -37,17 +26,6 @@ bool same(const Corner& a, const Corner& b) {
          a.flags == b.flags;
 }
 
-template <typename T>
-void set_at(Patched<T>& array, std::size_t i, const T& value) {
-  if (i >= array.size()) array.resize(i + 1);
-  array.set(i, value);
-}
-
-glm::dvec3 center_of(const Mesh& mesh, Face f) {
-  const auto [a, b, c] = mesh.triangle(f);
-  return (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0;
-}
-
 /// A scale in steps has no colours in between: each face has the one of its mean. None where the
 /// scale is even, or each face has a number of its own.
 std::optional<Color> stepped_color(const ScalarField* field, const std::array<Vertex, 3>& corners) {
@@ -58,38 +36,6 @@ std::optional<Color> stepped_color(const ScalarField* field, const std::array<Ve
     sum += double{field->vertices[v]};
   }
   return field->scale.color(sum / 3);
-}
-
-using Side = std::pair<Vertex, Vertex>;
-
-/// The live faces, vertices and sides of faces that a step touched.
-struct Touched {
-  std::vector<Face> faces;
-  std::vector<Vertex> vertices;
-  std::map<Side, int> sides;      ///< how many of the faces use each
-  std::map<Vertex, int> corners;  ///< likewise
-};
-
-Touched touched_by(const Mesh& mesh, const Journal& journal, std::size_t step) {
-  Touched result;
-  journal.touched(step, step + 1, [&](EntityRef e) {
-    if (!mesh.alive(e)) return;
-    if (e.dimension == 2) result.faces.emplace_back(e.index);
-    if (e.dimension == 0) result.vertices.emplace_back(e.index);
-  });
-  // A moved vertex takes its faces with it.
-  for (const Vertex v : result.vertices)
-    for (const Face f : mesh.row<2>(v)) result.faces.push_back(f);
-  std::sort(result.faces.begin(), result.faces.end());
-  result.faces.erase(std::unique(result.faces.begin(), result.faces.end()), result.faces.end());
-  for (const Face f : result.faces) {
-    const auto t = mesh.triangle(f);
-    for (std::size_t i = 0; i < 3; ++i) {
-      ++result.sides[std::minmax(t[i], t[(i + 1) % 3])];
-      ++result.corners[t[i]];
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -134,29 +80,9 @@ Color SurfaceDrawing::color(ModelRef ref) const {
   return ref.dimension() < 2 ? plain_line_color() : plain_face_color();
 }
 
-/// Of all corners, face by face. In pieces that write to places of their own.
-std::vector<std::uint32_t> SurfaceDrawing::pack_normals(const Mesh& mesh) {
-  Column<Face, FaceNormal> faces(mesh.capacity(2));
-  parallel_for(
-      mesh.capacity(2), thread_count(0), items_a_piece, [&](std::size_t begin, std::size_t end) {
-        each_alive(mesh.ids(2), begin, end,
-                   [&](std::uint32_t id) { faces[Face(id)] = face_normal(mesh, Face(id)); });
-      });
-  std::vector<std::uint32_t> packed(3 * std::size_t{mesh.capacity(2)});
-  parallel_for(mesh.capacity(0), thread_count(0), items_a_piece,
-               [&](std::size_t begin, std::size_t end) {
-                 CornerNormals normals(faces);
-                 each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
-                   for (const CornerNormals::Corner& c : normals.at(mesh, Vertex(id)))
-                     packed[3 * std::size_t{c.face.index} + c.slot] = pack_normal(c.normal);
-                 });
-               });
-  return packed;
-}
-
-/// All corners, likewise.
+/// All corners, in pieces that write to places of their own.
 void SurfaceDrawing::draw_faces(const Mesh& mesh, std::span<Corner> corners) const {
-  const std::vector<std::uint32_t> normals = pack_normals(mesh);
+  const std::vector<std::uint32_t> normals = pack_normals(mesh, items_a_piece);
   parallel_for(mesh.capacity(2), thread_count(0), items_a_piece,
                [&](std::size_t begin, std::size_t end) {
                  std::fill(corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
@@ -209,22 +135,6 @@ void SurfaceDrawing::draw_places(Face face) {
   for (std::size_t i = 0; i < 3; ++i)
     if (drawable_.places[first + i] != painted.at[i])
       drawable_.places.set(first + i, painted.at[i]);
-}
-
-/// As they are now: of vertices that come later nothing is known, and none of them fades.
-void SurfaceDrawing::find_rooms(const Mesh& mesh) {
-  constexpr float limit = 0.03f;  // of the diagonal
-  std::vector<Vertex> vertices;
-  std::vector<glm::vec3> places;
-  for (const Vertex v : mesh.vertices())
-    if (mesh.classification(v).dimension() == 0) {
-      vertices.push_back(v);
-      places.push_back(place(mesh, v));
-    }
-  const std::vector<float> found =
-      rooms(places, limit * static_cast<float>(drawable_.bounds.diagonal()));
-  rooms_.assign(vertices.empty() ? 0 : mesh.capacity(0), 0);
-  for (std::size_t i = 0; i < vertices.size(); ++i) rooms_[vertices[i].index] = found[i];
 }
 
 void SurfaceDrawing::set_openness(const Mesh& mesh, std::vector<std::uint8_t> openness) {
@@ -315,67 +225,6 @@ void SurfaceDrawing::recode(const Mesh& mesh, const std::vector<Edge>& edges) {
   }
 }
 
-/// Where a plane takes whole faces away: whether it took all faces of an edge, or of a vertex.
-/// Where no faces are drawn, whether it takes the middle.
-bool SurfaceDrawing::in_the_air(const Mesh& mesh, std::span<const Vertex> vertices) const {
-  if (!style_.plane) return false;
-  bool any = !whole_faces_ && mesh.count(2) > 0;
-  for (const Face f : mesh.row<2>(vertices[0])) {
-    const auto t = mesh.triangle(f);
-    const bool has_all = std::all_of(vertices.begin(), vertices.end(), [&](Vertex v) {
-      return std::find(t.begin(), t.end(), v) != t.end();
-    });
-    if (has_all && !(whole_faces_ && clipped(center_of(mesh, f)))) return false;
-    any = any || has_all;
-  }
-  if (any) return true;
-  glm::dvec3 sum(0);
-  for (const Vertex v : vertices) sum += mesh.position(v);
-  return clipped(sum / static_cast<double>(vertices.size()));
-}
-
-void SurfaceDrawing::draw_edge(const Mesh& mesh, Edge edge) {
-  const ModelRef model = mesh.alive(edge) ? mesh.classification(edge) : ModelRef();
-  if (model.dimension() != 1 || hidden(model) || in_the_air(mesh, mesh.edge_vertices(edge))) {
-    const std::uint32_t slot = edge_slots_.find(edge);
-    if (slot == Slots<Edge>::none) return;
-    drawable_.model_edges.set(slot, {});
-    edge_slots_.release(edge);
-    return;
-  }
-  const auto [a, b] = mesh.edge_vertices(edge);
-  const bool bright = highlighted(model);
-  set_at(drawable_.model_edges, edge_slots_.take(edge),
-         Segment{place(mesh, a), place(mesh, b), bright ? highlight_color : color(model),
-                 bright ? highlighted_edge_px : model_edge_px});
-}
-
-/// Whether model edges and vertices are in the air depends on their faces.
-void SurfaceDrawing::draw_sides(const Mesh& mesh, Face face) {
-  if (!style_.plane || !mesh.alive(face)) return;
-  const auto t = mesh.triangle(face);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (const Edge e = mesh.find_edge(t[i], t[(i + 1) % 3]); e.valid()) draw_edge(mesh, e);
-    draw_vertex(mesh, t[i]);
-  }
-}
-
-void SurfaceDrawing::draw_vertex(const Mesh& mesh, Vertex vertex) {
-  const ModelRef model = mesh.alive(vertex) ? mesh.classification(vertex) : ModelRef();
-  if (model.dimension() != 0 || hidden(model) || in_the_air(mesh, std::span(&vertex, 1))) {
-    const std::uint32_t slot = vertex_slots_.find(vertex);
-    if (slot == Slots<Vertex>::none) return;
-    drawable_.model_vertices.set(slot, {});
-    vertex_slots_.release(vertex);
-    return;
-  }
-  const bool bright = highlighted(model);
-  const float room = vertex.index < rooms_.size() && !bright ? rooms_[vertex.index] : 0;
-  set_at(drawable_.model_vertices, vertex_slots_.take(vertex),
-         Disc{place(mesh, vertex), bright ? highlight_color : color(model),
-              bright ? highlighted_vertex_px : style_.vertex_px, room});
-}
-
 void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {
   for (const CornerNormals::Corner& c : normals_.at(mesh, vertex)) {
     const std::size_t i = 3 * std::size_t{c.face.index} + c.slot;
@@ -384,77 +233,6 @@ void SurfaceDrawing::draw_normals(const Mesh& mesh, Vertex vertex) {
     Corner corner = drawable_.corners[i];
     corner.normal = packed;
     drawable_.corners.set(i, corner);
-  }
-}
-
-void SurfaceDrawing::highlight_step(const Mesh& mesh, const Journal& journal,
-                                    std::optional<std::size_t> step, StepSides sides) {
-  std::vector<Segment> lines;
-  std::vector<Disc> discs;
-  drawable_.before.clear();
-  const bool shown = step && journal.step(*step).kind != StepKind::Classify;
-  if (shown && sides.before) draw_before(mesh, journal, *step, !sides.after);
-  if (shown && sides.after) {
-    const Touched touched = touched_by(mesh, journal, *step);
-    for (const auto& [side, uses] : touched.sides)
-      lines.push_back({place(mesh, side.first), place(mesh, side.second), highlight_color,
-                       uses > 1 ? 0.6f * step_line_px : step_line_px});
-    // The vertex that all the faces share: a collapse's kept end, a smoothing's moved vertex.
-    for (const auto& [vertex, uses] : touched.corners)
-      if (journal.step(*step).kind != StepKind::Swap &&
-          uses == static_cast<int>(touched.faces.size()) && uses > 1)
-        discs.push_back({place(mesh, vertex), highlight_color, step_disc_px});
-  }
-  draw_marked(mesh, lines, discs);
-  if (!lines.empty() || !drawable_.highlight_lines.empty())
-    drawable_.highlight_lines.assign(std::move(lines));
-  if (!discs.empty() || !drawable_.highlight_discs.empty())
-    drawable_.highlight_discs.assign(std::move(discs));
-}
-
-/// Beside what stands there now only what has gone; alone everything.
-void SurfaceDrawing::draw_before(const Mesh& mesh, const Journal& journal, std::size_t step,
-                                 bool alone) {
-  const StepBefore before = step_before(mesh, journal, step);
-  std::vector<Segment> lines;
-  std::vector<Disc> discs;
-  const auto at = [&](Vertex v) { return glm::vec3(before.position(mesh, v) - drawable_.origin); };
-  std::map<Side, int> sides;
-  for (const auto& t : before.faces)
-    for (std::size_t i = 0; i < 3; ++i) ++sides[std::minmax(t[i], t[(i + 1) % 3])];
-  const std::map<Side, int> now =
-      alone ? std::map<Side, int>() : touched_by(mesh, journal, step).sides;
-  for (const auto& [side, uses] : sides) {
-    const bool moved = before.moved.contains(side.first) || before.moved.contains(side.second);
-    if (moved || !now.contains(side))
-      lines.push_back({at(side.first), at(side.second), before_color,
-                       alone && uses == 1 ? step_line_px : 0.7f * step_line_px});
-  }
-  for (const auto& [vertex, position] : before.moved)
-    discs.push_back({glm::vec3(position - drawable_.origin), before_color, 0.8f * step_disc_px});
-  drawable_.before.lines.assign(std::move(lines));
-  drawable_.before.discs.assign(std::move(discs));
-}
-
-void SurfaceDrawing::set_marked(const Mesh& mesh, std::vector<EntityRef> marked) {
-  marked_.swap(marked);
-  marked_faces_.assign(mesh.capacity(2), false);
-  for (const EntityRef e : marked_)
-    if (e.dimension == 2) marked_faces_[e.index] = true;
-  for (const auto* each : {&marked, &marked_})
-    for (const EntityRef e : *each)
-      if (e.dimension == 2) draw_face(mesh, Face(e.index));
-}
-
-void SurfaceDrawing::draw_marked(const Mesh& mesh, std::vector<Segment>& lines,
-                                 std::vector<Disc>& discs) const {
-  for (const EntityRef e : marked_) {
-    if (!mesh.alive(e)) continue;
-    if (e.dimension == 0)
-      discs.push_back({place(mesh, Vertex(e.index)), highlight_color, marked_disc_px});
-    if (e.dimension != 1) continue;
-    const auto [a, b] = mesh.edge_vertices(Edge(e.index));
-    lines.push_back({place(mesh, a), place(mesh, b), highlight_color, marked_line_px});
   }
 }
 

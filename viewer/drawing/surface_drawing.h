@@ -25,6 +25,8 @@
 
 namespace aomd::scene {
 
+inline constexpr Color highlight_color = rgb(0xff2f92);
+
 /// Places of an array for entities that come and go: the place of a dead one is given to the next.
 template <typename H>
 class Slots {
@@ -56,6 +58,11 @@ class Slots {
   std::vector<std::uint32_t> free_;
   std::uint32_t used_ = 0;
 };
+
+[[nodiscard]] inline glm::dvec3 center_of(const Mesh& mesh, Face f) {
+  const auto [a, b, c] = mesh.triangle(f);
+  return (mesh.position(a) + mesh.position(b) + mesh.position(c)) / 3.0;
+}
 
 /// Face f is drawn in slot f. The mesh must store T(0,1), T(0,2) and T(2,0).
 class SurfaceDrawing {
@@ -119,7 +126,6 @@ class SurfaceDrawing {
   [[nodiscard]] Style style_of(const Mesh& mesh, const View& view, bool changed) const;
   void patch(const Mesh& mesh, const SurfaceChanges& changes);
   [[nodiscard]] std::array<Corner, 3> corners_of(const Mesh& mesh, Face face, Color of_model) const;
-  [[nodiscard]] static std::vector<std::uint32_t> pack_normals(const Mesh& mesh);
   void draw_faces(const Mesh& mesh, std::span<Corner> corners) const;
   void draw_face(const Mesh& mesh, Face face);
   void draw_places();

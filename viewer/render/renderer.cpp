@@ -1,5 +1,6 @@
 #include "viewer/render/renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -125,7 +126,9 @@ Renderer::Renderer(const Gl& gl, const ShaderSources& sources)
       stroke_(gl, sources, "stroke"),
       nothing_(gl),
       target_(gl, wanted_samples),
-      draft_target_(gl, 1) {}
+      draft_target_(gl, 1) {
+  static_cast<void>(surface_.get({}));  // nearly every picture needs it
+}
 
 void Renderer::render(const DrawableBuffers& buffers, const scene::Camera& camera,
                       const RenderSettings& settings, const PixelRect& rect, GLuint destination) {
@@ -213,75 +216,86 @@ void Renderer::draw_background(const SceneTheme& theme, const Piece& piece) {
 /// The faces of each picture for themselves, and those without one.
 void Renderer::draw_pictures(const DrawableBuffers& buffers, const Frame& frame) {
   if (!buffers.corners.has_places()) return draw_surface(buffers.surface(), frame);
-  prepare_surface(frame, false);
+  ShaderProgram& program = prepare_surface(frame, Faces::Pictures);
   buffers.corners.bind();
   const auto count = static_cast<int>(buffers.pictures.size());
   for (int picture = 0; picture <= count; ++picture) {
     if (picture > 0) buffers.pictures.bind(static_cast<std::size_t>(picture - 1));
-    surface_.set("picture", picture);
-    gl_.DrawArrays(GL_TRIANGLES, 0, buffers.corners.count());
+    program.set("picture", picture);
+    draw_corners(buffers.corners);
   }
   gl_.BindTexture(GL_TEXTURE_2D, 0);
 }
 
 /// In eye space. The light that follows the camera comes over its left shoulder.
-void Renderer::set_light(const RenderSettings& settings) {
+void Renderer::set_light(ShaderProgram& program, const RenderSettings& settings) {
   constexpr glm::vec3 key(-0.369f, 0.527f, 0.766f), fill(0.873f, -0.218f, 0.436f), up(0, 1, 0);
   constexpr glm::vec3 half(-0.196f, 0.280f, 0.940f);  // between the key light and the eye
   const bool follows = settings.light == glm::mat3(1);
   const glm::vec3 turned = settings.light * key;
   const glm::vec3 between = turned + glm::vec3(0, 0, 1);
   const float length = glm::length(between);
-  surface_.set("key_direction", turned);
-  surface_.set("fill_direction", settings.light * fill);
-  surface_.set("sky_direction", settings.light * up);
-  surface_.set("half_direction", follows ? half : length > 0 ? between / length : turned);
+  program.set("key_direction", turned);
+  program.set("fill_direction", settings.light * fill);
+  program.set("sky_direction", settings.light * up);
+  program.set("half_direction", follows ? half : length > 0 ? between / length : turned);
 }
 
-void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires) {
+void Renderer::draw_surface(const CornerBuffer& corners, const Frame& frame, Faces faces) {
   if (corners.count() == 0) return;
-  prepare_surface(frame, wires);
-  surface_.set("picture", -1);
+  static_cast<void>(prepare_surface(frame, faces));
   corners.bind();
-  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+  draw_corners(corners);
 }
 
-void Renderer::prepare_surface(const Frame& frame, bool wires) {
+/// Mesa on the processor keeps 300 bytes of each face that is to be drawn until it is told to draw.
+void Renderer::draw_corners(const CornerBuffer& corners) {
+  constexpr GLsizei most = 3 * 50'000;
+  for (GLsizei from = 0; from < corners.count(); from += most) {
+    if (from > 0) gl_.Finish();
+    gl_.DrawArrays(GL_TRIANGLES, from, std::min(most, corners.count() - from));
+  }
+}
+
+ShaderProgram& Renderer::prepare_surface(const Frame& frame, Faces faces) {
   const RenderSettings& settings = frame.settings;
+  const bool wires = faces == Faces::Wires, codes = settings.show_edge_codes && !wires;
   const scene::Color edge = wires ? settings.theme.wire : settings.theme.edge;
-  frame.apply(surface_);
-  set_light(settings);
-  surface_.set("wires", wires ? 1 : 0);
-  surface_.set("strength", settings.quiet ? settings.theme.surface : 1.0f);
-  surface_.set("light", settings.lit ? 1 : 0);
-  surface_.set("edge_color", settings.show_edges ? unpack_color(edge) : glm::vec4(0));
-  surface_.set("edge_width", settings.edge_width_px);
-  surface_.set("back_color", unpack_color(settings.theme.back_face));
-  surface_.set("highlight_color", unpack_color(settings.theme.highlight));
-  surface_.set("show_edge_codes", settings.show_edge_codes ? 1 : 0);
-  for (std::uint8_t code = 0; settings.show_edge_codes && code <= scene::unjudged; ++code)
-    surface_.set(("code_colors[" + std::to_string(code) + "]").c_str(),
-                 opaque(scene::verdict_color(code)));
+  ShaderProgram& program =
+      surface_.get(std::string(wires ? "#define WIRES\n" : "") + (codes ? "#define CODES\n" : "") +
+                   (faces == Faces::Pictures ? "#define PICTURES\n" : ""));
+  frame.apply(program);
+  set_light(program, settings);
+  program.set("strength", settings.quiet ? settings.theme.surface : 1.0f);
+  program.set("light", settings.lit ? 1 : 0);
+  program.set("edge_color", settings.show_edges ? unpack_color(edge) : glm::vec4(0));
+  program.set("edge_width", settings.edge_width_px);
+  program.set("back_color", unpack_color(settings.theme.back_face));
+  program.set("highlight_color", unpack_color(settings.theme.highlight));
+  for (std::uint8_t code = 0; codes && code <= scene::unjudged; ++code)
+    program.set(("code_colors[" + std::to_string(code) + "]").c_str(),
+                opaque(scene::verdict_color(code)));
+  return program;
 }
 
 /// Edges without faces. Where hidden ones are not wanted, the faces come first, a little farther
 /// away and in depth alone.
 void Renderer::draw_wires(const DrawableBuffers& buffers, const Frame& frame) {
-  const auto draw = [&](bool wires) {
-    draw_surface(buffers.surface(), frame, wires);
-    draw_surface(buffers.cells, frame, wires);
+  const auto draw = [&](Faces faces) {
+    draw_surface(buffers.surface(), frame, faces);
+    draw_surface(buffers.cells, frame, faces);
   };
   if (!frame.settings.hidden_lines) {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.DepthMask(GL_TRUE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(1, 4);
-    draw(false);
+    draw(Faces::Plain);
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
     gl_.DepthMask(GL_FALSE);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  draw(true);
+  draw(Faces::Wires);
 }
 
 void Renderer::draw_overlay(const OverlayBuffers& overlay, const Frame& frame) {
@@ -317,7 +331,7 @@ void Renderer::draw_glass(const CornerBuffer& corners, const Frame& frame) {
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1, 4);
   corners.bind();
-  gl_.DrawArrays(GL_TRIANGLES, 0, corners.count());
+  draw_corners(corners);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_CULL_FACE);
 }

@@ -64,7 +64,7 @@ class Renderer {
  public:
   static constexpr int wanted_samples = 4;
 
-  /// Compiles the shaders. Throws GlError.
+  /// Compiles the shaders, but for variants that few pictures need. Throws GlError.
   Renderer(const Gl& gl, const ShaderSources& sources);
 
   /// Draws into `rect` of framebuffer `destination` (0 is the window's) through an own target with
@@ -87,10 +87,12 @@ class Renderer {
   void draw_piece(const DrawableBuffers& buffers, const scene::Camera& camera,
                   const RenderSettings& settings, const Piece& piece);
   void draw_background(const SceneTheme& theme, const Piece& piece);
-  void set_light(const RenderSettings& settings);
-  void draw_surface(const CornerBuffer& corners, const Frame& frame, bool wires = false);
+  static void set_light(ShaderProgram& program, const RenderSettings& settings);
+  enum class Faces { Plain, Pictures, Wires };
+  void draw_surface(const CornerBuffer& corners, const Frame& frame, Faces faces = Faces::Plain);
   void draw_pictures(const DrawableBuffers& buffers, const Frame& frame);
-  void prepare_surface(const Frame& frame, bool wires);
+  void draw_corners(const CornerBuffer& corners);
+  [[nodiscard]] ShaderProgram& prepare_surface(const Frame& frame, Faces faces);
   void draw_wires(const DrawableBuffers& buffers, const Frame& frame);
   void draw_overlay(const OverlayBuffers& overlay, const Frame& frame);
   void draw_inside_glass(const CornerBuffer& corners, const Frame& frame);
@@ -100,7 +102,7 @@ class Renderer {
 
   const Gl& gl_;
   ShaderProgram background_;
-  ShaderProgram surface_;
+  ShaderVariants surface_;
   ShaderProgram overlay_;
   ShaderProgram glass_;
   ShaderProgram stroke_;  ///< lines and discs

@@ -1,5 +1,7 @@
 #include "viewer/render/shader_program.h"
 
+#include <algorithm>
+
 #include <glm/gtc/type_ptr.hpp>
 
 namespace aomd::render {
@@ -25,10 +27,12 @@ std::string program_log(const Gl& gl, GLuint program) {
 
 /// Compiles one shader and attaches it; the program keeps it alive.
 void attach(const Gl& gl, GLuint program, GLenum kind, const ShaderSources& sources,
-            const std::string& file) {
+            const std::string& file, const std::string& preamble) {
   const auto found = sources.find(file);
   if (found == sources.end()) throw GlError("there is no shader " + file);
-  const char* text = found->second.c_str();
+  std::string whole = found->second;
+  whole.insert(std::min(whole.size(), whole.find('\n') + 1), preamble);
+  const char* text = whole.c_str();
   const GLuint shader = gl.CreateShader(kind);
   gl.ShaderSource(shader, 1, &text, nullptr);
   gl.CompileShader(shader);
@@ -40,9 +44,10 @@ void attach(const Gl& gl, GLuint program, GLenum kind, const ShaderSources& sour
   if (good == 0) throw GlError("shader " + file + ": " + log);
 }
 
-void link(const Gl& gl, GLuint program, const ShaderSources& sources, const std::string& name) {
-  attach(gl, program, GL_VERTEX_SHADER, sources, name + ".vert");
-  attach(gl, program, GL_FRAGMENT_SHADER, sources, name + ".frag");
+void link(const Gl& gl, GLuint program, const ShaderSources& sources, const std::string& name,
+          const std::string& preamble) {
+  attach(gl, program, GL_VERTEX_SHADER, sources, name + ".vert", preamble);
+  attach(gl, program, GL_FRAGMENT_SHADER, sources, name + ".frag", preamble);
   gl.LinkProgram(program);
   GLint good = 0;
   gl.GetProgramiv(program, GL_LINK_STATUS, &good);
@@ -51,10 +56,11 @@ void link(const Gl& gl, GLuint program, const ShaderSources& sources, const std:
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const Gl& gl, const ShaderSources& sources, const std::string& name)
+ShaderProgram::ShaderProgram(const Gl& gl, const ShaderSources& sources, const std::string& name,
+                             const std::string& preamble)
     : gl_(gl), id_(gl.CreateProgram()) {
   try {
-    link(gl_, id_, sources, name);
+    link(gl_, id_, sources, name, preamble);
   } catch (...) {
     gl_.DeleteProgram(id_);
     throw;
@@ -84,6 +90,12 @@ GLint ShaderProgram::location(const char* name) {
   const auto [entry, fresh] = locations_.try_emplace(name, -1);
   if (fresh) entry->second = gl_.GetUniformLocation(id_, name);
   return entry->second;
+}
+
+ShaderProgram& ShaderVariants::get(const std::string& preamble) {
+  std::unique_ptr<ShaderProgram>& program = programs_[preamble];
+  if (!program) program = std::make_unique<ShaderProgram>(gl_, sources_, name_, preamble);
+  return *program;
 }
 
 }  // namespace aomd::render

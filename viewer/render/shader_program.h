@@ -1,8 +1,11 @@
 #pragma once
 // A linked pair of shaders.
 
+#include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -18,8 +21,10 @@ namespace aomd::render {
 /// included.
 class ShaderProgram {
  public:
-  /// Compiles NAME.vert and NAME.frag. Throws GlError with the compiler's message.
-  ShaderProgram(const Gl& gl, const ShaderSources& sources, const std::string& name);
+  /// Compiles NAME.vert and NAME.frag, with a `preamble` behind their first line. Throws GlError
+  /// with the compiler's message.
+  ShaderProgram(const Gl& gl, const ShaderSources& sources, const std::string& name,
+                const std::string& preamble = {});
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
@@ -40,6 +45,22 @@ class ShaderProgram {
   const Gl& gl_;
   GLuint id_ = 0;
   std::unordered_map<std::string, GLint> locations_;
+};
+
+/// The programs that one pair of shaders makes by what is defined in it, each compiled at its first
+/// use.
+class ShaderVariants {
+ public:
+  ShaderVariants(const Gl& gl, ShaderSources sources, std::string name)
+      : gl_(gl), sources_(std::move(sources)), name_(std::move(name)) {}
+  /// `preamble`: lines of "#define". Throws GlError.
+  [[nodiscard]] ShaderProgram& get(const std::string& preamble);
+
+ private:
+  const Gl& gl_;
+  ShaderSources sources_;
+  std::string name_;
+  std::map<std::string, std::unique_ptr<ShaderProgram>, std::less<>> programs_;
 };
 
 }  // namespace aomd::render

@@ -32,7 +32,10 @@ void Session::keep() {
 void Session::start_loading(LoadRequest request) {
   request.recoverable = recovery != nullptr;
   request.practice = lesson.entering();
-  loader_.start(std::move(request));
+  if (auto known = spare != nullptr ? spare->take(request) : nullptr)
+    loader_.give(std::move(known));
+  else
+    loader_.start(std::move(request));
   status = "Loading " + loader_.name() + " ...";
 }
 

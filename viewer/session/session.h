@@ -17,6 +17,7 @@
 
 #include "viewer/document/loader.h"
 #include "viewer/document/recovery.h"
+#include "viewer/document/spare_mesh.h"
 #include "viewer/drawing/picture_series.h"
 #include "viewer/drawing/view.h"
 #include "viewer/lessons/lesson_player.h"
@@ -52,6 +53,7 @@ class Session {
   std::uint64_t executed = 0;                ///< how many commands were carried out
   std::unique_ptr<RecoveryKeeper> recovery;  ///< null: unsaved work is not kept
   FoundWork found_work;                      ///< of programs that died
+  SpareMesh* spare = nullptr;                ///< instead of reading a file once more; null: none
 
   /// The present mesh with all that belongs to it. Another one after each load.
   [[nodiscard]] Sheet& sheet() { return *sheet_; }

@@ -93,6 +93,7 @@ void Interface::draw_scales(const scene::Session& session, const Fonts& fonts) {
   present_ =
       picture_area({{0, 0}, ImGui::GetIO().DisplaySize}, session.sheet().side_by_side(), true);
   scales(frame);
+  ruler_labels(frame, present_);
   present_ = before;
 }
 

@@ -205,10 +205,61 @@ void text_menu(Frame& frame) {
   ImGui::EndMenu();
 }
 
+void surface_items(Frame& frame) {
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Surface", "show surface toggle", view.surface);
+  command_item(frame, "    Edges that it hides", "show hidden-lines toggle", view.hidden_lines,
+               !view.surface);
+  command_item(frame, "Edges", "show edges toggle", view.edges);
+  command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
+  command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
+}
+
+void inside_menu(Frame& frame) {
+  const bool volume = frame.has_mesh() && frame.document().content().volume();
+  if (!ImGui::BeginMenu("Inside of a volume", volume)) return;
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces);
+  command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges);
+  ImGui::EndMenu();
+}
+
+void beside_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Axes, scales and ids")) return;
+  const scene::View& view = frame.session.view;
+  command_item(frame, "Axes", "show axes toggle", view.axes);
+  command_item(frame, "Scale of the colours", "show scale toggle", view.scale);
+  command_item(frame, "Scale of lengths", "show length-scale toggle", view.length_scale,
+               view.camera.orthographic);
+  command_item(frame, "Ids at the selection", "labels toggle", view.labels);
+  ImGui::EndMenu();
+}
+
+void page_item(Frame& frame, const char* label, const std::string& name, scene::Page page) {
+  const auto& panels = frame.session.view.panels;
+  const bool up = panels.side && panels.page == page;
+  command_item(frame, label, "panel " + name + (up ? " off" : " on"), up);
+}
+
+void panels_menu(Frame& frame) {
+  if (!ImGui::BeginMenu("Panels")) return;
+  const auto& panels = frame.session.view.panels;
+  command_item(frame, "Mesh panel", "panel mesh toggle", panels.mesh);
+  page_item(frame, "Decimation", "decimation", scene::Page::Decimation);
+  page_item(frame, "Adjacencies T(I,J)", "adjacency", scene::Page::Adjacency);
+  page_item(frame, "Histograms", "histograms", scene::Page::Histograms);
+  page_item(frame, "Selection", "selection", scene::Page::Selection);
+  command_item(frame, "Timeline", "panel timeline toggle", panels.timeline);
+  command_item(frame, "Runs", "panel runs toggle", panels.runs);
+  ImGui::Separator();
+  command_item(frame, "All panels", "panel all toggle");
+  ImGui::EndMenu();
+}
+
+/// No higher than a window of 600 pixels.
 void view_menu(Frame& frame) {
   if (!ImGui::BeginMenu("View")) return;
   const scene::View& view = frame.session.view;
-  const bool volume = frame.has_mesh() && frame.document().content().volume();
   command_item(frame, "Show all of it", "fit", false, frame.has_mesh());
   command_item(frame, "Show what is selected", "fit selection", false,
                !frame.session.sheet().selection.empty());
@@ -217,46 +268,19 @@ void view_menu(Frame& frame) {
   clip_menu(frame);
   light_menu(frame);
   ImGui::Separator();
+  surface_items(frame);
+  inside_menu(frame);
+  beside_menu(frame);
+  ImGui::Separator();
   command_item(frame, "Original over it", "show original toggle", view.original,
                frame.can_decimate());
   command_item(frame, "Original beside it", "compare toggle", view.side_by_side,
                frame.can_decimate());
-  ImGui::Separator();
-  command_item(frame, "Surface", "show surface toggle", view.surface);
-  command_item(frame, "    Edges that it hides", "show hidden-lines toggle", view.hidden_lines,
-               !view.surface);
-  command_item(frame, "Edges", "show edges toggle", view.edges);
-  command_item(frame, "Model edges", "show model-edges toggle", view.model_edges);
-  command_item(frame, "Model vertices", "show model-vertices toggle", view.model_vertices);
-  command_item(frame, "Interfaces", "show interfaces toggle", view.interfaces, volume);
-  command_item(frame, "Interior edges", "show interior-edges toggle", view.interior_edges, volume);
-  command_item(frame, "Ids at the selection", "labels toggle", view.labels);
+  operation_menu(frame);
   command_item(frame, "Preview of the collapse", view.preview ? "preview off" : "preview on",
                view.preview);
-  command_item(frame, "Axes", "show axes toggle", view.axes);
-  command_item(frame, "Scale of the colours", "show scale toggle", view.scale);
-  command_item(frame, "Scale of lengths", "show length-scale toggle", view.length_scale,
-               view.camera.orthographic);
-  operation_menu(frame);
   ImGui::Separator();
-  command_item(frame, "Mesh panel", "panel mesh toggle", view.panels.mesh);
-  const auto up = [&](scene::Page page) { return view.panels.side && view.panels.page == page; };
-  command_item(frame, "Decimation",
-               up(scene::Page::Decimation) ? "panel decimation off" : "panel decimation on",
-               up(scene::Page::Decimation));
-  command_item(frame, "Adjacencies T(I,J)",
-               up(scene::Page::Adjacency) ? "panel adjacency off" : "panel adjacency on",
-               up(scene::Page::Adjacency));
-  command_item(frame, "Histograms",
-               up(scene::Page::Histograms) ? "panel histograms off" : "panel histograms on",
-               up(scene::Page::Histograms));
-  command_item(frame, "Selection",
-               up(scene::Page::Selection) ? "panel selection off" : "panel selection on",
-               up(scene::Page::Selection));
-  command_item(frame, "Timeline", "panel timeline toggle", view.panels.timeline);
-  command_item(frame, "Runs", "panel runs toggle", view.panels.runs);
-  command_item(frame, "All panels", "panel all toggle");
-  ImGui::Separator();
+  panels_menu(frame);
   text_menu(frame);
   command_item(frame, "Presentation", "presentation toggle", view.presenting.has_value());
   command_item(frame, "Dark theme", "theme toggle", view.theme == scene::Theme::Dark);
@@ -277,7 +301,9 @@ void help_menu(Frame& frame) {
 
 void menu_bar(Frame& frame, const RecentFiles& recent, MenuBarState& state) {
   const std::string& wanted = frame.session.view.bar_menu;
-  if (!wanted.empty() && state.shown != wanted) ImGui::OpenPopup(wanted.c_str());
+  // Nobody closes one without a window, but pictures without panels that come in between.
+  const bool lost = !frame.interactive && !ImGui::IsPopupOpen(wanted.c_str());
+  if (!wanted.empty() && (state.shown != wanted || lost)) ImGui::OpenPopup(wanted.c_str());
   // What a command has opened another one closes.
   if (wanted.empty() && !state.shown.empty() && ImGui::IsPopupOpen(state.shown.c_str()))
     ImGui::ClosePopupToLevel(0, true);

@@ -64,7 +64,8 @@ void items(Frame& frame) {
 void picture_menu(Frame& frame, const Area& picture, PictureMenuState& state) {
   const std::optional<glm::dvec2> wanted = frame.session.view.menu;
   if (!wanted) return state.shown.reset();
-  if (state.shown != wanted) ImGui::OpenPopup("##picture menu");
+  const bool lost = !frame.interactive && !ImGui::IsPopupOpen("##picture menu");
+  if (state.shown != wanted || lost) ImGui::OpenPopup("##picture menu");
   state.shown = wanted;
   const auto part = [](double ndc) { return static_cast<float>(0.5 * (1 + ndc)); };
   ImGui::SetNextWindowPos({picture.position.x + part(wanted->x) * picture.size.x,

@@ -138,8 +138,7 @@ ImVec2 above(const Area& taken, ImVec2 middle, ImVec2 words) {
   return middle;
 }
 
-/// How long what is measured is, at the middle of each line.
-void ruler_labels(Frame& frame, const scene::Projector& project, const Area& viewport) {
+void draw_ruler_labels(const Frame& frame, const scene::Projector& project, const Area& viewport) {
   const Mesh& mesh = frame.document().mesh();
   Plates plates(frame);
   const Area taken = length_scale_area(frame, viewport);
@@ -214,12 +213,20 @@ void hover_label(const Frame& frame, const scene::Projector& project, const scen
 
 }  // namespace
 
+void ruler_labels(const Frame& frame, const Area& viewport) {
+  if (!frame.has_mesh() || viewport.size.x < 2) return;
+  scene::View view = frame.session.view;
+  view.aspect = double{viewport.size.x} / viewport.size.y;
+  view.height_px = viewport.size.y;
+  draw_ruler_labels(frame, {view, frame.document().content().bounds}, viewport);
+}
+
 void scene_labels(Frame& frame, const Area& viewport) {
   if (!frame.has_mesh() || viewport.size.x < 2) return;
   const scene::Projector project(frame.session.view, frame.document().content().bounds);
   if (frame.session.view.labels || frame.session.sheet().inquiry().neighbours())
     id_labels(frame, project, viewport);
-  ruler_labels(frame, project, viewport);
+  draw_ruler_labels(frame, project, viewport);
   const auto* hovered = frame.session.sheet().inquiry().hovered();
   if (hovered != nullptr && !frame.session.view.menu)
     hover_label(frame, project, *hovered, viewport);

@@ -22,7 +22,7 @@ double squares(std::span<const float> wanted, std::span<const float> a, std::spa
 
 }  // namespace
 
-void AttributeFit::locate() {
+std::vector<bool> AttributeFit::find_all() {
   constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
   constexpr double far = std::numeric_limits<double>::infinity();
   const std::size_t n = original_.components();
@@ -39,9 +39,48 @@ void AttributeFit::locate() {
     }
   }
   present_.assign(n * mesh_.capacity(0), unknown);
-  for (const Vertex v : mesh_.vertices())
+  std::vector<bool> moved(mesh_.capacity(0));
+  for (const Vertex v : mesh_.vertices()) {
+    moved[v.index] = least[v] > 0;
     if (least[v] < far)
       original_.at(mesh_.position(v), nearest[v], std::span(present_).subspan(n * v.index, n));
+  }
+  return moved;
+}
+
+std::vector<fields::FitPoint> AttributeFit::fit_points() const {
+  std::vector<fields::FitPoint> points;
+  points.reserve(surface_.points().size());
+  for (const OriginalPoint& p : surface_.points()) {
+    fields::FitPoint point{{}, glm::vec3(0.0f), 0};  // what lies nowhere weighs nothing
+    if (p.face != no_index) {
+      const auto t = mesh_.triangle(Face(p.face));
+      point = {{t[0].index, t[1].index, t[2].index}, p.barycentric, p.weight};
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+void AttributeFit::fit_all(const std::vector<bool>& moved) {
+  const std::size_t n = original_.components();
+  const auto fitted_of = [&](std::span<const float> all) {
+    std::vector<double> values;
+    values.reserve(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (fitted_[i % n]) values.push_back(double(all[i]));
+    return values;
+  };
+  std::vector<double> values = fitted_of(present_);
+  fields::fit_values(n_fitted(), fit_points(), moved, fitted_of(original_.all()), values);
+  auto next = values.begin();
+  for (std::size_t i = 0; i < present_.size(); ++i)
+    if (fitted_[i % n]) present_[i] = static_cast<float>(*next++);
+}
+
+void AttributeFit::locate() {
+  const std::vector<bool> moved = find_all();
+  if (n_fitted() > 0) fit_all(moved);
 }
 
 // At the nearest of these points, on the original's faces around it.
@@ -61,9 +100,9 @@ void AttributeFit::find(const Star& star, const glm::dvec3& target, std::span<fl
     std::fill(values.begin(), values.end(), std::numeric_limits<float>::quiet_NaN());
 }
 
-void AttributeFit::move(Vertex v, const Star& star, const glm::dvec3& target) {
-  const std::size_t n = original_.components();
-  find(star, target, std::span(present_).subspan(n * v.index, n));
+void AttributeFit::move(Vertex v) {
+  std::copy(proposed_.begin(), proposed_.end(),
+            present_.begin() + std::ptrdiff_t(proposed_.size() * v.index));
 }
 
 double AttributeFit::error(const OriginalPoint& point, const std::array<Vertex, 3>& corners,
@@ -71,22 +110,42 @@ double AttributeFit::error(const OriginalPoint& point, const std::array<Vertex, 
   return squares(at(point), at(corners[0]), at(corners[1]), at(corners[2]), barycentric);
 }
 
-double AttributeFit::growth(Vertex v, const Star& star, const glm::dvec3& target) const {
-  std::vector<float> there(original_.components());
-  find(star, target, there);
-  const TwoPoints places = two_points(mesh_.position(v), target);
+// What the points on one face around a vertex say of it, before and after a move.
+void AttributeFit::add_wishes(Vertex v, const StarFace& f, const glm::dvec3& target) {
+  const auto mine = at(v), next = at(f.next), previous = at(f.previous);
+  const TwoPoints places = two_points(mesh_.position(v), target), b(mesh_.position(f.next)),
+                  c(mesh_.position(f.previous));
+  surface_.for_points(f.face, [&](const OriginalPoint& point) {
+    TwoPoints on;
+    (void)nearest_barycentric(TwoPoints(point.position), places, b, c, on);
+    const auto wanted = at(point);
+    const double area = double(point.weight), weight = on.x[1], pull = area * weight;
+    for (std::size_t k = 0; k < wishes_.size(); ++k) {
+      const double y = double(next[k]), z = double(previous[k]), x = double(wanted[k]);
+      const double before = x - on.x[0] * double(mine[k]) - on.y[0] * y - on.z[0] * z;
+      if (std::isnan(before)) continue;
+      const double off = x - on.y[1] * y - on.z[1] * z;
+      Wish& wish = wishes_[k];
+      wish.before += area * before * before;
+      wish.pulls += pull;
+      wish.squares += pull * weight;
+      wish.sum += pull * off;
+      wish.rest += area * off * off;
+    }
+  });
+}
+
+double AttributeFit::propose(Vertex v, const Star& star, const glm::dvec3& target) {
+  wishes_.assign(original_.components(), {});
+  proposed_.assign(at(v).begin(), at(v).end());
+  for (const StarFace& f : star) add_wishes(v, f, target);
+  if (n_fitted() < fitted_.size()) find(star, target, proposed_);
   double growth = 0;
-  for (const StarFace& f : star) {
-    const TwoPoints next(mesh_.position(f.next)), previous(mesh_.position(f.previous));
-    surface_.for_points(f.face, [&](const OriginalPoint& point) {
-      TwoPoints on;
-      (void)nearest_barycentric(TwoPoints(point.position), places, next, previous, on);
-      const auto off = [&](std::span<const float> at_v, std::size_t lane) {
-        return squares(at(point), at_v, at(f.next), at(f.previous),
-                       {on.x[lane], on.y[lane], on.z[lane]});
-      };
-      growth += double(point.weight) * (off(there, 1) - off(at(v), 0));
-    });
+  for (std::size_t k = 0; k < wishes_.size(); ++k) {
+    const Wish& wish = wishes_[k];
+    if (fitted_[k] && wish.squares > 0)
+      proposed_[k] = static_cast<float>(wish.best(double(at(v)[k])));
+    if (!std::isnan(proposed_[k])) growth += wish.error(double(proposed_[k])) - wish.before;
   }
   return growth;
 }

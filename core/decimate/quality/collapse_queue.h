@@ -77,9 +77,10 @@ class CollapseQueue {
   void even_out_levels();
   /// The lowest bucket of a part, VertexQueue::no_bucket where it is empty.
   [[nodiscard]] std::uint32_t lowest(std::size_t part) { return order_.lowest(part); }
-  /// How many vertices of a part wait in a bucket.
-  [[nodiscard]] std::uint32_t waiting(std::size_t part, std::uint32_t bucket) const {
-    return order_.waiting(part, bucket);
+  /// How many vertices of a part wait in these buckets, the last one included.
+  [[nodiscard]] std::uint64_t waiting(std::size_t part, std::uint32_t first,
+                                      std::uint32_t last) const {
+    return order_.waiting(part, first, last);
   }
   /// The next to leave a part is of its lowest bucket.
   void leave_bucket(std::size_t part) { order_.leave_bucket(part); }

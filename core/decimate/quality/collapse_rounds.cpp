@@ -9,6 +9,9 @@ namespace {
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 // Of faces to go, or of vertices that wait, for each part: fewer are not worth sharing out.
 constexpr std::uint64_t few = 8;
+// More times the faces that are to be left: there a part may go through many buckets at once.
+constexpr std::uint64_t far_above = 3;
+constexpr std::uint32_t buckets_at_once = 16;  // eight octaves
 
 }  // namespace
 
@@ -69,20 +72,28 @@ void CollapseRounds::end_parts() {
   turn_ = parts_.size();
 }
 
+std::uint32_t CollapseRounds::lowest_bucket() {
+  std::uint32_t lowest = VertexQueue::no_bucket;
+  for (std::size_t i = 0; i < parts_.size(); ++i) lowest = std::min(lowest, queue_.lowest(i));
+  return lowest;
+}
+
+// Far above the goal costs are far below those at the end, and which of them comes first does not
+// matter.
 bool CollapseRounds::begin_round() {
-  if (reached()) return false;
-  bucket_ = VertexQueue::no_bucket;
-  for (std::size_t i = 0; i < parts_.size(); ++i) bucket_ = std::min(bucket_, queue_.lowest(i));
-  if (bucket_ == VertexQueue::no_bucket) return false;
-  const std::uint64_t faces = goal_ > 0 ? mesh_.count(2) - goal_ : unlimited;
+  const std::uint32_t lowest = lowest_bucket();
+  if (reached() || lowest == VertexQueue::no_bucket) return false;
+  const std::uint64_t far = far_above * goal_;
+  const bool is_far = goal_ > 0 && mesh_.count(2) > far + few * parts_.size();
+  bucket_ = is_far ? std::min(lowest + buckets_at_once, VertexQueue::no_bucket) - 1 : lowest;
   std::uint64_t waiting = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     queue_.leave_bucket(i);
     parts_[i].taken = 0;
-    parts_[i].share = queue_.waiting(i, bucket_);
+    parts_[i].share = queue_.waiting(i, lowest, bucket_);
     waiting += parts_[i].share;
   }
-  share_out(faces, waiting);
+  share_out(goal_ > 0 ? mesh_.count(2) - (is_far ? far : goal_) : unlimited, waiting);
   return true;
 }
 

@@ -12,9 +12,10 @@ namespace aomd {
 
 /// All parts work off the same bucket of costs, each its own vertices in the order of ids; what
 /// lies on the seam waits until all have done so, and then has its turn in the order of ids. Then
-/// comes the next bucket. Where the target is near, each part may take away its share of the faces
-/// that are left to go. One part is the plain queue. What the parts do within a round does not
-/// depend on each other: they may do it one after the other or at once.
+/// comes the next bucket. Far above the target it is many buckets at once, so that what a part
+/// works on stays in the caches; where the target is near, each part may take away its share of the
+/// faces that are left to go. One part is the plain queue. What the parts do within a round does
+/// not depend on each other: they may do it one after the other or at once.
 class CollapseRounds {
  public:
   CollapseRounds(const Mesh& mesh, CollapseQueue& queue, const Partition& parts)
@@ -48,13 +49,14 @@ class CollapseRounds {
   [[nodiscard]] bool reached() const { return goal_ > 0 && mesh_.count(2) <= goal_; }
   [[nodiscard]] Vertex next_left();
   bool begin_round();
+  [[nodiscard]] std::uint32_t lowest_bucket();
   void share_out(std::uint64_t faces, std::uint64_t waiting);
 
   const Mesh& mesh_;
   CollapseQueue& queue_;
   const Partition& partition_;
   std::uint32_t goal_ = 0;
-  std::uint32_t bucket_ = 0;  ///< of the round
+  std::uint32_t bucket_ = 0;  ///< the last one of the round
   std::vector<Part> parts_;   ///< none where there is one part only
   std::size_t turn_ = 0;      ///< the part whose turn it is; past the last one: the seam's
   std::vector<Vertex> left_;  ///< by all parts, in the order of ids

@@ -143,7 +143,7 @@ bool QualityLoop::try_smooth(Vertex v, Hand& hand) {
   if (!options_.smooth || options_.kept(v) || !fitter_.judge_move(v, fit_, star, target).accepted())
     return false;
   if (!guards_.judge(mesh_, hand.plan.change, v, star, target).accepted()) return false;
-  if (values_) values_->move(v, star, target);
+  if (values_) values_->move(v);
   if (hand.edits) {
     hand.edits->move(v, target);
     ++hand.made.smooths;

@@ -29,9 +29,9 @@ bool looks_alike(const Mesh& mesh, Face f, const OriginalPoint& p) {
 
 }  // namespace
 
-OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling)
+OriginalSurface::OriginalSurface(const Mesh& mesh, Sampling sampling, double inward)
     : taken_by_(mesh.capacity(0)) {
-  add_vertices(mesh);
+  add_vertices(mesh, sampling == Sampling::Vertices ? inward : 0);
   if (sampling == Sampling::VerticesAndFaces) add_faces(mesh);
 }
 
@@ -62,7 +62,7 @@ OriginalSamples OriginalSurface::samples() const {
 }
 
 // In the order in which faces use them.
-void OriginalSurface::add_vertices(const Mesh& mesh) {
+void OriginalSurface::add_vertices(const Mesh& mesh, double inward) {
   Column<Vertex, std::uint32_t> point_of(mesh.capacity(0), no_index);
   vertex_of_.reserve(mesh.count(0));
   Box box;
@@ -83,6 +83,7 @@ void OriginalSurface::add_vertices(const Mesh& mesh) {
     const double length = glm::length(glm::dvec3(p.normal));
     if (length > 0) p.normal = glm::vec3(glm::dvec3(p.normal) / length);
   }
+  if (inward > 0) draw_in(mesh, point_of, inward);
 }
 
 // Gives each face's normal and area to its corners.
@@ -101,6 +102,36 @@ void OriginalSurface::share_out_faces(const Mesh& mesh,
       p.normal += glm::vec3(scale * normal);
       p.weight += static_cast<float>(area / 3);
     }
+  }
+}
+
+// A vertex stands for the part of a face that is nearest to it by barycentric coordinates. Where
+// the faces look several ways the middle of these parts lies on none of them.
+void OriginalSurface::draw_in(const Mesh& mesh, const Column<Vertex, std::uint32_t>& point_of,
+                              double inward) {
+  constexpr double alike = 0.9;  // of the area, as seen along the normal
+  struct Part {
+    double seen = 0,
+           off = 0;  ///< its area as seen along the normal, and that times its middle's height
+  };
+  std::vector<Part> parts(points_.size());
+  for (const Face f : mesh.faces()) {
+    const auto t = mesh.triangle(f);
+    const glm::dvec3 a = mesh.position(t[0]), b = mesh.position(t[1]), c = mesh.position(t[2]);
+    const glm::dvec3 normal = area_normal(a, b, c), sum = a + b + c;
+    const double third = glm::length(normal) / 6;
+    for (const Vertex v : t) {
+      const glm::dvec3 along = points_[point_of[v]].normal;
+      Part& part = parts[point_of[v]];
+      part.seen += glm::dot(along, normal) / 6;
+      part.off += 7.0 / 36 * third * glm::dot(along, sum - 3.0 * mesh.position(v));
+    }
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    OriginalPoint& p = points_[i];
+    const double area = p.weight;
+    if (area > 0 && parts[i].seen >= alike * area)
+      p.position += inward * parts[i].off / area * glm::dvec3(p.normal);
   }
 }
 

@@ -37,8 +37,11 @@ enum class Sampling : std::uint8_t { Vertices, VerticesAndFaces };
 /// point. Not meant for exact distances: a walk may stop at a local minimum.
 class OriginalSurface {
  public:
-  /// O(vertices + faces). T(2,0) must be stored.
-  explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices);
+  /// O(vertices + faces). T(2,0) must be stored. Vertices of a surface that bends lie on one side
+  /// of what they stand for: where there are no other points they go `inward`, 1: along the normal
+  /// as far as the middle of the thirds of faces around them.
+  explicit OriginalSurface(const Mesh& mesh, Sampling sampling = Sampling::Vertices,
+                           double inward = 0);
 
   /// Points that are known, with faces of the mesh. O(vertices + points).
   OriginalSurface(const Mesh& mesh, const OriginalSamples& samples);
@@ -88,8 +91,9 @@ class OriginalSurface {
   void redistribute(Face f, Face g, Where&& goes_to_f);
 
  private:
-  void add_vertices(const Mesh& mesh);
+  void add_vertices(const Mesh& mesh, double inward);
   void share_out_faces(const Mesh& mesh, const Column<Vertex, std::uint32_t>& point_of);
+  void draw_in(const Mesh& mesh, const Column<Vertex, std::uint32_t>& point_of, double inward);
   void add_faces(const Mesh& mesh);
   void locate_point(const Mesh& mesh, std::size_t i);
   static void find_face(const Mesh& mesh, OriginalPoint& p);

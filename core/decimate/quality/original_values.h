@@ -34,6 +34,8 @@ class OriginalValues {
   [[nodiscard]] std::span<const float> at_point(std::size_t i) const {
     return std::span(values_).subspan(components_ * i, components_);
   }
+  /// Of all points.
+  [[nodiscard]] std::span<const float> all() const { return values_; }
   /// At the place nearest to `p` on the original's faces around the i-th point.
   void at(const glm::dvec3& p, std::size_t i, std::span<float> values) const;
   /// How each component changes along the surface at the i-th point: the mean over the faces

@@ -57,6 +57,7 @@ std::vector<CollapseOutlook> QualityLoop::outlook(Edge edge) {
   o.contraction = candidate.contraction;
   o.limits = limits(rules_.max_turn,
                     std::max(rules_.least_angle.angle_deg(), rules_.least_around.angle_deg()));
+  if (!rules_.original_normals) o.limits.away_deg = 0;
   if (mesh_.classification(edge).dimension() == 1 && rules_.topology == TopologyRule::Safe)
     o.limits.curve_deg = rules_.max_curve_turn.angle_deg();
   o.length = glm::length(mesh_.position(a) - mesh_.position(b));

@@ -32,8 +32,7 @@ bool Fitter::least_squares(Vertex v, const Star& star, const FitRules& rules,
   glm::dvec3 centre(0.0), normal(0.0);
   double weights = 0, area = 0, nearest = std::numeric_limits<double>::infinity();
   const OriginalPoint* anchor = nullptr;
-  const double far = 0.1 * rules.far / rules.mean_square,
-               off_far = 0.3 * rules.far / rules.mean_square;
+  const double far = rules.far / rules.mean_square, off_far = rules.stay_far / rules.mean_square;
   for (const StarFace& f : star) {
     const glm::dvec3 p = mesh_.position(f.next), q = mesh_.position(f.previous);
     const glm::dvec3 n = area_normal(at, p, q);
@@ -167,7 +166,7 @@ Verdict Fitter::judge_move(Vertex v, const FitRules& rules, Star& star, glm::dve
 bool Fitter::loses_values(Vertex v, const Star& star, const glm::dvec3& target,
                           const FitRules& rules) const {
   constexpr double most = 0.1;  // of the error of an average face
-  return values_->growth(v, star, target) > most * rules.face_energy;
+  return values_->propose(v, star, target) > most * rules.face_energy;
 }
 
 // What the surface beside a curve would gain must not cost the curve much.

@@ -27,7 +27,9 @@ struct FitRules {
   /// that is smaller. Thin triangles that lie right then cost little.
   double local = 0;
   double face_energy = 0;  ///< the error of an average face, set from the present state
-  double far = 1;          ///< how much more points count that are further off than the average
+  /// How much more points count that are further off, and the plane of the nearest point where the
+  /// vertex is, by the squared distance of an average point.
+  double far = 0.1, stay_far = 0.3;
   double mean_square = 1;  ///< the squared distance of an average point, set from the present state
   TurnLimit max_turn{
       30.0};  ///< of a face against what it was; after a swap, against the two old ones together
@@ -50,7 +52,7 @@ class Fitter {
   Fitter(const Mesh& mesh, OriginalSurface& original, const OriginalCurves& curves)
       : mesh_(mesh), original_(original), curves_(curves) {}
   /// From now on these numbers count too. They must outlive it.
-  void count(const AttributeFit& values) { values_ = &values; }
+  void count(AttributeFit& values) { values_ = &values; }
 
   /// Where a vertex inside a model face would go: the least-squares place for the points on the
   /// faces around it, each seen as a plane through its face, pulled along the surface towards the
@@ -93,7 +95,7 @@ class Fitter {
   const Mesh& mesh_;
   OriginalSurface& original_;
   const OriginalCurves& curves_;
-  const AttributeFit* values_ = nullptr;  ///< none: the shape alone counts
+  AttributeFit* values_ = nullptr;  ///< none: the shape alone counts
 };
 
 }  // namespace aomd

@@ -47,7 +47,7 @@ bool QualityLoop::try_vertex(Vertex v, Hand& hand) {
 }
 
 // The cheapest candidate is not known any more, or not allowed: then it is not judged again. One
-// that would leave a sliver waits until others cost so much more.
+// that the relaxed rules may allow waits until others cost so much more.
 bool QualityLoop::try_others(Vertex v, const Trial& cheapest, Hand& hand) {
   queue_.take_all(v, hand.turn);
   const std::vector<CollapseQueue::Candidate>& found = hand.turn.found;
@@ -61,8 +61,8 @@ bool QualityLoop::try_others(Vertex v, const Trial& cheapest, Hand& hand) {
     }
     const Reason reason = cheapest.is_of(found[i]) ? cheapest.reason : try_collapse(found[i], hand);
     if (reason == Reason::None) return true;
-    if (reason == Reason::Shape && !pays_for_sliver(found[i], hand))
-      later = std::min(later, sliver_price_ * found[i].cost);
+    if (may_yield(reason) && !may_relax(found[i], hand))
+      later = std::min(later, relaxed_price_ * found[i].cost);
   }
   if (later < CollapseQueue::unlimited) queue_.wait(v, later);
   return false;
@@ -78,7 +78,7 @@ Verdict QualityLoop::judge(const Contraction& c, const CollapseRules& rules, Col
 
 Reason QualityLoop::try_collapse(const CollapseQueue::Candidate& candidate, Hand& hand) {
   const Contraction& c = candidate.contraction;
-  const CollapseRules& rules = pays_for_sliver(candidate, hand) ? sliver_rules_ : rules_;
+  const CollapseRules& rules = may_relax(candidate, hand) ? relaxed_rules_ : rules_;
   const Reason reason = judge(c, rules, hand.collapser, hand.plan).reason;
   if (reason == Reason::None)
     collapse(c, hand);

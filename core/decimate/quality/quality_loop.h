@@ -77,10 +77,14 @@ class QualityLoop final : public Loop {
   void collapse(const Contraction& contraction, Hand& hand);
   void refused(const Contraction& contraction, Reason reason, Hand& hand);
   void count(const Contraction& contraction, Hand& hand);
-  /// Whether others have become so dear that it may leave a sliver.
-  [[nodiscard]] bool pays_for_sliver(const CollapseQueue::Candidate& candidate,
-                                     const Hand& hand) const {
-    return sliver_price_ * candidate.cost <= queue_.level(hand.part);
+  /// Whether others have become so dear that only the relaxed rules bind it.
+  [[nodiscard]] bool may_relax(const CollapseQueue::Candidate& candidate, const Hand& hand) const {
+    return relaxed_price_ * candidate.cost <= queue_.level(hand.part);
+  }
+  /// Whether what was refused may be allowed by the relaxed rules.
+  [[nodiscard]] bool may_yield(Reason reason) const {
+    const bool facing = rules_.original_normals && !relaxed_rules_.original_normals;
+    return reason == Reason::Shape || (reason == Reason::Angle && facing);
   }
   [[nodiscard]] Verdict judge(const Contraction& contraction, const CollapseRules& rules,
                               Collapser& collapser, Plan& plan);
@@ -162,9 +166,9 @@ class QualityLoop final : public Loop {
   std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts
   Fitter fitter_;
   CollapseRules rules_;
-  CollapseRules sliver_rules_;  ///< what binds a collapse that may leave a sliver
+  CollapseRules relaxed_rules_;  ///< where all else has become dear, or nothing else is left
   FitRules fit_;
-  float sliver_price_ = 1;  ///< how many times dearer others must be before one is made
+  float relaxed_price_ = 1;  ///< how many times dearer others must be for these
   std::size_t part_count_ = 1;
   Partition partition_;  ///< for the present stage
   CollapseQueue queue_;

@@ -18,6 +18,9 @@ double between(double regularity, double at_0, double at_half, double at_1) {
   return low * std::pow(high / low, w < 0.5 ? 2 * w : 2 * w - 1);
 }
 
+// What counts for those who want accuracy first: 1/2 for them, 0 for all others.
+double accuracy(double regularity) { return std::max(0.0, 0.5 - std::max(0.0, regularity)); }
+
 bool is_flat(const Mesh& mesh, Vertex v) {
   constexpr double flat = 1 - 1e-6;  // cosine: some 0.1 degrees
   glm::dvec3 sum(0.0);
@@ -63,8 +66,9 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      original_(options.original ? OriginalSurface(mesh, *options.original)
-                                 : OriginalSurface(mesh, sampling(mesh, options))),
+      original_(options.original
+                    ? OriginalSurface(mesh, *options.original)
+                    : OriginalSurface(mesh, sampling(mesh, options), accuracy(options.regularity))),
       curves_(mesh),
       fitter_(mesh, original_, curves_),
       queue_(mesh, original_, curves_, options_, partition_),
@@ -91,15 +95,17 @@ void QualityLoop::set_rules() {
   rules_.topology = options_.topology;
   rules_.original_normals = options_.has(Idea::Facing) ? &queue_.normals() : nullptr;
   fit_.max_away = TurnLimit(options_.has(Idea::Facing) ? 60 : 179);
-  fit_.far = options_.has(Idea::FarPoints) ? 1 : 0;
+  fit_.far = options_.has(Idea::FarPoints) ? 0.1 : 0;
+  fit_.stay_far = options_.has(Idea::FarPoints) ? 0.3 - 0.6 * accuracy(w) : 0;
   rules_.least_angle = LeastAngle(options_.min_angle_deg);
   rules_.least_around = LeastAngle(0);
-  sliver_rules_ = rules_;
+  relaxed_rules_ = rules_;
+  if (options_.target_faces > 0) relaxed_rules_.original_normals = nullptr;
   rules_.least_around = LeastAngle(usual_least_deg);
-  sliver_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
+  relaxed_price_ = static_cast<float>(between(w, 1, 1e4, 1e4));
   fit_.max_turn = TurnLimit(std::min(options_.angle_deg, 30.0));
-  fit_.shape = between(w, 0.2, 1.5, 4);
-  fit_.local = w < 0.5 ? 0.5 - w : 0;
+  fit_.shape = between(w, 0.3, 1.5, 4);
+  fit_.local = 2 * accuracy(w);
   fit_.pull = between(w, 1e-4, 0.022, 0.07);
   fit_.least_angle = LeastAngle(std::max(options_.min_angle_deg, usual_least_deg));
   fit_.model = options_.model;
@@ -182,10 +188,10 @@ void QualityLoop::begin_improvement() {
 void QualityLoop::locate() {
   original_.locate(mesh_, options_.threads);
   curves_.locate(mesh_);
-  if (values_) values_->locate();
 }
 
 void QualityLoop::measure_energy() {
+  if (values_) values_->locate();
   const double faces = std::max<double>(1, mesh_.count(2));
   const double least =
       1e-4 * std::sqrt(original_.area() / faces);  // flat meshes have shape to care for only

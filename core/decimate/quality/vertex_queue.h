@@ -63,9 +63,12 @@ class VertexQueue {
   }
   /// The lowest bucket in which something waits; no_bucket where nothing does.
   [[nodiscard]] std::uint32_t lowest(std::size_t part = 0) { return lowest_of(parts_[part]); }
-  /// How many vertices of a part wait in a bucket.
-  [[nodiscard]] std::uint32_t waiting(std::size_t part, std::uint32_t bucket) const {
-    return parts_[part].buckets[bucket].waiting;
+  /// How many vertices of a part wait in these buckets, the last one included.
+  [[nodiscard]] std::uint64_t waiting(std::size_t part, std::uint32_t first,
+                                      std::uint32_t last) const {
+    std::uint64_t sum = 0;
+    for (std::uint32_t b = first; b <= last; ++b) sum += parts_[part].buckets[b].waiting;
+    return sum;
   }
   /// What is left of the bucket that a part works off waits as if it had just arrived.
   void leave_bucket(std::size_t part) {
