@@ -128,12 +128,11 @@ TEST(SurfaceEdgesTest, EdgesThatAreEntitiesAreJudgedAsBefore) {
     EXPECT_EQ(deleted, expected);
     EXPECT_EQ(without.last_refusal(e), with.last_refusal(entity));
     EXPECT_EQ(without.swap_outlook(e)->verdict.reason, with.swap_outlook(entity)->verdict.reason);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const CollapseOutlook own = without.outlook(e)[i];
+    for (const CollapseOutlook& own : without.outlook(e))
       for (const CollapseOutlook& other : with.outlook(entity))
-        if (other.contraction.deleted == own.contraction.deleted)
+        if (other.contraction.deleted == own.contraction.deleted) {
           EXPECT_EQ(own.verdict.reason, other.verdict.reason);
-    }
+        }
   }
 }
 
