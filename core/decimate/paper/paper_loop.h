@@ -19,7 +19,7 @@ class PaperLoop : public Loop {
   std::uint32_t smooth_pass() override;
   [[nodiscard]] Verdict judge(Edge edge, Vertex& deleted) override;
   [[nodiscard]] Verdict judge(Vertex a, Vertex b) override;
-  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge edge) override;
+  [[nodiscard]] std::vector<CollapseOutlook> outlook(Edge entity) override;
   [[nodiscard]] Reason last_refusal(Edge e) const override;
   [[nodiscard]] double spacing(Vertex v) const override;
   [[nodiscard]] double progress() const override;
