@@ -17,6 +17,7 @@ using Arrays = std::vector<const Attribute*>;
 
 std::vector<bool> where_moved(const std::vector<VertexSource>& sources) {
   std::vector<bool> moved;
+  moved.reserve(sources.size());
   for (const VertexSource& s : sources)
     moved.push_back(s.corners[0] != no_index && s.weights[0] != 1);
   return moved;

@@ -183,7 +183,7 @@ std::vector<std::string> libraries_for(const fs::path& path, const MeshData& mes
                                       [](const Remark& r) { return r.keyword == obj_map; });
   for (const Remark& remark : mesh.remarks)
     if (as_named && remark.keyword == obj_map) as_named = files.name_of(remark.text) == remark.text;
-  if (!as_named && has_others) encoded.notes.push_back(left_out_maps);
+  if (!as_named && has_others) encoded.notes.emplace_back(left_out_maps);
   if (!as_named) return {files.add(".mtl", library_of(looks, pictures))};
   for (std::string& library : libraries) {
     std::string names;
