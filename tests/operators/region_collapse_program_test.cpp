@@ -127,10 +127,10 @@ std::string on_model(const Mesh& mesh) {
 // With sanitizers, which make it 20 times slower, half of the programs, and each a quarter as long.
 #ifdef __SANITIZE_ADDRESS__
 constexpr std::uint32_t programs = 2;
-constexpr int edits = 175, least_accepted = 5;
+constexpr int edits_each = 175, least_accepted = 5;
 #else
 constexpr std::uint32_t programs = 4;
-constexpr int edits = 700, least_accepted = 15;
+constexpr int edits_each = 700, least_accepted = 15;
 #endif
 
 TEST(RegionCollapseProgramTest, KeepsEveryStratum) {
@@ -142,7 +142,7 @@ TEST(RegionCollapseProgramTest, KeepsEveryStratum) {
       ASSERT_EQ(wrong_with_tets(mesh), "") << animal.name;
       std::string strata = strata_of(mesh);
       Program program(mesh, seed);
-      for (int i = 0; i < edits; ++i) {
+      for (int i = 0; i < edits_each; ++i) {
         const Edit edit = program.edit();
         if (!edit.accepted) continue;
         ++accepted;
