@@ -97,6 +97,8 @@ StorageComparison compare_storage(const MeshData& data, const DecimationOptions&
     const GoingOn part = [&](double progress) {
       return !going_on || going_on(0.5 * (static_cast<double>(way) + progress));
     };
+    // Without exchanges the loop would name edges by their ends where they are no entities.
+    const Request edges = way == 0 ? meshes[way].request(0, 1, "the comparison") : Request();
     if (!Runner(meshes[way], each, part).run(result.ways[way])) return result;
   }
   result.same = same(meshes[0], meshes[1]);
