@@ -93,6 +93,17 @@ TEST_F(BlocksCommand, RefusesWhatIsTooLarge) {
                  "t.ply: Only meshes from 1e-20 to 1e+18 across can be decimated");
 }
 
+TEST_F(BlocksCommand, NamesNothingThatItWouldRefuseWhereATargetIsMissed) {
+  ASSERT_EQ(aomd("sample nonmanifold n.ply --size 20").code, 0);
+  const Outcome whole = aomd("decimate n.ply o.ply --target-faces 4");
+  EXPECT_NE(whole.err.find("--repair"), std::string::npos) << whole.err;
+  const Outcome run = aomd("decimate n.ply o.ply --blocks 2 --target-faces 4");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("(aomd repair)"), std::string::npos) << run.err;
+  for (const char* refused : {"--repair", "--reach", "--topology"})
+    EXPECT_EQ(run.err.find(refused), std::string::npos) << run.err;
+}
+
 TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
   expect_failure("decimate s.ply o.ply --blocks 2", 2, "--blocks requires --target-faces");
   expect_failure("decimate s.ply o.ply --blocks 0 --target-faces 9", 2, "--blocks");

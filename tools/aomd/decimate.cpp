@@ -418,7 +418,7 @@ class Run {
     if (!did_.let_go.empty()) print_notes(options_.output, {words_of_let_go(did_.let_go)});
     if (!did_.missed) return;
     print_notes(options_.output, {missed_words()});
-    print_notes(options_.input, dirt_notes(given(), did_.input, true));
+    print_notes(options_.input, dirt_notes(given(), did_.input, true, options_.mending()));
   }
 
   const DecimateOptions& options_;

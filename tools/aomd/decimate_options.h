@@ -59,6 +59,8 @@ struct DecimateOptions {
   [[nodiscard]] std::vector<NamedFile> inputs() const;
   /// The files that it writes.
   [[nodiscard]] std::vector<NamedFile> outputs() const;
+  /// What would mend the input before: an option, or a command where blocks refuse that.
+  [[nodiscard]] const char* mending() const { return blocks > 1 ? "aomd repair" : "--repair"; }
   /// For the library, apart from what needs the mesh: target, spacing, keep, model and
   /// max_distance.
   [[nodiscard]] DecimationOptions for_library() const;

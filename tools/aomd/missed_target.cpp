@@ -29,9 +29,9 @@ class Loosening {
       case Reason::Topology:
         if (volume) return "";
         if (std::string mending = by_mending(); !mending.empty()) return mending;
-        return steps_.topology == TopologyRule::Safe ? "--topology paper" : "";
+        return steps_.topology == TopologyRule::Safe ? of_the_whole("--topology paper") : "";
       case Reason::Flat:
-        return given_.repair || volume ? "" : "--repair";
+        return given_.repair || volume ? "" : given_.mending();
       case Reason::Angle:
         return against_angle();
       case Reason::Shape:
@@ -86,7 +86,7 @@ class Loosening {
     if (by_file) return "aomd classify --replace";  // then the angle has no say
     if (given_.reach) return "";
     if (input_.features) return "--feature-angle off";
-    return given_.blocks > 1 ? "" : "--reach";
+    return of_the_whole("--reach");
   }
 
   /// Vertices of regions that are no tetrahedra stay.
@@ -98,7 +98,12 @@ class Loosening {
 
   [[nodiscard]] std::string by_mending() const {
     if (std::string welding = by_welding(); !welding.empty()) return welding;
-    return input_.counts.nonmanifold_edges > 0 && !given_.repair ? "--repair" : "";
+    return input_.counts.nonmanifold_edges > 0 && !given_.repair ? given_.mending() : "";
+  }
+
+  /// With blocks such options are refused.
+  [[nodiscard]] std::string of_the_whole(const char* option) const {
+    return given_.blocks > 1 ? "" : option;
   }
 
   const DecimateOptions& given_;

@@ -17,7 +17,7 @@ std::vector<std::string> ResultCheck::before(const Mesh& mesh, DecimateReport& r
 
 std::vector<std::string> ResultCheck::wrong_with(const Mesh& mesh,
                                                  const DecimateReport& report) const {
-  if (!faults_) return dirt_notes(given_.mesh(), report.input, false);
+  if (!faults_) return dirt_notes(given_.mesh(), report.input, false, options_.mending());
   std::vector<std::string> notes =
       notes_of(*faults_, report.others == 0 ? "tetrahedra" : "regions");
   for (const SurfaceFinding& finding : hanging_findings(mesh, threads_, measure::Skin::Listed))

@@ -108,7 +108,7 @@ std::vector<SurfaceFinding> hanging_findings(const Mesh& mesh, int threads, meas
 }
 
 std::vector<std::string> dirt_notes(const MeshData& mesh, const measure::Counts& counts,
-                                    bool missed) {
+                                    bool missed, const std::string& mending) {
   const bool dirty = may_be_dirty(counts);
   if (!missed && !dirty) return {};
   std::vector<std::string> notes;
@@ -119,7 +119,7 @@ std::vector<std::string> dirt_notes(const MeshData& mesh, const measure::Counts&
     const bool large = dirty && finding.dirt.count * least_share >= all;
     if (!hinders(finding, mesh.classified()) || large == missed) continue;
     const bool weld = finding.remedy == Remedy::Weld;
-    notes.push_back(finding.dirt.name + ": " + finding.dirt.text + " (--repair" +
+    notes.push_back(finding.dirt.name + ": " + finding.dirt.text + " (" + mending +
                     (weld ? " " + weld_words(finding) : "") + ")");
   }
   return notes;

@@ -29,10 +29,11 @@ namespace aomd::cli {
 [[nodiscard]] std::vector<SurfaceFinding> hanging_findings(const Mesh& mesh, int threads,
                                                            measure::Skin skin);
 
-/// What keeps a surface from being decimated, and the option that mends it; a note each. Before a
+/// What keeps a surface from being decimated, and `mending` as what mends it; a note each. Before a
 /// run that of which there is much: at least a twentieth of the surface, and the counts show it, so
 /// that a clean surface costs nothing. After a run that `missed` its target the rest.
 [[nodiscard]] std::vector<std::string> dirt_notes(const MeshData& mesh,
-                                                  const measure::Counts& counts, bool missed);
+                                                  const measure::Counts& counts, bool missed,
+                                                  const std::string& mending);
 
 }  // namespace aomd::cli
