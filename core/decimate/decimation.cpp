@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/edge_key.h"
 #include "core/decimate/hanging.h"
 #include "core/decimate/loop.h"
 #include "core/decimate/paper/surface_paper_loop.h"
@@ -53,10 +54,6 @@ const char* decimation_obstacle(const Mesh& mesh) {
 
 namespace {
 
-std::uint64_t key_of(Vertex a, Vertex b) {
-  return std::uint64_t{std::min(a, b).index} << 32 | std::max(a, b).index;
-}
-
 bool may_have_no_face(const Mesh& mesh, Edge e) {
   return !mesh.classification(e).valid() || mesh.classification(e).dimension() <= 1;
 }
@@ -68,14 +65,14 @@ bool has_edges_without_face(const Mesh& mesh) {
   for (const Edge e : mesh.edges()) {
     if (!may_have_no_face(mesh, e)) continue;
     const auto [a, b] = mesh.edge_vertices(e);
-    bare.insert(key_of(a, b));
+    bare.insert(edge_key(a.index, b.index));
     ends[a] = ends[b] = 1;
   }
   for (const Face f : mesh.faces()) {
     const Row<0> v = mesh.row<0>(f);
     for (std::size_t k = 0; k < v.size(); ++k)
       if (const Vertex a = v[k], b = v[k + 1 < v.size() ? k + 1 : 0]; ends[a] != 0 && ends[b] != 0)
-        bare.erase(key_of(a, b));
+        bare.erase(edge_key(a.index, b.index));
   }
   return !bare.empty();
 }

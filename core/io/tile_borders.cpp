@@ -4,12 +4,10 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/edge_key.h"
+
 namespace aomd::io::detail {
 namespace {
-
-std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
 
 /// The vertices of edges that have one face.
 VertexRanks border_vertices(const StreamedPly& tile) {
@@ -17,7 +15,7 @@ VertexRanks border_vertices(const StreamedPly& tile) {
   edges.reserve(3 * std::size_t{tile.faces()});
   tile.each_faces([&](std::span<const StreamedPly::Triangle> triangles, std::string_view) {
     for (const auto& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back(key_of(t[k], t[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_key(t[k], t[(k + 1) % 3]));
   });
   std::sort(edges.begin(), edges.end());
   VertexRanks border(tile.vertices());

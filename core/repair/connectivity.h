@@ -6,15 +6,11 @@
 #include <vector>
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/edge_key.h"
 #include "core/base/raw_vector.h"
 #include "core/repair/surface.h"
 
 namespace aomd::repair_detail {
-
-/// An edge as one number, whichever way round.
-[[nodiscard]] constexpr std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
-}
 
 /// The living faces connected through shared vertices: a set of vertices for each piece.
 [[nodiscard]] DisjointSets pieces_of(const Surface& surface);

@@ -17,30 +17,24 @@ done
 meshes=("$@")
 [ ${#meshes[@]} -gt 0 ] || meshes=("$root/../shared/data/bunny.ply" "$root/../shared/data/dragon.ply")
 
-exec python3 - "$program" "$runs" "${meshes[@]}" <<'PYTHON'
-import os, statistics, subprocess, sys, tempfile, time
+PYTHONPATH=$root/tools/bench exec python3 -B - "$program" "$runs" "${meshes[@]}" <<'PYTHON'
+import os, statistics, sys, tempfile
+
+import process
 
 program, runs, meshes = sys.argv[1], int(sys.argv[2]), sys.argv[3:]
-display = f":{90 + os.getpid() % 100}"
-work = tempfile.mkdtemp()
 
 
 def measure(command, picture, environment):
     """CPU seconds and peak megabytes of one process; its picture must appear."""
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0 or not os.path.exists(picture):
+    taken = process.measure(command, environment=environment)
+    if not os.path.exists(picture):
         sys.exit(f"bench: no picture from {' '.join(command)}")
     os.remove(picture)
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    return taken
 
 
-# The X server is started once: f3d is not charged for it.
-server = subprocess.Popen(["Xvfb", display, "-screen", "0", "1280x800x24"], stderr=subprocess.DEVNULL)
-try:
-    time.sleep(1)
-    with_display = dict(os.environ, DISPLAY=display)
+with tempfile.TemporaryDirectory() as work, process.screen("1280x800") as with_display:
     print(f"mesh file to PNG, 1280x800, CPU time of the whole process, median of {runs}, in turn")
     print(f"{'mesh':<16}{'aomd-view ms':>14}{'f3d ms':>10}{'ratio':>8}{'aomd-view MB':>14}{'f3d MB':>10}")
     for mesh in meshes:
@@ -54,8 +48,4 @@ try:
         a, b = (statistics.median(s for s, _ in side) for side in (ours, theirs))
         print(f"{os.path.basename(mesh):<16}{1e3 * a:>14.0f}{1e3 * b:>10.0f}{a / b:>8.2f}"
               f"{max(m for _, m in ours):>14.0f}{max(m for _, m in theirs):>10.0f}")
-finally:
-    server.terminate()
-    server.wait()
-    os.rmdir(work)
 PYTHON

@@ -13,8 +13,10 @@ if [ "${1:-}" = -n ]; then
 fi
 [ -x "$program" ] || { echo "bench: no $program; build first (tools/view.sh)" >&2; exit 2; }
 
-exec python3 - "$program" "$runs" "${1:-$root/../shared/data}" <<'PYTHON'
-import os, shutil, subprocess, sys, tempfile, time
+PYTHONPATH=$root/tools/bench exec python3 -B - "$program" "$runs" "${1:-$root/../shared/data}" <<'PYTHON'
+import os, shutil, sys, tempfile
+
+from process import measure, screen
 
 program, runs, folder = sys.argv[1], int(sys.argv[2]), os.path.abspath(sys.argv[3])
 sides = ["iso", "front", "back", "left", "top"]
@@ -28,13 +30,7 @@ work = tempfile.mkdtemp()
 
 
 def cpu(command, environment=None):
-    """CPU seconds and peak megabytes of one process, which must end well."""
-    process = subprocess.Popen(command, cwd=work, env=environment, stdout=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        sys.exit(f"bench: {' '.join(command)} ended with {process.returncode}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    return measure(command, work, environment)
 
 
 def in_turn(*measures):
@@ -67,11 +63,7 @@ def compare_with_script():
 
 
 def compare_with_f3d():
-    display = f":{90 + os.getpid() % 100}"
-    server = subprocess.Popen(["Xvfb", display, "-screen", "0", "640x480x24"], stderr=subprocess.DEVNULL)
-    try:
-        time.sleep(1)
-        with_display = dict(os.environ, DISPLAY=display)
+    with screen("640x480") as with_display:
         for mesh in (os.path.join(folder, name) for name in ("bunny.ply", "dtc_hull.stl", "rocker_arm.obj")):
             with open(os.path.join(work, "one.toml"), "w") as suite:
                 suite.write(f'[cases]\none = "{mesh}"\n')
@@ -83,9 +75,6 @@ def compare_with_f3d():
                 lambda: cpu(test), lambda: cpu(draw + ["result.png", "--ref", "reference.png"], with_display))
             print(f"{os.path.basename(mesh)}: a case {ours[0]:.2f} s ({ours[1]:.0f} MB), f3d {theirs[0]:.2f} s "
                   f"({theirs[1]:.0f} MB), ratio {ours[0] / theirs[0]:.2f}")
-    finally:
-        server.terminate()
-        server.wait()
 
 
 try:
