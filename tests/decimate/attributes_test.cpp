@@ -14,6 +14,7 @@
 #include "core/measure/distance.h"
 #include "core/measure/field_comparison.h"
 #include "core/samples/samples.h"
+#include "tests/support/painted_sphere.h"
 #include "tests/support/quality_helpers.h"
 
 namespace aomd::test {
@@ -172,19 +173,10 @@ TEST(OriginalValues, NoNumberReachesNoFurtherThanItsFaces) {
 
 /// Land and sea on a sphere: the border between them is some faces wide.
 MeshData globe(int size) {
-  MeshData mesh = make_sample("sphere", size);
-  Attribute colour{"color", 0, 3, true, {}};
-  colour.type = NumberType::UInt8;
-  colour.meaning = Meaning::Colour;
-  for (const glm::dvec3& p : mesh.positions) {
-    const glm::dvec3 q = 3.0 * glm::normalize(p);
-    const double f = std::sin(q.x + 1) + std::sin(q.y + 2) + std::sin(q.z + 0.5);
-    const double land = std::clamp(0.5 + 10 * f, 0.0, 1.0);
-    for (const double x : {30 + 190 * land, 80 + 100 * land, 200 - 140 * land})
-      colour.values.push_back(std::round(x));
-  }
-  mesh.attributes = {colour};
-  return mesh;
+  return test::painted_sphere(size, "color", 3, [](double height) {
+    const double land = std::clamp(0.5 + 10 * height, 0.0, 1.0);
+    return std::vector{30 + 190 * land, 80 + 100 * land, 200 - 140 * land};
+  });
 }
 
 struct Decimated {

@@ -9,6 +9,7 @@
 #include "core/fields/fitted_values.h"
 #include "core/measure/field_comparison.h"
 #include "tests/support/field_helpers.h"
+#include "tests/support/painted_sphere.h"
 
 namespace aomd::test {
 namespace {
@@ -81,17 +82,9 @@ TEST(FittedValues, WhatLiesNowhereWeighsNothing) {
 
 /// A sphere with grey land and sea, and a border that is a face or two wide.
 MeshData land_and_sea(int size) {
-  MeshData mesh = make_sample("sphere", size);
-  Attribute grey{"grey", 0, 1, true, {}};
-  grey.type = NumberType::UInt8;
-  grey.meaning = Meaning::Colour;
-  for (const glm::dvec3& p : mesh.positions) {
-    const glm::dvec3 q = 3.0 * glm::normalize(p);
-    const double height = std::sin(q.x + 1) + std::sin(q.y + 2) + std::sin(q.z + 0.5);
-    grey.values.push_back(std::round(60 + 120 * std::clamp(0.5 + 5 * height, 0.0, 1.0)));
-  }
-  mesh.attributes = {grey};
-  return mesh;
+  return painted_sphere(size, "grey", 1, [](double height) {
+    return std::vector{60 + 120 * std::clamp(0.5 + 5 * height, 0.0, 1.0)};
+  });
 }
 
 double rms(const MeshData& a, const MeshData& b) {
