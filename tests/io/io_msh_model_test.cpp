@@ -1,6 +1,7 @@
 // What MSH files say about the model: parts of a partition, periodic links, parametric nodes.
 
 #include "core/repair/repair.h"
+#include "tests/support/msh_texts.h"
 #include "tests/support/volume_helpers.h"
 
 namespace aomd {
@@ -9,15 +10,7 @@ namespace {
 using test::expect_error;
 using test::Indices;
 using test::raw;
-
-io::ReadResult read(std::string_view bytes) { return io::read_bytes("a.msh", bytes); }
-
-std::string section(const std::string& name, const std::string& content) {
-  return "$" + name + "\n" + content + "$End" + name + "\n";
-}
-
-const std::string format4 = section("MeshFormat", "4.1 0 8\n");
-const std::string format2 = section("MeshFormat", "2.2 0 8\n");
+using namespace test::msh;
 
 /// A square of two triangles, each in a part of its own: surfaces 11 and 12 are parts of surface 1,
 /// curve 21 lies between them, curve 13 is a part of curve 3.

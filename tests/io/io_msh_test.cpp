@@ -1,8 +1,8 @@
-#include <gtest/gtest.h>
+// MSH files of all versions, as text and as bytes: nodes, elements, classes, and what is refused.
 
 #include <cmath>
 
-#include "tests/support/io_helpers.h"
+#include "tests/support/msh_texts.h"
 
 namespace aomd {
 namespace {
@@ -10,36 +10,7 @@ namespace {
 using test::expect_error;
 using test::Indices;
 using test::raw;
-
-io::ReadResult read(std::string_view bytes) { return io::read_bytes("a.msh", bytes); }
-MeshData msh(std::string_view bytes) { return read(bytes).mesh; }
-
-bool noted(const io::ReadResult& result, const std::string& part) {
-  for (const std::string& note : result.notes)
-    if (note.find(part) != std::string::npos) return true;
-  return false;
-}
-
-std::string section(const std::string& name, const std::string& content) {
-  return "$" + name + "\n" + content + "$End" + name + "\n";
-}
-
-const std::string format4 = section("MeshFormat", "4.1 0 8\n");
-const std::string format2 = section("MeshFormat", "2.2 0 8\n");
-const std::string entities4 =
-    section("Entities",
-            "1 1 1 1\n7 0.5 0 0 1 5\n3 0 0 0 1 0 0 0 2 7 -8\n4 0 0 0 1 1 0 2 1 -2 0\n"
-            "9 0 0 0 1 1 1 0 1 -4\n");
-/// A tetrahedron 1 2 3 4 whose vertices lie on a model vertex, edge, face and region.
-const std::string nodes4 =
-    section("Nodes",
-            "4 4 1 4\n0 7 0 1\n1\n0 0 0\n1 3 0 1\n2\n1 0 0\n2 4 0 1\n3\n0 1 0\n"
-            "3 9 0 1\n4\n0 0 1\n");
-const std::string elements4 =
-    section("Elements",
-            "4 4 1 4\n0 7 15 1\n1 1\n1 3 1 1\n2 1 2\n2 4 2 1\n3 1 2 3\n3 9 4 1\n"
-            "4 1 2 3 4\n");
-const std::string nodes2 = section("Nodes", "4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+using namespace test::msh;
 
 TEST(Msh, ReadsText4) {
   const std::string names = section("PhysicalNames", "2\n0 5 \"a \"corner\"\"\n2 1 \"wall\"\n");
@@ -93,9 +64,9 @@ TEST(Msh, ReadsBinary40) {
       for (const int axis : {2, 3, 4}) nodes += raw(v == axis ? 1.0 : 0.0, swapped);
     }
     const MeshData mesh =
-        msh(section("MeshFormat", "4 1 8\n" + i(1) + "\n") + section("Nodes", nodes + "\n") +
-            section("Elements",
-                    n(1) + n(1) + i(1) + i(2) + i(2) + n(1) + i(1) + i(1) + i(2) + i(3) + "\n"));
+        mesh_of(section("MeshFormat", "4 1 8\n" + i(1) + "\n") + section("Nodes", nodes + "\n") +
+                section("Elements", n(1) + n(1) + i(1) + i(2) + i(2) + n(1) + i(1) + i(1) + i(2) +
+                                        i(3) + "\n"));
     EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2}));
     EXPECT_EQ(mesh.faces.classes, std::vector{ModelRef(2, 1)});
@@ -105,7 +76,7 @@ TEST(Msh, ReadsBinary40) {
 TEST(Msh, ReadsVersion1) {
   const std::string nodes = "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$ENDNOD\n";
   const std::string text = nodes + "$ELM\n2\n1 2 7 1 3 1 2 3\n2 1 8 4 2 1 2\n$ENDELM\n";
-  const MeshData mesh = msh(text);
+  const MeshData mesh = mesh_of(text);
   EXPECT_EQ(mesh.positions[2], glm::dvec3(0, 1, 0));
   EXPECT_EQ(mesh.faces.classes, std::vector{ModelRef(2, 1)});
   EXPECT_EQ(mesh.edges.vertices, (Indices{0, 1}));
@@ -120,11 +91,11 @@ TEST(Msh, ReadsVersion1) {
 TEST(Msh, ReadsEveryFirstOrderShapeInTemplateOrder) {
   const std::string nodes = section(
       "Nodes", "8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n");
-  const MeshData mesh =
-      msh(format2 + nodes +
-          section("Elements",
-                  "7\n1 1 0 2 1\n2 2 0 1 2 3\n3 3 0 1 2 3 4\n4 4 0 1 2 4 5\n5 5 0 1 2 3 4 5 6 7 8\n"
-                  "6 6 0 1 2 4 5 6 8\n7 7 0 1 2 3 4 5\n"));
+  const MeshData mesh = mesh_of(
+      format2 + nodes +
+      section("Elements",
+              "7\n1 1 0 2 1\n2 2 0 1 2 3\n3 3 0 1 2 3 4\n4 4 0 1 2 4 5\n5 5 0 1 2 3 4 5 6 7 8\n"
+              "6 6 0 1 2 4 5 6 8\n7 7 0 1 2 3 4 5\n"));
   EXPECT_EQ(mesh.edges.vertices, (Indices{1, 0}));
   EXPECT_EQ(mesh.faces.shapes, (std::vector{Shape::Triangle, Shape::Quad}));
   EXPECT_EQ(mesh.faces.vertices, (Indices{0, 1, 2, 0, 1, 2, 3}));
@@ -137,11 +108,11 @@ TEST(Msh, ReadsEveryFirstOrderShapeInTemplateOrder) {
 
 TEST(Msh, ReadsSparseTagsInAnyOrderAndSortsByThem) {
   const MeshData mesh =
-      msh(format4 +
-          section("Nodes",
-                  "1 4 7 9000000000\n2 1 0 4\n9000000000\n70\n7\n8\n3 0 0\n2 0 0\n"
-                  "1 0 0\n5 0 0\n") +
-          section("Elements", "2 2 5 6\n2 1 2 1\n6 7 8 70\n2 2 2 1\n5 9000000000 70 7\n"));
+      mesh_of(format4 +
+              section("Nodes",
+                      "1 4 7 9000000000\n2 1 0 4\n9000000000\n70\n7\n8\n3 0 0\n2 0 0\n"
+                      "1 0 0\n5 0 0\n") +
+              section("Elements", "2 2 5 6\n2 1 2 1\n6 7 8 70\n2 2 2 1\n5 9000000000 70 7\n"));
   EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{1, 0, 0}, {5, 0, 0}, {2, 0, 0}, {3, 0, 0}}));
   EXPECT_EQ(mesh.faces.vertices, (Indices{3, 2, 0, 0, 1, 2}));
   EXPECT_EQ(mesh.faces.classes, (std::vector{ModelRef(2, 2), ModelRef(2, 1)}));
@@ -164,7 +135,7 @@ TEST(Msh, SkipsParametersUnknownSectionsAndLineEnds) {
   EXPECT_EQ(result.mesh.positions[3], glm::dvec3(0, 0, 1));
   std::string windows;
   for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
-  EXPECT_EQ(msh(windows), result.mesh);
+  EXPECT_EQ(mesh_of(windows), result.mesh);
 }
 
 /// The tetrahedron and its triangle as a file of either version and byte order.
@@ -198,7 +169,7 @@ std::string binary(bool msh2, bool swapped) {
 TEST(Msh, ReadsBinaryOfBothOrders) {
   for (const bool msh2 : {false, true}) {
     for (const bool swapped : {false, true}) {
-      const MeshData mesh = msh(binary(msh2, swapped));
+      const MeshData mesh = mesh_of(binary(msh2, swapped));
       EXPECT_EQ(mesh.positions,
                 (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
       EXPECT_EQ(mesh.vertex_classes,
@@ -213,10 +184,10 @@ TEST(Msh, ReadsBinaryOfBothOrders) {
 
 TEST(Msh, ClassifiesVerticesOf2ByTheirLowestElement) {
   const MeshData mesh =
-      msh(format2 + section("Nodes", "5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 9 9 9\n") +
-          section("Elements",
-                  "6\n1 4 2 0 2 1 2 3 4\n2 2 2 0 8 1 2 3\n3 2 2 0 6 1 2 4\n4 1 2 0 3 1 2\n"
-                  "5 15 2 0 30 1\n6 15 2 0 20 1\n"));
+      mesh_of(format2 + section("Nodes", "5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 9 9 9\n") +
+              section("Elements",
+                      "6\n1 4 2 0 2 1 2 3 4\n2 2 2 0 8 1 2 3\n3 2 2 0 6 1 2 4\n4 1 2 0 3 1 2\n"
+                      "5 15 2 0 30 1\n6 15 2 0 20 1\n"));
   EXPECT_EQ(mesh.vertex_classes, (std::vector{ModelRef(0, 20), ModelRef(1, 3), ModelRef(2, 8),
                                               ModelRef(2, 6), ModelRef()}));
 }
@@ -235,14 +206,14 @@ TEST(Msh, LowersVertexClassesOf4ThatContradictAnElement) {
 }
 
 TEST(Msh, TagZeroIsUnclassifiedAndPhysicalTagsStandIn) {
-  const MeshData mesh =
-      msh(format2 + nodes2 +
-          section("Elements", "4\n1 2 2 0 0 1 2 3\n2 2 2 5 0 1 2 4\n3 2 1 6 1 3 4\n4 2 0 2 3 4\n"));
+  const MeshData mesh = mesh_of(
+      format2 + nodes2 +
+      section("Elements", "4\n1 2 2 0 0 1 2 3\n2 2 2 5 0 1 2 4\n3 2 1 6 1 3 4\n4 2 0 2 3 4\n"));
   EXPECT_EQ(mesh.faces.classes,
             (std::vector{ModelRef(), ModelRef(2, 5), ModelRef(2, 6), ModelRef()}));
   const MeshData four =
-      msh(format4 + section("Nodes", "1 3 1 3\n2 0 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n") +
-          section("Elements", "1 1 1 1\n2 0 2 1\n1 1 2 3\n"));
+      mesh_of(format4 + section("Nodes", "1 3 1 3\n2 0 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n") +
+              section("Elements", "1 1 1 1\n2 0 2 1\n1 1 2 3\n"));
   EXPECT_FALSE(four.classified());
 }
 
@@ -297,91 +268,10 @@ TEST(Msh, KnowsHigherOrderTypes) {
       element += ' ' + std::to_string(v);
     }
     const MeshData mesh =
-        msh(format2 + section("Nodes", points) + section("Elements", element + '\n'));
+        mesh_of(format2 + section("Nodes", points) + section("Elements", element + '\n'));
     EXPECT_EQ(mesh.positions.size(), static_cast<std::size_t>(corners)) << number;
     EXPECT_EQ(mesh.edges.size() + mesh.faces.size() + mesh.regions.size(), 1u) << number;
   }
-}
-
-TEST(Msh, ReadsViews) {
-  const std::string head = "0\n3\n";
-  const std::string text =
-      format4 + section("NodeData", "1\n\"speed\"\n1\n0.5\n4\n2\n3\n2\n0\n4 1 2 3\n1 4 5 inf\n") +
-      entities4 + nodes4 + elements4 +
-      section("NodeData", "1\n\"speed\"\n" + head + "3\n1\n1\n2 7\n") +
-      section("ElementData", "2\n\"load\"\n\"scheme\"\n" + head + "0\n1\n3\n4 1\n2 2\n1 8\n");
-  const io::ReadResult result = read(text);
-  ASSERT_EQ(result.mesh.attributes.size(), 3u);
-  const Attribute &speed = result.mesh.attributes[0], &inside = result.mesh.attributes[1];
-  EXPECT_EQ(speed.name, "speed");
-  EXPECT_EQ(speed.dimension, 0);
-  EXPECT_EQ(speed.components, 3);
-  ASSERT_EQ(speed.values.size(), 12u);
-  EXPECT_EQ(speed.values[1], 5);
-  EXPECT_TRUE(std::isinf(speed.values[2]));
-  EXPECT_TRUE(std::isnan(speed.values[3]));
-  EXPECT_EQ(speed.values[11], 3);
-  EXPECT_EQ(inside, (Attribute{"load", 3, 1, false, {1}}));
-  EXPECT_EQ(result.mesh.attributes[2], (Attribute{"load", 1, 1, false, {2}}));
-  EXPECT_TRUE(noted(result, "1 further time step dropped"));
-  EXPECT_TRUE(noted(result, "1 value on what the mesh does not keep"));
-}
-
-/// A triangle of order 2, whose last three nodes are no corners, a quad, and an edge between.
-TEST(Msh, ReadsValuesAtTheCornersOfFaces) {
-  const std::string nodes = section(
-      "Nodes", "8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n5 2 1 0\n6 2 0 0\n7 .5 0 0\n8 0 .5 0\n");
-  const std::string elements =
-      section("Elements", "3\n1 9 0 1 2 3 7 8 8\n2 3 0 2 6 5 4\n3 1 0 2 4\n");
-  const std::string head = "1\n\"q\"\n0\n3\n0\n";
-  const io::ReadResult result =
-      read(format2 + nodes + elements +
-           section("ElementNodeData", head + "2\n3\n1 6 1 2 3 4 5 6 7 7 7 7 7 7\n"
-                                             "2 4 10 11 12 13 14 15 16 nan\n3 2 0 0 0 0\n"));
-  ASSERT_EQ(result.mesh.corners.size(), 1u);
-  const Attribute& q = result.mesh.corners[0];
-  EXPECT_EQ(q.name, "q");
-  EXPECT_EQ(q.components, 2);
-  ASSERT_EQ(q.values.size(), 14u);
-  EXPECT_EQ(std::vector(q.values.begin(), q.values.end() - 1),
-            (std::vector<double>{1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16}));
-  EXPECT_TRUE(std::isnan(q.values[13]));
-  EXPECT_TRUE(noted(result, "1 value on what the mesh does not keep"));
-  const std::string text = format2 + nodes + elements;
-  expect_error("a.msh", text + section("ElementNodeData", head + "1\n1\n2 3 1 2 3\n"),
-               {"a.msh:", "view \"q\" has values at 3 nodes of a quad"});
-  expect_error("a.msh", text + section("ElementNodeData", head + "1\n1\n1 4 1 2 3 4\n"),
-               {"view \"q\" has values at 4 nodes of a triangle"});
-  expect_error("a.msh", text + section("ElementNodeData", head + "1\n1\n2 0\n"),
-               {"an element without nodes"});
-  expect_error("a.msh", text + section("ElementNodeData", head + "1\n2\n2 4 1 2 3 4\n"),
-               {"whole number", "$EndElementNodeData"});
-}
-
-/// What is left of a quad that repeats a node has three corners, and no values.
-TEST(Msh, DropsValuesOfFacesThatRepeatNodes) {
-  const io::ReadResult result =
-      read(format2 + section("Nodes", "4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n") +
-           section("Elements", "2\n1 3 0 1 2 3 3\n2 2 0 2 4 3\n") +
-           section("ElementNodeData", "1\n\"q\"\n0\n3\n0\n1\n2\n1 4 1 2 3 4\n2 3 5 6 7\n"));
-  ASSERT_EQ(result.mesh.faces.size(), 2u);
-  ASSERT_EQ(result.mesh.corners.size(), 1u);
-  EXPECT_TRUE(std::isnan(result.mesh.corners[0].values[0]));
-  EXPECT_EQ(result.mesh.corners[0].values[3], 5);
-  EXPECT_TRUE(noted(result, "1 value on what the mesh does not keep"));
-}
-
-TEST(Msh, RefusesBrokenViews) {
-  const std::string text = format4 + entities4 + nodes4 + elements4, head = "1\n\"v\"\n0\n3\n0\n";
-  expect_error("a.msh", text + section("NodeData", head + "1\n1\n5 0\n"),
-               {"a.msh:45:", "\"v\"", "node 5"});
-  expect_error("a.msh", text + section("ElementData", head + "1\n1\n5 0\n"), {"element 5"});
-  expect_error("a.msh", text + section("NodeData", head + "1\n2\n1 0\n"),
-               {"whole number", "$EndNodeData"});
-  expect_error("a.msh", text + section("NodeData", head + "0\n1\n1 0\n"), {"without components"});
-  expect_error("a.msh", text + section("NodeData", head + "1000000000\n1\n1 0\n"),
-               {"too few values"});
-  expect_error("a.msh", text + "$NodeData\n" + head, {"$EndNodeData"});
 }
 
 struct Broken {
@@ -432,7 +322,7 @@ TEST(Msh, RefusesBroken4) {
   expect_error("a.msh", text + nodes4, {"a second section $Nodes"});
   EXPECT_EQ(read(text + "junk\n" + section("More", "")).notes.front(),
             "1 line outside of sections passed over");
-  EXPECT_EQ(msh(format4 + elements4 + nodes4 + entities4), msh(text));
+  EXPECT_EQ(mesh_of(format4 + elements4 + nodes4 + entities4), mesh_of(text));
   expect_error("a.msh", format4, {"no $Nodes"});
   expect_error("a.msh", format4 + nodes4, {"no $Elements"});
   expect_error("a.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", {"no $ELM"});
