@@ -18,9 +18,10 @@
 
 namespace aomd::io {
 
-/// The triangles of a binary PLY file, or of a folder of them, gone through piece by piece as often
-/// as is wanted: a few MB are in memory at a time. Files of a folder are tiles, in the order of
-/// their names: vertices on borders of several of them at the same place are one. What a whole
+/// The triangles of a binary PLY or STL file, or of a folder of them, gone through piece by piece
+/// as often as is wanted: a few MB are in memory at a time, and 12 bytes a facet of STL, whose
+/// corners are vertices where they are at the same place. Files of a folder are tiles, in the order
+/// of their names: vertices on borders of several of them at the same place are one. What a whole
 /// reader would refuse is refused, with the byte; so are faces that are no triangles.
 class StreamedSurface {
  public:

@@ -10,10 +10,10 @@ namespace aomd::io::detail {
 namespace {
 
 /// The vertices of edges that have one face.
-VertexRanks border_vertices(const StreamedPly& tile) {
+VertexRanks border_vertices(const StreamedFile& tile) {
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * std::size_t{tile.faces()});
-  tile.each_faces([&](std::span<const StreamedPly::Triangle> triangles, std::string_view) {
+  tile.each_faces([&](std::span<const StreamedFile::Triangle> triangles, std::string_view) {
     for (const auto& t : triangles)
       for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_key(t[k], t[(k + 1) % 3]));
   });
@@ -30,11 +30,11 @@ VertexRanks border_vertices(const StreamedPly& tile) {
 
 }  // namespace
 
-TileBorders::TileBorders(std::span<const StreamedPly> tiles, std::span<const std::uint32_t> first)
+TileBorders::TileBorders(const StreamedFiles& tiles, std::span<const std::uint32_t> first)
     : replaced_(first.back()) {
   std::vector<Place> places;
   for (std::uint32_t tile = 0; tile < tiles.size(); ++tile)
-    add_borders(tiles[tile], tile, first[tile], places);
+    add_borders(*tiles[tile], tile, first[tile], places);
   const auto at = [](const Place& p) {
     return std::tuple(p.position.x, p.position.y, p.position.z);
   };
@@ -54,7 +54,7 @@ TileBorders::TileBorders(std::span<const StreamedPly> tiles, std::span<const std
   replaced_.finish();
 }
 
-void TileBorders::add_borders(const StreamedPly& tile, std::uint32_t number, std::uint32_t first,
+void TileBorders::add_borders(const StreamedFile& tile, std::uint32_t number, std::uint32_t first,
                               std::vector<Place>& places) {
   const VertexRanks border = border_vertices(tile);
   std::uint32_t v = 0;

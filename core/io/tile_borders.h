@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/vertex_ranks.h"
-#include "core/io/streamed_ply.h"
+#include "core/io/streamed_file.h"
 
 namespace aomd::io::detail {
 
@@ -21,7 +21,7 @@ class TileBorders {
   TileBorders() : replaced_(0) {}
   /// `first` has the number of each tile's first vertex, and the number of all. Once through each
   /// tile; in memory are 24 B a face of one tile, 40 B a border vertex and 1.5 bits a vertex.
-  TileBorders(std::span<const StreamedPly> tiles, std::span<const std::uint32_t> first);
+  TileBorders(const StreamedFiles& tiles, std::span<const std::uint32_t> first);
 
   /// Which vertex stands for one.
   [[nodiscard]] std::uint32_t of(std::uint32_t v) const {
@@ -35,7 +35,7 @@ class TileBorders {
     std::uint32_t tile = 0;
   };
   using Replacements = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-  static void add_borders(const StreamedPly& tile, std::uint32_t number, std::uint32_t first,
+  static void add_borders(const StreamedFile& tile, std::uint32_t number, std::uint32_t first,
                           std::vector<Place>& places);
   static void join(std::span<const Place> at_one, Replacements& replacements);
 

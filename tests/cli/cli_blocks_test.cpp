@@ -51,6 +51,23 @@ TEST_F(BlocksCommand, ReadsAFolderOfTiles) {
   expect_failure("decimate tiles o.ply --target-faces 10%", 3, "tiles: is a folder");
 }
 
+// The facets of an STL file come to what the same surface with vertices comes to.
+TEST_F(BlocksCommand, ReadsStl) {
+  ASSERT_EQ(aomd("convert s.ply s.stl").code, 0);
+  ASSERT_EQ(aomd("convert s.stl t.ply").code, 0);
+  const Outcome run = aomd("decimate s.stl a.ply --blocks 5 --target-faces 900");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  ASSERT_EQ(aomd("decimate t.ply b.ply --blocks 5 --target-faces 900").code, 0);
+  EXPECT_EQ(text("a.ply"), text("b.ply"));
+  ASSERT_EQ(aomd("convert s.stl text.stl --ascii").code, 0);
+  expect_failure("decimate text.stl o.ply --blocks 5 --target-faces 900", 3,
+                 "text.stl: STL as text cannot be read in blocks, only as a whole: aomd convert");
+  std::filesystem::resize_file(at("s.stl"), 1000);
+  expect_failure("decimate s.stl o.ply --blocks 5 --target-faces 900", 3,
+                 "s.stl: byte 1000: the file ends early");
+}
+
 TEST_F(BlocksCommand, OneBlockIsNone) {
   ASSERT_EQ(aomd("decimate s.ply a.ply --target-faces 900 --blocks 1").code, 0);
   ASSERT_EQ(aomd("decimate s.ply b.ply --target-faces 900").code, 0);
@@ -117,7 +134,7 @@ TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
                  "--blocks is for --strategy quality");
   ASSERT_EQ(aomd("convert s.ply s.off").code, 0);
   expect_failure("decimate s.off o.ply --blocks 2 --target-faces 900", 3,
-                 "s.off: what is no PLY cannot be read in blocks, only as a whole");
+                 "s.off: what is no PLY or STL cannot be read in blocks, only as a whole");
   expect_failure("decimate - o.ply --blocks 2 --target-faces 900", 3, "-: is no file");
   EXPECT_FALSE(exists("o.ply"));
 }

@@ -276,7 +276,7 @@ TEST_F(TilesTest, SayWhatIsWrong) {
       EXPECT_NE(std::string(e.what()).find(fragment), std::string::npos) << e.what();
     }
   };
-  refused("tiles: has no .ply files");
+  refused("tiles: has no .ply and no .stl files");
   put_tile("a.ply", columns(0, 1));
   MeshData other = columns(1, 2);
   other.attributes.clear();

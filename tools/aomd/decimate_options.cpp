@@ -237,8 +237,8 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
 void add_blocks(CLI::App& command, DecimateOptions& o) {
   CLI::Option* blocks = command.add_option(
       "--blocks", o.blocks,
-      "For surfaces that do not fit into memory (binary PLY, or a folder of such tiles):\ncuts the "
-      "input into so many pieces, makes one after the other coarser, then all\nof it together");
+      "For surfaces that do not fit into memory (binary PLY or STL, or a folder of such\ntiles): cuts "
+      "the input into so many pieces, makes one after the other coarser,\nthen all of it together");
   blocks->type_name("N")
       ->transform(whole_number(1, static_cast<int>(BlockCut::most_blocks)))
       ->capture_default_str()
