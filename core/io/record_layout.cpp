@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/io/notes.h"
+#include "core/io/stored_numbers.h"
 #include "core/io/vtk_numbers.h"
 
 namespace aomd::io::detail {
@@ -28,9 +29,11 @@ std::vector<double> numbers_in(std::string_view records, std::size_t size, std::
 void add_arrays(const std::vector<RecordArray>& arrays, int dimension, std::string_view records,
                 std::size_t size, std::size_t begin, std::endian order, MeshData& mesh) {
   for (const RecordArray& array : arrays) {
-    mesh.attributes.push_back({array.name, dimension, array.components, is_integer(array.type),
-                               numbers_in(records, size, begin, array, order), array.type,
-                               array.meaning});
+    Attribute a{array.name, dimension, array.components, false,
+                numbers_in(records, size, begin, array, order)};
+    store_as(a, array.type);
+    a.meaning = array.meaning;
+    mesh.attributes.push_back(std::move(a));
     begin += array.size();
   }
 }

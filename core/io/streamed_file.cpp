@@ -7,6 +7,7 @@
 #include "core/io/error.h"
 #include "core/io/streamed_ply.h"
 #include "core/io/streamed_stl.h"
+#include "core/io/streamed_vtu.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -51,9 +52,12 @@ std::unique_ptr<const StreamedFile> open_streamed(const std::filesystem::path& p
   head.resize(static_cast<std::size_t>(file.gcount()));
   if (head.empty()) throw ReadError(name, {}, "is empty");
   if (head.starts_with("ply")) return std::make_unique<StreamedPly>(path);
+  if (head.starts_with("<VTKFile") || head.starts_with("<?xml"))
+    return std::make_unique<StreamedVtu>(path);
   if (StreamedStl::is_binary(head, std::filesystem::file_size(path)))
     return std::make_unique<StreamedStl>(path);
-  if (lower(path.extension().string()) != ".stl") refuse_in_blocks(name, "what is no PLY or STL");
+  if (lower(path.extension().string()) != ".stl")
+    refuse_in_blocks(name, "what is no PLY, STL or VTU");
   if (lower(head.substr(0, 5)) == "solid" && head.find('\0') == std::string::npos)
     refuse_in_blocks(name, "STL as text");
   return std::make_unique<StreamedStl>(path);

@@ -84,7 +84,7 @@ class StreamedFile {
 
 using StreamedFiles = std::vector<std::unique_ptr<const StreamedFile>>;
 
-/// By what it holds: PLY or STL, both binary. Throws ReadError and LimitError.
+/// By what it holds: PLY, STL or VTU, of bytes. Throws ReadError and LimitError.
 [[nodiscard]] std::unique_ptr<const StreamedFile> open_streamed(const std::filesystem::path& path);
 
 }  // namespace aomd::io::detail

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/box.h"
+#include "core/base/text.h"
 #include "core/base/vertex_ranks.h"
+#include "core/io/pvtu.h"
 #include "core/io/streamed_file.h"
 #include "core/io/tile_borders.h"
 #include "core/mesh/handle.h"
@@ -20,16 +23,17 @@ struct StreamedSurface::Tiles {
   std::uint32_t faces = 0;
   TileBorders borders;
 
-  explicit Tiles(const std::filesystem::path& path);
+  Tiles(const std::filesystem::path& path, const Weld& weld);
   void add(const std::filesystem::path& path);
+  [[nodiscard]] double length_of(const Weld& weld) const;
 };
 
 namespace {
 
-/// The tiles of a folder by name: its PLY files, or its STL files where it has none.
-std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
+/// The tiles of a folder by name: its PLY files; where it has none its STL files, else VTU.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const char* extension : {".ply", ".stl"}) {
+  for (const char* extension : {".ply", ".stl", ".vtu"}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder))
       if (entry.is_regular_file() && entry.path().extension() == extension)
         files.push_back(entry.path());
@@ -39,18 +43,44 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder)
   return files;
 }
 
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) return files_in(path);
+  if (lower(path.extension().string()) != ".pvtu") return {path};
+  const detail::FileBytes list(path);
+  return detail::pvtu_pieces({path.string(), list.view()});
+}
+
 }  // namespace
 
-StreamedSurface::Tiles::Tiles(const std::filesystem::path& path) : name(path.string()) {
-  std::error_code problem;
-  const bool many = std::filesystem::is_directory(path, problem);
-  for (const auto& file : many ? files_of(path) : std::vector{path}) add(file);
-  if (files.empty()) throw ReadError(name, {}, "has no .ply and no .stl files");
-  if (files.size() > 1) borders = TileBorders(files, first_vertex);
+StreamedSurface::Tiles::Tiles(const std::filesystem::path& path, const Weld& weld)
+    : name(path.string()) {
+  const std::vector<std::filesystem::path> paths = files_of(path);
+  if (paths.empty()) throw ReadError(name, {}, "has no .ply, .stl or .vtu files");
+  for (const auto& file : paths) add(file);
+  if (files.empty()) throw ReadError(name, {}, "has no vertices or no faces");
+  if (files.size() == 1) return;
+  try {
+    borders = TileBorders(files, first_vertex, length_of(weld));
+  } catch (const detail::WeldTooWide&) {
+    throw LimitError(name, {}, "dozens of border vertices lie within the tolerance of each other");
+  }
+}
+
+double StreamedSurface::Tiles::length_of(const Weld& weld) const {
+  if (!weld.of_diagonal || weld.tolerance == 0) return weld.tolerance;
+  Box box;
+  for (const auto& file : files)
+    file->each_vertices([&](std::span<const glm::dvec3> positions, std::string_view) {
+      for (const glm::dvec3& p : positions) box.add(p);
+    });
+  return weld.tolerance * box.diagonal();
 }
 
 void StreamedSurface::Tiles::add(const std::filesystem::path& path) {
-  files.push_back(detail::open_streamed(path));
+  auto opened = detail::open_streamed(path);
+  if (opened->vertices() == 0) return;  // a part of a list may be empty
+  files.push_back(std::move(opened));
   const StreamedFile& file = *files.back();
   if (file.kind_of_records() != files.front()->kind_of_records())
     throw ReadError(file.name(), {}, "has other properties than " + files.front()->name());
@@ -61,8 +91,8 @@ void StreamedSurface::Tiles::add(const std::filesystem::path& path) {
   faces += file.faces();
 }
 
-StreamedSurface::StreamedSurface(const std::filesystem::path& path)
-    : tiles_(std::make_unique<const Tiles>(path)) {}
+StreamedSurface::StreamedSurface(const std::filesystem::path& path, const Weld& weld)
+    : tiles_(std::make_unique<const Tiles>(path, weld)) {}
 StreamedSurface::~StreamedSurface() = default;
 StreamedSurface::StreamedSurface(StreamedSurface&&) noexcept = default;
 StreamedSurface& StreamedSurface::operator=(StreamedSurface&&) noexcept = default;

@@ -91,8 +91,8 @@ void StreamedVtu::take_piece(const VtuSkeleton& skeleton, const pugi::xml_node& 
   take_data(skeleton, piece.child("CellData"), "cell ", cells_, of_cells_, layout_.of_faces);
 }
 
-void StreamedVtu::take_data(const VtuSkeleton& skeleton, const pugi::xml_node& data,
-                            const char* of, std::uint64_t count, std::vector<Column>& columns,
+void StreamedVtu::take_data(const VtuSkeleton& skeleton, const pugi::xml_node& data, const char* of,
+                            std::uint64_t count, std::vector<Column>& columns,
                             std::vector<RecordArray>& arrays) {
   for (const pugi::xml_node node : data.children("DataArray")) {
     const std::string named = node.attribute("Name").value();

@@ -61,9 +61,9 @@ class StreamedVtu final : public StreamedFile {
   VtuPacking packing_;
   bool appended_base64_ = false;
   std::uint32_t points_ = 0, cells_ = 0;
-  std::vector<Column> of_points_;               ///< the coordinates, and the arrays
+  std::vector<Column> of_points_;  ///< the coordinates, and the arrays
   Column connectivity_, ends_, types_;
-  std::vector<Column> of_cells_;                ///< arrays alone
+  std::vector<Column> of_cells_;  ///< arrays alone
   RecordLayout layout_;
 };
 

@@ -52,8 +52,7 @@ struct VtuText {
            ">\n<PointData Scalars=\"a>b\">" + point_data + "</PointData><CellData>" + cell_data +
            "</CellData>\n<Points>" + array("Float32", "Points", points, 3) + "</Points><Cells>" +
            array("Int32", "connectivity", corners) + array("Int32", "offsets", ends) +
-           array("UInt8", "types", types) +
-           "</Cells></Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+           array("UInt8", "types", types) + "</Cells></Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   }
 };
 
@@ -125,9 +124,8 @@ TEST_F(StreamedVtuTest, ReadsWhatStandsInElements) {
                    VtuText::array<std::uint8_t>("UInt8", "c", std::vector<std::uint8_t>(12, 9), 3);
   vtu.cell_data = VtuText::array<std::int16_t>("Int16", "part", {-7, 8});
   expect_as_read(put(vtu.text()));
-  MeshData mesh = StreamedSurface(folder_ / "a.vtu").part([](const auto& t) {
-    return t[0] == 1;
-  }).mesh;
+  MeshData mesh =
+      StreamedSurface(folder_ / "a.vtu").part([](const auto& t) { return t[0] == 1; }).mesh;
   EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
   ASSERT_EQ(mesh.attributes.size(), 3u);
   EXPECT_EQ(mesh.attributes[0].values, (std::vector<double>{2, 3, 4}));
@@ -137,7 +135,6 @@ TEST_F(StreamedVtuTest, ReadsWhatStandsInElements) {
 }
 
 TEST_F(StreamedVtuTest, ReadsAppendedBase64AndTheOtherByteOrder) {
-  const std::string points = with_size<std::uint64_t>(raw(VtuText().points));
   for (const bool wide : {false, true}) {
     std::string data;
     const auto array = [&](const char* type, const char* name, const std::string& bytes, int n) {
@@ -192,8 +189,9 @@ TEST_F(StreamedVtuTest, SaysWhatIsWrong) {
   });
   std::string text = VtuText().text();
   expect_refused(text.substr(0, text.size() / 2), "XML");
-  text.insert(text.find("</UnstructuredGrid>"), text.substr(text.find("<Piece"),
-              text.find("</UnstructuredGrid>") - text.find("<Piece")));
+  text.insert(
+      text.find("</UnstructuredGrid>"),
+      text.substr(text.find("<Piece"), text.find("</UnstructuredGrid>") - text.find("<Piece")));
   expect_refused(text, "a VTU file of several pieces");
   io::WriteOptions how;
   how.binary = true;
