@@ -35,7 +35,8 @@ struct Block {
 
 /// What a block is told.
 struct BlockRules {
-  DecimationOptions decimation;  ///< but for its target
+  io::StreamedSurface::Weld weld;  ///< of tiles
+  DecimationOptions decimation;    ///< but for its target
   ClassifyOptions classify;
   /// How many faces a surface with so many is to have in the end.
   std::function<std::uint32_t(std::uint32_t faces)> target;

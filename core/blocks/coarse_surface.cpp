@@ -138,7 +138,7 @@ std::optional<CoarseSurface> coarsen_in_blocks(const std::filesystem::path& path
   std::optional<io::StreamedSurface> surface;
   std::optional<BlockCut> cut;
   const auto look = [&] {
-    surface.emplace(path);
+    surface.emplace(path, rules.weld);
     cut.emplace(*surface, blocks);
     return std::string();
   };

@@ -18,16 +18,26 @@
 
 namespace aomd::io {
 
-/// The triangles of a binary PLY file, or of a folder of them, gone through piece by piece as often
-/// as is wanted: a few MB are in memory at a time. Files of a folder are tiles, in the order of
-/// their names: vertices on borders of several of them at the same place are one. What a whole
-/// reader would refuse is refused, with the byte; so are faces that are no triangles.
+/// The triangles of a binary PLY, STL or VTU file, of a folder of them, or of what a .pvtu names,
+/// gone through piece by piece as often as is wanted: a few MB are in memory at a time, and 12
+/// bytes a facet of STL, whose corners are vertices where they are at the same place. Several files
+/// are tiles, in the order of their names or of the list: vertices on borders of several of them at
+/// the same place are one. What a whole reader would refuse is refused; so are faces that are no
+/// triangles.
 class StreamedSurface {
  public:
+  /// How far apart border vertices of different tiles may be that are one.
+  struct Weld {
+    double tolerance = 0;      ///< in the units of the files
+    bool of_diagonal = false;  ///< as a share of the diagonal of the box of all
+  };
+
   /// Looks at the headers, and for borders of tiles. Throws ReadError where a file has not all that
-  /// it promises, or has what cannot be gone through piece by piece: another format, text, lists
-  /// beside the one of corners; and where tiles have different properties.
-  explicit StreamedSurface(const std::filesystem::path& path);
+  /// it promises, or has what cannot be gone through piece by piece: another format, text,
+  /// compressed arrays, lists beside the one of corners; and where tiles have different properties;
+  /// LimitError where the tolerance holds dozens of border vertices around each.
+  explicit StreamedSurface(const std::filesystem::path& path, const Weld& weld);
+  explicit StreamedSurface(const std::filesystem::path& path) : StreamedSurface(path, Weld{}) {}
   ~StreamedSurface();
   StreamedSurface(StreamedSurface&&) noexcept;
   StreamedSurface& operator=(StreamedSurface&&) noexcept;

@@ -1,7 +1,6 @@
 #include "core/io/tile_borders.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "core/base/edge_key.h"
@@ -10,10 +9,10 @@ namespace aomd::io::detail {
 namespace {
 
 /// The vertices of edges that have one face.
-VertexRanks border_vertices(const StreamedPly& tile) {
+VertexRanks border_vertices(const StreamedFile& tile) {
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * std::size_t{tile.faces()});
-  tile.each_faces([&](std::span<const StreamedPly::Triangle> triangles, std::string_view) {
+  tile.each_faces([&](std::span<const StreamedFile::Triangle> triangles, std::string_view) {
     for (const auto& t : triangles)
       for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_key(t[k], t[(k + 1) % 3]));
   });
@@ -30,22 +29,13 @@ VertexRanks border_vertices(const StreamedPly& tile) {
 
 }  // namespace
 
-TileBorders::TileBorders(std::span<const StreamedPly> tiles, std::span<const std::uint32_t> first)
+TileBorders::TileBorders(const StreamedFiles& tiles, std::span<const std::uint32_t> first,
+                         double tolerance)
     : replaced_(first.back()) {
-  std::vector<Place> places;
+  Places places;
   for (std::uint32_t tile = 0; tile < tiles.size(); ++tile)
-    add_borders(tiles[tile], tile, first[tile], places);
-  const auto at = [](const Place& p) {
-    return std::tuple(p.position.x, p.position.y, p.position.z);
-  };
-  std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) {
-    return std::pair(at(a), a.vertex) < std::pair(at(b), b.vertex);
-  });
-  Replacements replacements;
-  for (std::size_t i = 0, end = 0; i < places.size(); i = end) {
-    while (end < places.size() && at(places[end]) == at(places[i])) ++end;
-    join(std::span(places).subspan(i, end - i), replacements);
-  }
+    add_borders(*tiles[tile], tile, first[tile], places);
+  Replacements replacements = join_places(std::move(places), tolerance);
   std::sort(replacements.begin(), replacements.end());
   for (const auto& [vertex, by] : replacements) {
     replaced_.add(vertex);
@@ -54,8 +44,8 @@ TileBorders::TileBorders(std::span<const StreamedPly> tiles, std::span<const std
   replaced_.finish();
 }
 
-void TileBorders::add_borders(const StreamedPly& tile, std::uint32_t number, std::uint32_t first,
-                              std::vector<Place>& places) {
+void TileBorders::add_borders(const StreamedFile& tile, std::uint32_t number, std::uint32_t first,
+                              Places& places) {
   const VertexRanks border = border_vertices(tile);
   std::uint32_t v = 0;
   tile.each_vertices([&](std::span<const glm::dvec3> positions, std::string_view) {
@@ -64,12 +54,6 @@ void TileBorders::add_borders(const StreamedPly& tile, std::uint32_t number, std
       ++v;
     }
   });
-}
-
-void TileBorders::join(std::span<const Place> at_one, Replacements& replacements) {
-  const auto same_tile = [](const Place& a, const Place& b) { return a.tile == b.tile; };
-  if (std::adjacent_find(at_one.begin(), at_one.end(), same_tile) != at_one.end()) return;
-  for (const Place& p : at_one.subspan(1)) replacements.emplace_back(p.vertex, at_one[0].vertex);
 }
 
 }  // namespace aomd::io::detail

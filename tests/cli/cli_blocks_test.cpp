@@ -28,27 +28,75 @@ TEST_F(BlocksCommand, ReachesItsTargetAndReportsWhatTheFileHas) {
   EXPECT_EQ(aomd("compare s.ply o.ply --max-distance 1").code, 0);
 }
 
+/// The faces on one side of the plane x = 0.
+MeshData half_of(const MeshData& whole, bool right) {
+  MeshData half = whole;
+  half.faces = {};
+  for (std::size_t f = 0; f < whole.faces.size(); ++f) {
+    const auto* t = &whole.faces.vertices[3 * f];
+    if ((whole.positions[t[0]].x + whole.positions[t[1]].x > 0) != right) continue;
+    half.faces.shapes.push_back(Shape::Triangle);
+    half.faces.vertices.insert(half.faces.vertices.end(), t, t + 3);
+  }
+  return half;
+}
+
 // Cut along the middle of a torus, the halves come to what is as whole.
 TEST_F(BlocksCommand, ReadsAFolderOfTiles) {
   const MeshData whole = make_sample("torus", 40);
   std::filesystem::create_directory(at("tiles"));
-  for (const bool right : {false, true}) {
-    MeshData half = whole;
-    half.faces = {};
-    for (std::size_t f = 0; f < whole.faces.size(); ++f) {
-      const auto* t = &whole.faces.vertices[3 * f];
-      if ((whole.positions[t[0]].x + whole.positions[t[1]].x > 0) != right) continue;
-      half.faces.shapes.push_back(Shape::Triangle);
-      half.faces.vertices.insert(half.faces.vertices.end(), t, t + 3);
-    }
-    io::write(at(right ? "tiles/2.ply" : "tiles/1.ply"), half);
-  }
+  for (const bool right : {false, true})
+    io::write(at(right ? "tiles/2.ply" : "tiles/1.ply"), half_of(whole, right));
   ASSERT_EQ(aomd("decimate tiles o.ply --blocks 3 --target-faces 10% --report r.json").code, 0);
   EXPECT_EQ(json("r.json")["input"]["faces"], whole.faces.size());
   const auto result = test::facts_of(io::read(at("o.ply")).mesh);
   EXPECT_EQ(result.euler, 0);
   EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
   expect_failure("decimate tiles o.ply --target-faces 10%", 3, "tiles: is a folder");
+}
+
+// The halves of a torus a little apart are one with --weld; a PVTU names them.
+TEST_F(BlocksCommand, WeldsTilesThatAPvtuNames) {
+  const MeshData whole = make_sample("torus", 40);
+  io::WriteOptions how;
+  how.binary = true;
+  for (const bool right : {false, true}) {
+    MeshData half = half_of(whole, right);
+    for (glm::dvec3& p : half.positions) p.z += right ? 0.001 : 0;
+    io::write(at(right ? "2.vtu" : "1.vtu"), half, how);
+  }
+  std::ofstream(at("t.pvtu")) << "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>"
+                                 "<Piece Source=\"1.vtu\"/><Piece Source=\"2.vtu\"/>"
+                                 "</PUnstructuredGrid></VTKFile>";
+  const std::string in_blocks = "decimate t.pvtu o.ply --blocks 3 --target-faces 400";
+  ASSERT_EQ(aomd(in_blocks + " --weld 0.0011 --report r.json").code, 0);
+  EXPECT_EQ(json("r.json")["options"]["weld"], "0.0011");
+  EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
+  ASSERT_EQ(aomd(in_blocks + " --weld 0.1%").code, 0);
+  EXPECT_EQ(aomd("check o.ply --require closed,manifold").code, 0);
+  ASSERT_EQ(aomd(in_blocks + " --weld 0.0009").code, 0);
+  EXPECT_EQ(aomd("check o.ply --require closed").code, 1);
+  expect_failure("decimate s.ply o.ply --blocks 3 --target-faces 400 --weld 1", 2,
+                 "--weld with --blocks is for the borders of tiles, and s.ply is one file");
+  expect_failure("decimate s.ply o.ply --target-faces 400 --weld 1", 2,
+                 "--weld requires --repair, or tiles with --blocks");
+}
+
+// The facets of an STL file come to what the same surface with vertices comes to.
+TEST_F(BlocksCommand, ReadsStl) {
+  ASSERT_EQ(aomd("convert s.ply s.stl").code, 0);
+  ASSERT_EQ(aomd("convert s.stl t.ply").code, 0);
+  const Outcome run = aomd("decimate s.stl a.ply --blocks 5 --target-faces 900");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  ASSERT_EQ(aomd("decimate t.ply b.ply --blocks 5 --target-faces 900").code, 0);
+  EXPECT_EQ(text("a.ply"), text("b.ply"));
+  ASSERT_EQ(aomd("convert s.stl text.stl --ascii").code, 0);
+  expect_failure("decimate text.stl o.ply --blocks 5 --target-faces 900", 3,
+                 "text.stl: STL as text cannot be read in blocks, only as a whole: aomd convert");
+  std::filesystem::resize_file(at("s.stl"), 1000);
+  expect_failure("decimate s.stl o.ply --blocks 5 --target-faces 900", 3,
+                 "s.stl: byte 1000: the file ends early");
 }
 
 TEST_F(BlocksCommand, OneBlockIsNone) {
@@ -117,7 +165,7 @@ TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
                  "--blocks is for --strategy quality");
   ASSERT_EQ(aomd("convert s.ply s.off").code, 0);
   expect_failure("decimate s.off o.ply --blocks 2 --target-faces 900", 3,
-                 "s.off: what is no PLY cannot be read in blocks, only as a whole");
+                 "s.off: what is no PLY, STL or VTU cannot be read in blocks, only as a whole");
   expect_failure("decimate - o.ply --blocks 2 --target-faces 900", 3, "-: is no file");
   EXPECT_FALSE(exists("o.ply"));
 }

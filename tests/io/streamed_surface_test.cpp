@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 
 #include "core/io/io.h"
 #include "core/io/streamed_surface.h"
+#include "core/io/tile_weld.h"
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
@@ -267,6 +269,69 @@ TEST_F(TilesTest, StayApartWhereOneHasTwoVerticesAtAPlace) {
   EXPECT_EQ(StreamedSurface(tiles()).part(all).mesh.positions.size(), 9u + 6u - 5u);
 }
 
+/// How many vertices three tiles have, the second moved by an offset, and the third by twice that.
+class NearTilesTest : public TilesTest {
+ protected:
+  [[nodiscard]] std::size_t vertices(double offset, const StreamedSurface::Weld& weld) const {
+    for (const int i : {0, 1, 2}) {
+      MeshData tile = columns(i, i + 1);
+      for (glm::dvec3& p : tile.positions) p.y += offset * i;
+      put_tile(std::to_string(i) + ".ply", tile);
+    }
+    const StreamedSurface surface(tiles(), weld);
+    return surface.part([](const auto&) { return true; }).mesh.positions.size();
+  }
+};
+
+TEST_F(NearTilesTest, AreWeldedWithinTheTolerance) {
+  constexpr double d = 0.25;
+  EXPECT_EQ(vertices(0, {0}), 12u);
+  EXPECT_EQ(vertices(d, {0}), 18u);
+  EXPECT_EQ(vertices(d, {d}), 12u);
+  EXPECT_EQ(vertices(d, {0.99 * d}), 18u);
+  EXPECT_EQ(vertices(0, {1e-300}), 12u);
+  const double diagonal = std::sqrt(9 + 2.5 * 2.5);
+  EXPECT_EQ(vertices(d, {1.01 * d / diagonal, true}), 12u);
+  EXPECT_EQ(vertices(d, {0.99 * d / diagonal, true}), 18u);
+}
+
+// Both vertices of the right tile are near, and only the nearer one is joined; those of one tile
+// never are, however wide the tolerance is.
+TEST_F(NearTilesTest, TheNearestTwoAreOneAndNoTwoOfATile) {
+  using io::detail::TilePlace;
+  const std::vector<TilePlace> places = {{{0, 0, 0}, 10, 0},
+                                         {{3, 0, 0}, 20, 1},
+                                         {{2, 0, 0}, 21, 1},
+                                         {{1, 0, 0}, 11, 0},
+                                         {{2.5, 0, 0}, 30, 2}};
+  using Joined = io::detail::TileReplacements;
+  EXPECT_EQ(io::detail::weld_places(places, 0.4), Joined{});
+  EXPECT_EQ(io::detail::weld_places(places, 0.5), (Joined{{30, 20}}));
+  // 21 and 30 are as near, and come later; then 11 is nearest to 21, and 10 too far from the rest.
+  EXPECT_EQ(io::detail::weld_places(places, 1), (Joined{{21, 11}, {30, 20}}));
+  EXPECT_EQ(io::detail::weld_places(places, 2.9), (Joined{{21, 11}, {30, 20}}));
+  EXPECT_EQ(io::detail::weld_places(places, 100), (Joined{{20, 10}, {21, 11}, {30, 10}}));
+  std::vector<TilePlace> turned(places.rbegin(), places.rend());
+  EXPECT_EQ(io::detail::weld_places(turned, 100), io::detail::weld_places(places, 100));
+}
+
+// What is joined to one that is joined to another must lie within the tolerance of that one.
+TEST_F(NearTilesTest, NobodyMovesFurtherThanTheTolerance) {
+  using io::detail::TilePlace;
+  const std::vector<TilePlace> chain = {{{0, 0, 0}, 0, 0}, {{1, 0, 0}, 1, 1}, {{1.9, 0, 0}, 2, 2}};
+  using Joined = io::detail::TileReplacements;
+  EXPECT_EQ(io::detail::weld_places(chain, 1), (Joined{{2, 1}}));
+  EXPECT_EQ(io::detail::weld_places(chain, 1.9), (Joined{{1, 0}, {2, 0}}));
+}
+
+TEST_F(NearTilesTest, AToleranceThatHoldsAllIsRefused) {
+  MeshData dense = make_sample("terrain", 200);
+  put_tile("0.ply", dense);
+  put_tile("1.ply", dense);
+  EXPECT_THROW(StreamedSurface(tiles(), {1e9}), io::LimitError);
+  EXPECT_NO_THROW(StreamedSurface(tiles(), {0}));
+}
+
 TEST_F(TilesTest, SayWhatIsWrong) {
   const auto refused = [&](const std::string& fragment) {
     try {
@@ -276,7 +341,7 @@ TEST_F(TilesTest, SayWhatIsWrong) {
       EXPECT_NE(std::string(e.what()).find(fragment), std::string::npos) << e.what();
     }
   };
-  refused("tiles: has no .ply files");
+  refused("tiles: has no .ply, .stl or .vtu files");
   put_tile("a.ply", columns(0, 1));
   MeshData other = columns(1, 2);
   other.attributes.clear();

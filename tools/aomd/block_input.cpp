@@ -1,5 +1,7 @@
 #include "tools/aomd/block_input.h"
 
+#include <filesystem>
+
 #include "core/base/text.h"
 
 namespace aomd::cli {
@@ -7,7 +9,13 @@ namespace aomd::cli {
 std::optional<CoarseSurface> read_in_blocks(const DecimateOptions& options, Exchange& exchange,
                                             Progress& progress) {
   if (options.paper()) throw UsageError("--blocks is for --strategy quality");
+  const std::filesystem::path input = options.input;
+  if (options.weld.on() && std::filesystem::is_regular_file(input) &&
+      lower(input.extension().string()) != ".pvtu")
+    throw UsageError("--weld with --blocks is for the borders of tiles, and " + options.input +
+                     " is one file");
   BlockRules rules;
+  rules.weld = options.weld.for_tiles();
   rules.decimation = options.for_library();
   rules.classify = options.for_classification();
   rules.target = [&](std::uint32_t faces) { return options.target_count(false, faces); };

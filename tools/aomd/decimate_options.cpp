@@ -171,7 +171,7 @@ void add_ways(CLI::App& command, DecimateOptions& o) {
   CLI::Option* split = command.add_flag(
       "--split-to-tets", o.split_to_tets,
       "First cuts hexahedra, prisms and pyramids into tetrahedra, without new vertices");
-  CLI::Option* weld = add_weld(command, o.weld)->needs(repair);
+  CLI::Option* weld = add_weld(command, o.weld);
   CLI::Option* without = command.add_option(
       "--without", o.without,
       "For quality, to see what they are worth: leaves out ideas of docs/QUALITY.md:\n" +
@@ -237,8 +237,9 @@ void add_guarantees(CLI::App& command, DecimateOptions& o) {
 void add_blocks(CLI::App& command, DecimateOptions& o) {
   CLI::Option* blocks = command.add_option(
       "--blocks", o.blocks,
-      "For surfaces that do not fit into memory (binary PLY, or a folder of such tiles):\ncuts the "
-      "input into so many pieces, makes one after the other coarser, then all\nof it together");
+      "For surfaces that do not fit into memory (PLY, STL or VTU of bytes, a folder of\nsuch "
+      "tiles, or .pvtu): cuts "
+      "the input into so many pieces, makes one after the other coarser,\nthen all of it together");
   blocks->type_name("N")
       ->transform(whole_number(1, static_cast<int>(BlockCut::most_blocks)))
       ->capture_default_str()
@@ -356,6 +357,8 @@ std::optional<SpacingSource> DecimateOptions::spacing_source() const {
 }
 
 void DecimateOptions::check_spacing() const {
+  if (weld.on() && !repair && blocks <= 1)
+    throw UsageError("--weld requires --repair, or tiles with --blocks");
   const auto source = spacing_source();
   if (source && factor_given && !by_surface(source))
     throw UsageError("--factor excludes --spacing, unless that is surface");

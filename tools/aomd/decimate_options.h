@@ -67,7 +67,8 @@ struct DecimateOptions {
   [[nodiscard]] ClassifyOptions for_classification() const;
   /// None without --spacing. Throws UsageError for what is no file and no formula.
   [[nodiscard]] std::optional<SpacingSource> spacing_source() const;
-  /// Throws UsageError too where a factor is given beside one that has no use for it.
+  /// Throws UsageError too where a factor is given beside one that has no use for it, or a --weld
+  /// beside nothing to weld.
   void check_spacing() const;
   /// "options" of a report: each of them, null where it is not in use; `steps` is what the library
   /// was told.

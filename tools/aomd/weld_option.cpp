@@ -25,6 +25,13 @@ void WeldOption::apply(RepairOptions& repair, const MeshData& mesh) const {
   repair.weld_tolerance = in_percent(text) ? value / 100 * diagonal_of(mesh) : value;
 }
 
+io::StreamedSurface::Weld WeldOption::for_tiles() const {
+  if (!on()) return {};
+  const double value = number_of(text).value_or(0);
+  return in_percent(text) ? io::StreamedSurface::Weld{value / 100, true}
+                          : io::StreamedSurface::Weld{value, false};
+}
+
 CLI::Option* add_weld(CLI::App& command, WeldOption& weld) {
   const auto check = [](const std::string& text) {
     const auto value = number_of(text);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/streamed_surface.h"
 #include "core/repair/repair.h"
 #include "tools/aomd/command.h"
 
@@ -18,6 +19,8 @@ struct WeldOption {
   [[nodiscard]] bool on() const { return option != nullptr && option->count() > 0; }
   /// Welds with a tolerance in the units of the mesh.
   void apply(RepairOptions& repair, const MeshData& mesh) const;
+  /// The same for tiles of a surface.
+  [[nodiscard]] io::StreamedSurface::Weld for_tiles() const;
 };
 
 /// Adds --weld to the command.
