@@ -1,10 +1,21 @@
 #include "core/decimate/volume/removals_ahead.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace aomd {
 
-void RemovalsAhead::begin(const Mesh& mesh, std::uint32_t from) {
+// One of so many threads judges its share of all, and at their turn one of them judges again what
+// has changed.
+void RemovalsAhead::begin(const Mesh& mesh, std::uint32_t from, int threads) {
+  constexpr double worth = 1.2;
+  constexpr int batches_at_rest = 8;
+  if (rests_ > 0)
+    --rests_;
+  else if (double(saved_) * threads < worth * double(asked_))
+    rests_ = batches_at_rest;
+  asked_ = saved_ = 0;
   begin_ = from;
   end_ = std::min(mesh.capacity(3) - from, batch) + from;
   open_.assign(end_ - begin_, all);
@@ -28,11 +39,23 @@ RemovalsAhead::Removals RemovalsAhead::worth_judging(const Mesh& mesh, Region r,
   return static_cast<Removals>(open);
 }
 
-RemovalsAhead::Removals RemovalsAhead::of(const Mesh& mesh, Region r) const {
-  if (!covers(r)) return all;
-  int touched = 0;
-  for (const Vertex v : mesh.tetrahedron(r)) touched += touched_[v] == stamp_;
-  return touched < 2 ? open_[r.index - begin_] : all;
+RemovalsAhead::Removals RemovalsAhead::of(const Mesh& mesh, Region r) {
+  if (!covers(r) || rests_ > 0) return all;
+  const auto t = mesh.tetrahedron(r);
+  std::array<bool, 4> is_new;
+  for (std::size_t i = 0; i < 4; ++i) is_new[i] = touched_[t[i]] == stamp_;
+  unsigned open = open_[r.index - begin_], bit = 1;
+  const auto reopen = [&](bool changed) {
+    if (changed) open |= bit;
+    bit <<= 1;
+  };
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = i + 1; k < 4; ++k) reopen(is_new[i] && is_new[k]);
+  for (std::size_t i = 0; i < 4; ++i)
+    reopen(is_new[(i + 1) % 4] && is_new[(i + 2) % 4] && is_new[(i + 3) % 4]);
+  asked_ += 10;
+  saved_ += 10 - static_cast<unsigned>(std::popcount(open));
+  return static_cast<Removals>(open);
 }
 
 void RemovalsAhead::changed(const EdgeRemoval& plan) {

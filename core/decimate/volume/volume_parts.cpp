@@ -10,7 +10,7 @@ namespace aomd {
 
 // A large volume stays in parts when it has become smaller: they are what threads share.
 std::size_t VolumeQualityLoop::parts_now() const {
-  constexpr std::uint32_t fewest_regions = 200'000, regions_a_part = 25'000;
+  constexpr std::uint32_t fewest_regions = 200'000, regions_a_part = 50'000;
   constexpr std::size_t fewest_parts = 4;
   if (options_.parts > 0)
     return std::min<std::size_t>(std::size_t(options_.parts), Partition::most_parts);
