@@ -214,6 +214,13 @@ void RegionCollapser::find_faces(const Mesh& mesh, const Contraction& c, const B
   }
 }
 
+void RegionCollapser::find_regions(const VolumeCollapsePlan& plan) {
+  const Contraction& c = plan.contraction;
+  const Ball& ball = plan.balls[0];
+  for (auto r = ball.rbegin(); r != ball.rend(); ++r)
+    if (!r->uses(c.kept)) regions_.push_back({r->region, r->slot, c.deleted, c.kept});
+}
+
 // Entities in descending order: rows are sorted, so that each leaves the deleted vertex's row at
 // its end.
 void RegionCollapser::find_edits(const Mesh& mesh, const VolumeCollapsePlan& plan) {
@@ -222,9 +229,7 @@ void RegionCollapser::find_edits(const Mesh& mesh, const VolumeCollapsePlan& pla
   regions_.clear();
   edges_.find(mesh, c, plan.stars, marks_, rebindings_);
   find_faces(mesh, c, plan.balls);
-  const Ball& ball = plan.balls[0];
-  for (auto r = ball.rbegin(); r != ball.rend(); ++r)
-    if (!r->uses(c.kept)) regions_.push_back({r->region, r->slot, c.deleted, c.kept});
+  find_regions(plan);
   rebindings_.insert(rebindings_.end(), regions_.begin(), regions_.end());
 }
 
@@ -243,6 +248,18 @@ void RegionCollapser::apply(Mesh& mesh, const VolumeCollapsePlan& plan) {
   edges_.merge(mesh);
   if (edges_.collapsed().valid()) mesh.destroy_unused(edges_.collapsed());
   mesh.destroy_unused(c.deleted);
+}
+
+void RegionCollapser::apply(const Mesh& mesh, SharedEdits& edits, const VolumeCollapsePlan& plan) {
+  AOMD_CHECK(plan.verdict.accepted() && plan.revision == mesh.revision());
+  const Contraction& c = plan.contraction;
+  if (c.position != mesh.position(c.kept)) edits.move(c.kept, c.position);
+  regions_.clear();
+  find_regions(plan);
+  for (const BallRegion& r : plan.balls[0])
+    if (r.uses(c.kept)) edits.destroy_unused(r.region);
+  edits.rebind(regions_);
+  edits.destroy_unused(c.deleted);
 }
 
 }  // namespace aomd

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/mesh/shared_edits.h"
 #include "core/operators/ball.h"
 #include "core/operators/collapse.h"
 #include "core/operators/region_checks.h"
@@ -58,6 +59,8 @@ class RegionCollapser {
   /// Makes what was accepted. The mesh must not have changed since. One journal step. Faces and
   /// edges that fall together become one with the lower classification.
   void apply(Mesh& mesh, const VolumeCollapsePlan& plan);
+  /// The same by edits that others make too, elsewhere; both ends lie inside a model region.
+  void apply(const Mesh& mesh, SharedEdits& edits, const VolumeCollapsePlan& plan);
 
  private:
   using Balls = std::array<Ball, 2>;
@@ -72,6 +75,7 @@ class RegionCollapser {
   [[nodiscard]] bool at_edge(Vertex v) const;
   [[nodiscard]] bool at_edge(Vertex a, Vertex b) const;
   void find_edits(const Mesh& mesh, const VolumeCollapsePlan& plan);
+  void find_regions(const VolumeCollapsePlan& plan);
   void find_faces(const Mesh& mesh, const Contraction& c, const Balls& balls);
   void merge_sides(const Mesh& mesh, const Contraction& c, const EdgeEnds& side, const Ball& kept);
 

@@ -32,7 +32,10 @@ Partition::Partition(const Mesh& mesh, std::size_t parts, int cut, int threads) 
   if (parts == 1) return;
   place_.assign(mesh.capacity(0), 0);
   share_out(mesh, cut, threads);
-  for (const Face f : mesh.faces()) mark_seam(mesh, f);
+  if (mesh.count(3) == 0)
+    for (const Face f : mesh.faces()) mark_seam(mesh.triangle(f));
+  else
+    for (const Region r : mesh.regions()) mark_seam(mesh.row<0>(r));
 }
 
 void Partition::share_out(const Mesh& mesh, int cut, int threads) {
@@ -49,15 +52,21 @@ void Partition::share_out(const Mesh& mesh, int cut, int threads) {
     place_[v] = static_cast<std::uint16_t>(2 * part[place_[v]]);
 }
 
-void Partition::mark_seam(const Mesh& mesh, Face f) {
-  const auto t = mesh.triangle(f);
-  if (part_of(t[0]) == part_of(t[1]) && part_of(t[1]) == part_of(t[2])) return;
-  for (const Vertex v : t) place_[v] |= 1;
+template <typename Corners>
+void Partition::mark_seam(const Corners& corners) {
+  const std::size_t part = part_of(*corners.begin());
+  bool apart = false;
+  for (const Vertex v : corners) apart = apart || part_of(v) != part;
+  if (!apart) return;
+  for (const Vertex v : corners) place_[v] |= 1;
 }
 
 void Partition::joined(const Mesh& mesh, Vertex kept) {
   if (count_ == 1) return;
-  for (const Face f : mesh.row<2>(kept)) mark_seam(mesh, f);
+  if (mesh.count(3) == 0)
+    for (const Face f : mesh.row<2>(kept)) mark_seam(mesh.triangle(f));
+  else
+    for (const Region r : mesh.row<3>(kept)) mark_seam(mesh.row<0>(r));
 }
 
 }  // namespace aomd

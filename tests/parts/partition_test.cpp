@@ -8,6 +8,7 @@
 #include "core/operators/collapse.h"
 #include "core/parts/hilbert.h"
 #include "core/parts/partition.h"
+#include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
 namespace aomd {
@@ -55,6 +56,23 @@ TEST(PartitionTest, EqualPartsAndTheirSeams) {
     EXPECT_GT(*least, 640) << cut;  // of 675
     EXPECT_LT(*most, 710) << cut;
   }
+}
+
+// Two vertices of one tetrahedron are neighbours, whether a face lists them or not.
+TEST(PartitionTest, SeamsOfAVolumeRunThroughItsRegions) {
+  Mesh mesh(make_sample("tet-ball", 10));
+  mesh.set(3, 0), mesh.set(0, 3);
+  Partition parts(mesh, 6);
+  int inside = 0;
+  for (const Vertex v : mesh.vertices()) {
+    std::set<std::size_t> around;
+    for (const Region r : mesh.row<3>(v))
+      for (const Vertex w : mesh.tetrahedron(r)) around.insert(parts.part_of(w));
+    ASSERT_EQ(parts.on_seam(v), around.size() > 1) << v.index;
+    inside += around.size() == 1;
+  }
+  EXPECT_GT(inside, int(mesh.count(0)) / 4);
+  EXPECT_LT(inside, int(mesh.count(0)));
 }
 
 // So that what lies on the seams of one cut lies inside the parts of the next.

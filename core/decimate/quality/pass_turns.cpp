@@ -62,7 +62,10 @@ void PassTurns::leave(std::size_t part, std::uint32_t id) {
 }
 
 void PassTurns::end_parts() {
-  for (const Part& p : parts_) left_.insert(left_.end(), p.left.begin(), p.left.end());
+  for (Part& p : parts_) {
+    left_.insert(left_.end(), p.left.begin(), p.left.end());
+    p.left.clear();
+  }
   std::sort(left_.begin(), left_.end());
   part_ = parts_.size();
 }

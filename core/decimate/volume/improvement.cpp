@@ -30,11 +30,15 @@ bool VolumeImprovement::beats(Region r, std::uint32_t slot, double& gain) {
 
 bool VolumeImprovement::try_swap(Region r) {
   const auto t = mesh_.tetrahedron(r);
+  unsigned open = ahead_.of(mesh_, r);
   double gain = 0;
   bool by_face = false;
+  const auto is_open = [&] { return (std::exchange(open, open >> 1) & 1u) != 0; };
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = i + 1; k < 4; ++k) beats(t[i], t[k], gain);
-  for (std::uint32_t slot = 0; slot < 4; ++slot) by_face |= beats(r, slot, gain);
+    for (std::size_t k = i + 1; k < 4; ++k)
+      if (is_open()) beats(t[i], t[k], gain);
+  for (std::uint32_t slot = 0; slot < 4; ++slot)
+    if (is_open()) by_face |= beats(r, slot, gain);
   if (gain == 0) return false;
   if (by_face)
     make(best_face_, best_face_.apexes);
@@ -46,8 +50,19 @@ bool VolumeImprovement::try_swap(Region r) {
 template <typename Plan>
 void VolumeImprovement::make(const Plan& plan, const std::array<Vertex, 2>& changed) {
   apply(mesh_, plan);
+  ahead_.changed(plan);
+  revision_ = mesh_.revision();
   watch_.made(plan);
   changed_ = changed;
+}
+
+// Whatever else has changed the mesh may have moved vertices.
+void VolumeImprovement::look_ahead(Region next) {
+  if (mesh_.revision() != revision_) ahead_.forget();
+  revision_ = mesh_.revision();
+  if (threads_ == 1 || ahead_.covers(next)) return;
+  ahead_.judge(mesh_, next.index, rules_.removal, threads_,
+               [&](Region r) { return is_poor(r) && watch_.looks_at(r); });
 }
 
 bool VolumeImprovement::try_move(Vertex v) {
@@ -62,6 +77,7 @@ bool VolumeImprovement::next_swap(bool& made) {
   const std::uint32_t id = mesh_.ids(3).next_alive(cursor_);
   if (id >= mesh_.capacity(3)) return false;
   cursor_ = id + 1;
+  look_ahead(Region(id));
   made = is_poor(Region(id)) && watch_.looks_at(Region(id)) && try_swap(Region(id));
   return true;
 }
@@ -111,6 +127,7 @@ void VolumeImprovement::queue_changed(double below) {
 std::uint32_t VolumeImprovement::mend(double below) {
   std::uint32_t count = 0;
   slivers_.clear();
+  ahead_.forget();
   for (const Region r : mesh_.regions()) queue(r, below);
   while (!slivers_.empty()) {
     std::pop_heap(slivers_.begin(), slivers_.end());

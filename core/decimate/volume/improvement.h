@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/decimate/volume/removals_ahead.h"
 #include "core/operators/edge_removal.h"
 #include "core/operators/face_removal.h"
 #include "core/operators/region_move.h"
@@ -23,7 +24,8 @@ struct ImprovementRules {
 class ImprovementWatch {
  public:
   virtual ~ImprovementWatch() = default;
-  /// Asked for a poor tetrahedron before a pass of removals looks at its edges and faces.
+  /// Asked for a poor tetrahedron before a pass of removals looks at its edges and faces; where
+  /// threads judge ahead, by several at once.
   [[nodiscard]] virtual bool looks_at(Region /*poor*/) { return true; }
   /// Asked for what an operator has accepted.
   [[nodiscard]] virtual bool allows(const EdgeRemoval& /*plan*/) { return true; }
@@ -43,10 +45,18 @@ class VolumeImprovement {
   VolumeImprovement(Mesh& mesh, const ImprovementRules& rules, ImprovementWatch& watch)
       : mesh_(mesh), rules_(rules), watch_(watch), mover_(mesh) {}
 
-  void set_rules(const ImprovementRules& rules) { rules_ = rules; }
+  void set_rules(const ImprovementRules& rules) {
+    rules_ = rules;
+    ahead_.forget();
+  }
+  /// So many threads judge removals ahead of their turn; the result is the same.
+  void set_threads(int threads) { threads_ = threads; }
 
   /// Starts a pass over the regions, or vertices, that there are now.
-  void begin_pass() { cursor_ = 0; }
+  void begin_pass() {
+    cursor_ = 0;
+    ahead_.forget();
+  }
   /// Goes on to the next region, by id, and replaces it where it is poor: by the edge or face whose
   /// removal gains most. False when there was none left. `made`: whether it did.
   [[nodiscard]] bool next_swap(bool& made);
@@ -76,6 +86,7 @@ class VolumeImprovement {
   [[nodiscard]] bool is_poor(Region r) const {
     return is_tetrahedron(r) && tet_shape(mesh_, r) < rules_.poor;
   }
+  void look_ahead(Region next);
   bool beats(Vertex a, Vertex b, double& gain);
   bool beats(Region r, std::uint32_t slot, double& gain);
   template <typename Plan>
@@ -97,6 +108,9 @@ class VolumeImprovement {
       changed_;                  ///< all regions that the last operation changed have one of these
   std::vector<Sliver> slivers_;  ///< a heap
   std::uint32_t cursor_ = 0;
+  int threads_ = 1;
+  RemovalsAhead ahead_;         ///< of a pass, on several threads
+  std::uint64_t revision_ = 0;  ///< of the mesh that it knows
 };
 
 }  // namespace aomd

@@ -182,13 +182,14 @@ bool VolumeQualityLoop::straight_curve(Vertex v, Vertex w, Star& star) const {
 // Another place is worth it as long as nothing else in the queue costs less.
 float VolumeQualityLoop::worst_cost(float best) { return 2 * best + 0.25f; }
 
-Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan) {
+Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan,
+                                 RegionCollapser& collapser) {
   find_places(v, w, scratch);
   Verdict furthest{Reason::Classification, v};
   const float most = scratch.places.empty() ? 0 : worst_cost(scratch.places.front().cost);
   for (const Place& p : scratch.places) {
     if (p.cost > most) continue;
-    Verdict verdict = collapser_.judge(mesh_, p.contraction, rules_, plan.collapse);
+    Verdict verdict = collapser.judge(mesh_, p.contraction, rules_, plan.collapse);
     if (verdict.accepted())
       verdict = judge_debts(p.contraction.position - scratch.balance.origin(), scratch);
     if (verdict.accepted())
@@ -200,30 +201,51 @@ Verdict VolumeQualityLoop::judge(Vertex v, Vertex w, Scratch& scratch, Plan& pla
   return furthest;
 }
 
-void VolumeQualityLoop::note_refusal(Vertex v, Vertex w, const Verdict& verdict) {
-  ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
+void VolumeQualityLoop::note_refusal(Vertex v, Vertex w, const Verdict& verdict, Hand& hand) {
+  SweepStatistics& sweep = hand.edits ? hand.made : sweeps_.back();
+  ++sweep.refused[static_cast<std::size_t>(verdict.reason)];
   if (!mesh_.complete(1)) return;
   if (const Edge e = mesh_.find_edge(v, w); e.valid() && e.index < refusal_.size())
     refusal_[e] = verdict.reason;
 }
 
-bool VolumeQualityLoop::collapse(Vertex v, Vertex w) {
-  const Verdict verdict = judge(v, w, scratch_, plan_);
+bool VolumeQualityLoop::collapse(Vertex v, Vertex w, Hand& hand) {
+  Plan& plan = hand.plan;
+  const Verdict verdict = judge(v, w, hand.scratch, plan, hand.collapser);
   if (!verdict.accepted()) {
-    note_refusal(v, w, verdict);
+    note_refusal(v, w, verdict, hand);
     return false;
   }
-  const Contraction c = plan_.collapse.contraction;
-  take_over(c, mesh_.position(w));
-  collapser_.apply(mesh_, plan_.collapse);
-  refresh_around(c.kept);
+  const Contraction c = plan.collapse.contraction;
+  take_over(c, mesh_.position(w), hand.scratch);
+  if (hand.edits)
+    hand.collapser.apply(mesh_, *hand.edits, plan.collapse);
+  else
+    hand.collapser.apply(mesh_, plan.collapse);
+  refresh_around(c.kept, hand);
   stir(c.kept);
-  Loop::made(StepKind::Collapse, c.kept, plan_.change);
+  count(c, hand);
   return true;
 }
 
+void VolumeQualityLoop::count(const Contraction& c, Hand& hand) {
+  if (hand.within_part) {
+    const Ball& gone = hand.plan.collapse.balls[0];
+    rounds_.took(hand.part, static_cast<std::size_t>(std::count_if(
+                                gone.begin(), gone.end(),
+                                [&](const BallRegion& r) { return r.uses(c.kept); })));
+  } else {
+    partition_.joined(mesh_, c.kept);
+  }
+  if (hand.edits)
+    ++hand.made.collapses;
+  else
+    Loop::made(StepKind::Collapse, c.kept, hand.plan.change);
+}
+
 // What the vertex that goes stood for becomes the kept one's.
-void VolumeQualityLoop::take_over(const Contraction& c, const glm::dvec3& origin) {
+void VolumeQualityLoop::take_over(const Contraction& c, const glm::dvec3& origin,
+                                  const Scratch& scratch) {
   dequeue(c.deleted);
   State &kept = state_[c.kept], &gone = state_[c.deleted];
   if (gone.model.dimension() < 3) {
@@ -231,7 +253,7 @@ void VolumeQualityLoop::take_over(const Contraction& c, const glm::dvec3& origin
     kept.quadric = gone.quadric.about(in_units(c.position - mesh_.position(c.deleted)));
     kept.quadric += stays;
     debts_.hand_over(c.deleted, c.kept);
-    debts_.settle(c.kept, c.position - origin, scratch_.balance.conditions());
+    debts_.settle(c.kept, c.position - origin, scratch.balance.conditions());
   }
   kept.size = 0.5f * (kept.size + gone.size);
 }

@@ -31,7 +31,7 @@ Verdict VolumeQualityLoop::judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan
   if (options_.kept(a) && options_.kept(b)) return {Reason::Kept, a};
   if (!(cost(a, b) < unlimited))
     return {Reason::Classification, mesh_.classification(a).dimension() == 0 ? a : b};
-  return judge(a, b, scratch, plan);
+  return judge(a, b, scratch, plan, alone_.collapser);
 }
 
 std::vector<CollapseOutlook> VolumeQualityLoop::outlook(Edge edge) {

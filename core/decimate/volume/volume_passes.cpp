@@ -89,19 +89,31 @@ bool VolumeQualityLoop::keeps_close(const EdgeRing& ring) const {
 }
 
 bool VolumeQualityLoop::advance_smooth() {
-  const std::uint32_t id = mesh_.ids(0).next_alive(cursor_);
+  const bool in_turn = settling_ == 0 && part_count_ > 1;
+  const std::uint32_t id =
+      in_turn ? turns_.next(mesh_, options_.threads) : mesh_.ids(0).next_alive(cursor_);
   if (id >= mesh_.capacity(0)) {
     end_phase();
     return false;
   }
   cursor_ = id + 1;
-  return settling_ > 0 ? settle(Vertex(id)) : try_move(Vertex(id));
+  alone_.within_part = in_turn && turns_.in_part();
+  alone_.part = turns_.part();
+  return settling_ > 0 ? settle(Vertex(id)) : smooth_in_turn(Vertex(id), alone_);
 }
 
-bool VolumeQualityLoop::try_move(Vertex v) {
+// Only inside a region does a move change nothing but what lies around the vertex: on the model
+// volumes are owed, and what they come to in all is asked for.
+bool VolumeQualityLoop::smooth_in_turn(Vertex v, Hand& hand) {
+  if (!hand.within_part || state_[v].model.dimension() == 3) return try_move(v, hand);
+  turns_.leave(hand.part, v.index);
+  return false;
+}
+
+bool VolumeQualityLoop::try_move(Vertex v, Hand& hand) {
   glm::dvec3 x;
-  if (!options_.smooth || options_.kept(v) || !find_target(v, scratch_, x)) return false;
-  return move(v, x);
+  if (!options_.smooth || options_.kept(v) || !find_target(v, hand.scratch, x)) return false;
+  return move(v, x, hand);
 }
 
 // Whether a vertex may go by `x`; the conditions and the model faces in the scratch are those at
@@ -114,17 +126,27 @@ Verdict VolumeQualityLoop::judge_move(Vertex v, const glm::dvec3& x, const Scrat
   return guards_.judge(mesh_, change, v, scratch.star, mesh_.position(v) + x);
 }
 
-bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x) {
+bool VolumeQualityLoop::move(Vertex v, const glm::dvec3& x, Hand& hand) {
   State& s = state_[v];
-  if (!judge_move(v, x, scratch_, plan_.change).accepted()) return false;
+  if (!judge_move(v, x, hand.scratch, hand.plan.change).accepted()) return false;
   if (s.model.dimension() < 3) {
     s.quadric = s.quadric.about(in_units(x));
-    debts_.settle(v, x, scratch_.balance.conditions());
+    debts_.settle(v, x, hand.scratch.balance.conditions());
+  }
+  stir(v);
+  if (hand.edits) {
+    hand.edits->move(v, mesh_.position(v) + x);
+    ++hand.made.smooths;
+    return true;
   }
   apply_smooth(mesh_, v, mesh_.position(v) + x);
-  stir(v);
-  Loop::made(StepKind::Smooth, v, plan_.change);
+  Loop::made(StepKind::Smooth, v, hand.plan.change);
   return true;
+}
+
+void VolumeQualityLoop::begin_relaxation(Vertex v, Scratch& scratch) const {
+  scratch.relaxation.begin(mesh_, v, scratch.balls[0]);
+  scratch.relaxation.limit_dihedrals(rules_.least_dihedral);
 }
 
 // Where the energy of the vertex is least, as far as one step tells; false where it stays.
@@ -132,27 +154,28 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   const State& s = state_[v];
   if (s.model.dimension() == 0 || !among_tets(v)) return false;
   gather(mesh_, v, scratch.balls[0]);
-  relaxation_.begin(mesh_, v, scratch.balls[0]);
+  VertexRelaxation& relaxation = scratch.relaxation;
+  begin_relaxation(v, scratch);
   scratch.balance.begin(mesh_.position(v));
-  if (s.model.dimension() == 3) return relaxation_.step(floor_, glm::dvec3(0.0), x);
+  if (s.model.dimension() == 3) return relaxation.step(floor_, glm::dvec3(0.0), x);
   Frame frame;
   glm::dvec3 shift(0.0);
   if (!fix_ways(v, scratch, frame, shift)) return false;
-  for (int i = 0; i < frame.taken(); ++i) relaxation_.close(frame.axis(i));
+  for (int i = 0; i < frame.taken(); ++i) relaxation.close(frame.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
-    relaxation_.add_surface(of_positions(s.quadric), hold_ / (area * s.size * s.size));
-  return relaxation_.step(floor_, shift, x) && (!options_.model || end_on_model(v, x)) &&
+    relaxation.add_surface(of_positions(s.quadric), hold_ / (area * s.size * s.size));
+  return relaxation.step(floor_, shift, x) && (!options_.model || end_on_model(v, relaxation, x)) &&
          keeps_faces(v, scratch.star, mesh_.position(v) + x);
 }
 
 // Ends the way on the model; false where a tetrahedron there is poorer than the floor, or has a
 // smaller dihedral angle than the limit, and than all are now.
-bool VolumeQualityLoop::end_on_model(Vertex v, glm::dvec3& x) {
+bool VolumeQualityLoop::end_on_model(Vertex v, const VertexRelaxation& relaxation, glm::dvec3& x) {
   const glm::dvec3 from = mesh_.position(v);
   x = options_.model->snap(state_[v].model, from + x) - from;
-  const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
-  return x != glm::dvec3(0.0) && relaxation_.worst_shape(x) >= least &&
-         relaxation_.keeps_dihedrals(x);
+  const double least = std::min(floor_, relaxation.worst_shape(glm::dvec3(0.0)));
+  return x != glm::dvec3(0.0) && relaxation.worst_shape(x) >= least &&
+         relaxation.keeps_dihedrals(x);
 }
 
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges
@@ -208,12 +231,14 @@ std::uint32_t VolumeQualityLoop::swap_pass() {
 
 std::uint32_t VolumeQualityLoop::smooth_pass() {
   std::uint32_t count = 0;
-  for (const Vertex v : mesh_.vertices()) count += try_move(v);
+  for (const Vertex v : mesh_.vertices()) count += try_move(v, alone_);
   return pass_done(count);
 }
 
-// Between two collapses the queue knows neither the new edges nor the new places.
+// Between two collapses the queue knows neither the new edges nor the new places, and the parts of
+// a pass were cut before there were new edges.
 std::uint32_t VolumeQualityLoop::pass_done(std::uint32_t made) {
+  turns_.give_up_parts();
   if (made > 0 && phase_ == Phase::Collapse) fill_queue();
   return made;
 }

@@ -4,6 +4,9 @@
 // whenever collapses alone lead no further (docs/VOLUMES.md).
 
 #include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,12 +14,16 @@
 #include "core/decimate/loop.h"
 #include "core/decimate/quadric.h"
 #include "core/decimate/quality/cheapest.h"
+#include "core/decimate/quality/pass_turns.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"
 #include "core/decimate/volume/vertex_relaxation.h"
 #include "core/decimate/volume/volume_placement.h"
+#include "core/decimate/volume/volume_rounds.h"
+#include "core/mesh/shared_edits.h"
 #include "core/operators/region_collapse.h"
+#include "core/parts/partition.h"
 
 namespace aomd {
 
@@ -28,6 +35,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   VolumeQualityLoop(Mesh& mesh, const DecimationOptions& options);
 
   bool advance() override;
+  bool advance_parts(const std::function<bool()>& cancelled) override;
   void restart(const DecimationOptions& options) override;
   std::uint32_t swap_pass() override;
   std::uint32_t smooth_pass() override;
@@ -70,6 +78,20 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
     ModelPlanes planes;
     RegionBalance balance;
     std::vector<Place> places;
+    VertexRelaxation relaxation;
+  };
+  /// What one thread needs to judge and to make collapses and moves.
+  struct Hand {
+    explicit Hand(const Mesh& mesh) : collapser(mesh) {}
+    RegionCollapser collapser;
+    Scratch scratch;
+    Plan plan;
+    std::vector<Candidate> found;
+    std::size_t part = 0;
+    bool within_part = false;      ///< what touches the seam, or the model, is left to others
+    SharedEdits* edits = nullptr;  ///< none: nobody else edits, and the mesh follows at once
+    SweepStatistics made;          ///< where there are others
+    bool waits = false;            ///< the same: something costs more than patience allows
   };
 
   // Single precision holds the fourth power of a length only where it is near 1: what it holds is
@@ -89,11 +111,16 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] bool may_collapse(Vertex v, Vertex w, float length2) const;
   void update(Vertex v, Vertex kept, float cost);
   void dequeue(Vertex v);
-  void refresh_around(Vertex kept);
+  void refresh_around(Vertex kept, Hand& hand);
   void fill_queue();
+  void put(Vertex v, float cost) { queue_.put(v, cost, partition_.part_of(v)); }
+  [[nodiscard]] bool is_there(Vertex partner, Vertex of) const;
   bool advance_collapse();
-  bool try_others(Vertex v);
-  void find_candidates(Vertex v);
+  bool advance_collapse_in_turn();
+  bool try_vertex(Vertex v, Hand& hand);
+  bool try_others(Vertex v, Hand& hand);
+  void find_candidates(Vertex v, Hand& hand);
+  void know(Vertex v, std::size_t i, const Hand& hand);
 
   // Contractions (volume_contraction.cpp)
   enum class Freedom { None, OntoFirst, OntoSecond, Any };
@@ -112,10 +139,12 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
                                    double enough) const;
   void keep_best_shape(Scratch& scratch) const;
   [[nodiscard]] static float worst_cost(float best);
-  [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan);
-  bool collapse(Vertex v, Vertex w);
-  void note_refusal(Vertex v, Vertex w, const Verdict& verdict);
-  void take_over(const Contraction& c, const glm::dvec3& origin);
+  [[nodiscard]] Verdict judge(Vertex v, Vertex w, Scratch& scratch, Plan& plan,
+                              RegionCollapser& collapser);
+  bool collapse(Vertex v, Vertex w, Hand& hand);
+  void note_refusal(Vertex v, Vertex w, const Verdict& verdict, Hand& hand);
+  void take_over(const Contraction& c, const glm::dvec3& origin, const Scratch& scratch);
+  void count(const Contraction& c, Hand& hand);
 
   // What is said without being done (volume_outlook.cpp)
   [[nodiscard]] Verdict judge_edge(Vertex a, Vertex b, Scratch& scratch, Plan& plan);
@@ -157,16 +186,45 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] Verdict judge_removal(const EdgeRemoval& plan, Change& change);
   [[nodiscard]] double diagonals_apart(const EdgeRing& ring) const;
   [[nodiscard]] bool keeps_close(const EdgeRing& ring) const;
-  bool try_move(Vertex v);
+  bool smooth_in_turn(Vertex v, Hand& hand);
+  bool try_move(Vertex v, Hand& hand);
   [[nodiscard]] Verdict judge_move(Vertex v, const glm::dvec3& x, const Scratch& scratch,
                                    Change& change);
-  bool move(Vertex v, const glm::dvec3& x);
+  bool move(Vertex v, const glm::dvec3& x, Hand& hand);
+  void begin_relaxation(Vertex v, Scratch& scratch) const;
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
-  bool end_on_model(Vertex v, glm::dvec3& x);
+  bool end_on_model(Vertex v, const VertexRelaxation& relaxation, glm::dvec3& x);
   bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);
+
+  // Parts at work at the same time (volume_parts.cpp)
+  /// Whether a vertex, or a collapse, is for the part alone: away from the seam, and from the
+  /// model, where volumes are owed.
+  [[nodiscard]] bool is_inside(Vertex v) const {
+    return !partition_.on_seam(v) && state_[v].model.dimension() == 3;
+  }
+  [[nodiscard]] bool must_wait(Vertex v, Vertex w, const Hand& hand) const {
+    return hand.within_part && !(is_inside(v) && is_inside(w));
+  }
+  /// What threads share while they take the parts.
+  struct SharedParts {
+    const std::function<bool()>& cancelled;
+    std::size_t end = 0;                ///< no part from here on is begun
+    std::atomic<std::size_t> next = 0;  ///< the part that nobody has taken yet
+    bool may_stop = true;
+    std::atomic<bool> wants_room = false, stopped = false;
+  };
+  [[nodiscard]] std::size_t parts_now() const;
+  [[nodiscard]] bool parts_may_share() const;
+  [[nodiscard]] bool parts_are_ready();
+  [[nodiscard]] std::size_t part_in_turn() const;
+  void end_parts();
+  void work_on_parts(Hand& hand, bool may_ask, SharedParts& shared);
+  /// One candidate of the hand's part; false where it has none any more.
+  bool advance_part(Hand& hand);
+  void take_count(Hand& hand);
 
   // Debts (volume_settling.cpp)
   void limit_debts();
@@ -185,8 +243,6 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   /// Debts are paid by moving by this part of a size, or of an edge, at a time.
   static constexpr double paid_at_once = 0.03;
 
-  RegionCollapser collapser_;
-  VertexRelaxation relaxation_;
   VolumeRules rules_;
   ImprovementRules improving_;
   VolumeImprovement improvement_;
@@ -198,12 +254,17 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   bool waiting_ = false;  ///< the last descent ended before some of those
   Column<Vertex, State> state_;
   Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
+  Partition partition_;          ///< for the present descent
   VertexQueue queue_;
+  VolumeRounds rounds_{mesh_, queue_};
   VolumeDebts debts_;
   double reach_of_payment_ = 0;  ///< how far a vertex goes for debts at a time, by its size
-  Scratch scratch_;
-  std::vector<Candidate> found_;
-  Change allowed_;  ///< by the removal that is to be made
+  Hand alone_;                   ///< of who works alone
+  std::vector<std::unique_ptr<Hand>> hands_;  ///< of those who work at the same time
+  std::vector<SharedEdits> edits_;            ///< by part
+  std::size_t part_count_ = 1;                ///< in the present phase
+  PassTurns turns_;                           ///< of a pass of moves in several parts
+  Change allowed_;                            ///< by the removal that is to be made
   Column<Edge, Reason> refusal_;
   Column<Vertex, std::uint32_t> stir_;  ///< the pass in which something around changed last
   std::uint32_t stir_now_ = 0, stir_limit_ = 0;

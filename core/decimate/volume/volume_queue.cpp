@@ -75,12 +75,14 @@ float VolumeQualityLoop::cost(Vertex v, Vertex w) const {
 
 void VolumeQualityLoop::dequeue(Vertex v) {
   state_[v].forget();
-  queue_.remove(v);
+  queue_.remove(v, partition_.part_of(v));
 }
 
 // An edge is a candidate of its end with the smaller id.
 void VolumeQualityLoop::fill_queue() {
-  queue_.reset(mesh_.capacity(0));
+  part_count_ = parts_now();
+  partition_ = part_count_ > 1 ? Partition(mesh_, part_count_, 0, options_.threads) : Partition();
+  queue_.reset(mesh_.capacity(0), part_count_);
   parallel_for(mesh_.capacity(0), options_.threads, vertices_a_piece,
                [&](std::size_t begin, std::size_t end) {
                  Scratch scratch;
@@ -94,74 +96,119 @@ void VolumeQualityLoop::fill_queue() {
                  });
                });
   for (const Vertex v : mesh_.vertices())
-    if (state_[v].partner.valid()) queue_.put(v, state_[v].cost);
+    if (state_[v].partner.valid()) put(v, state_[v].cost);
+  rounds_.begin(goal_, part_count_);
 }
 
 // All candidates of a vertex, cheapest first.
-void VolumeQualityLoop::find_candidates(Vertex v) {
-  found_.clear();
-  look_around(v, scratch_, [&](Vertex w) {
+void VolumeQualityLoop::find_candidates(Vertex v, Hand& hand) {
+  std::vector<Candidate>& found = hand.found;
+  found.clear();
+  look_around(v, hand.scratch, [&](Vertex w) {
     if (w < v) return;
-    if (const float known = cost(v, w); known < unlimited) found_.push_back({w, known});
+    if (const float known = cost(v, w); known < unlimited) found.push_back({w, known});
   });
-  std::sort(found_.begin(), found_.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
     return a.cost < b.cost || (a.cost == b.cost && a.other < b.other);
   });
 }
 
-// One vertex: its cheapest candidate that is allowed, as long as nothing else in the queue is
-// cheaper.
 bool VolumeQualityLoop::advance_collapse() {
-  const Vertex v = reached() ? Vertex() : queue_.pop();
+  if (part_count_ > 1) return advance_collapse_in_turn();
+  const Vertex v = rounds_.next();
   waiting_ = v.valid() && state_[v].cost > patience_;
   if (!v.valid() || waiting_) {
     begin_improvement();
     return false;
   }
-  if (const Vertex partner = state_[v].partner; partner.valid() && collapse(v, partner))
-    return true;
-  return try_others(v);
+  alone_.within_part = false;
+  return try_vertex(v, alone_);
+}
+
+// What costs too much for now leaves the queue, which is filled again for the next descent.
+bool VolumeQualityLoop::advance_collapse_in_turn() {
+  const Vertex v = rounds_.next();
+  if (!v.valid()) {
+    waiting_ = waiting_ && !reached();
+    begin_improvement();
+    return false;
+  }
+  alone_.within_part = rounds_.in_part();
+  alone_.part = partition_.part_of(v);
+  return try_vertex(v, alone_);
+}
+
+// One vertex: its cheapest candidate that is allowed, as long as nothing else in the queue is
+// cheaper.
+bool VolumeQualityLoop::try_vertex(Vertex v, Hand& hand) {
+  if (state_[v].cost > patience_) {
+    (hand.edits ? hand.waits : waiting_) = true;
+    return false;
+  }
+  const Vertex partner = state_[v].partner;
+  if (hand.within_part && (!is_inside(v) || (partner.valid() && must_wait(v, partner, hand)))) {
+    rounds_.leave(hand.part, v);
+    return false;
+  }
+  return (partner.valid() && collapse(v, partner, hand)) || try_others(v, hand);
 }
 
 // The cheapest candidate is not known any more, or not allowed.
-bool VolumeQualityLoop::try_others(Vertex v) {
+bool VolumeQualityLoop::try_others(Vertex v, Hand& hand) {
   const float known = state_[v].cost;
   const Vertex refused = state_[v].partner;
-  find_candidates(v);
+  find_candidates(v, hand);
   dequeue(v);
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    const Candidate c = found_[i];
+  for (std::size_t i = 0; i < hand.found.size(); ++i) {
+    const Candidate c = hand.found[i];
     if (c.other == refused) continue;
-    if (c.cost > known && !queue_.is_next(c.cost)) {
-      State& s = state_[v];
-      s.partner = c.other;
-      s.cost = c.cost;
-      s.second = i + 1 < found_.size() ? found_[i + 1].cost : unlimited;
-      queue_.put(v, c.cost);
+    if (c.cost > known && !queue_.is_next(c.cost, partition_.part_of(v))) {
+      know(v, i, hand);
+      put(v, c.cost);
       return false;
     }
-    if (collapse(v, c.other)) return true;
+    if (must_wait(v, c.other, hand)) {
+      know(v, i, hand);
+      rounds_.leave(hand.part, v);
+      return false;
+    }
+    if (collapse(v, c.other, hand)) return true;
   }
   return false;
 }
 
-void VolumeQualityLoop::update(Vertex v, Vertex kept, float cost) {
+// By the i-th of all its candidates.
+void VolumeQualityLoop::know(Vertex v, std::size_t i, const Hand& hand) {
   State& s = state_[v];
-  if (!s.update(kept, cost, s.partner.valid() && mesh_.alive(s.partner))) return;
-  if (s.cost < unlimited)
-    queue_.put(v, s.cost);
-  else
-    queue_.remove(v);
+  s.partner = hand.found[i].other;
+  s.cost = hand.found[i].cost;
+  s.second = i + 1 < hand.found.size() ? hand.found[i + 1].cost : unlimited;
 }
 
-void VolumeQualityLoop::refresh_around(Vertex kept) {
+// A vertex that is gone is in no region; whether one is alive the mesh only knows when all parts
+// are done, but what happens to another part's vertices is not to be looked at.
+bool VolumeQualityLoop::is_there(Vertex partner, Vertex of) const {
+  if (!partner.valid() || !mesh_.alive(partner)) return false;
+  return partition_.part_of(partner) != partition_.part_of(of) || !mesh_.row<3>(partner).empty();
+}
+
+void VolumeQualityLoop::update(Vertex v, Vertex kept, float cost) {
+  State& s = state_[v];
+  if (!s.update(kept, cost, is_there(s.partner, v))) return;
+  if (s.cost < unlimited)
+    put(v, s.cost);
+  else
+    queue_.remove(v, partition_.part_of(v));
+}
+
+void VolumeQualityLoop::refresh_around(Vertex kept, Hand& hand) {
   dequeue(kept);
-  look_around(kept, scratch_, [&](Vertex w) {
+  look_around(kept, hand.scratch, [&](Vertex w) {
     const float known = cost(kept, w);
     if (kept < w) state_[kept].offer(w, known);
     update(w, kept, w < kept ? known : unlimited);
   });
-  if (state_[kept].partner.valid()) queue_.put(kept, state_[kept].cost);
+  if (state_[kept].partner.valid()) put(kept, state_[kept].cost);
 }
 
 }  // namespace aomd

@@ -110,28 +110,30 @@ bool VolumeQualityLoop::settle(Vertex v) {
   constexpr int spreading = 8;  // passes
   const int dimension = state_[v].model.dimension();
   if (dimension == 0 || dimension == 3 || options_.kept(v) || !among_tets(v)) return false;
-  gather(mesh_, v, scratch_.balls[0]);
-  scratch_.balance.begin(mesh_.position(v));
+  Scratch& scratch = alone_.scratch;
+  gather(mesh_, v, scratch.balls[0]);
+  scratch.balance.begin(mesh_.position(v));
   Frame frame;
   glm::dvec3 x(0.0);
-  if (!fix_ways(v, scratch_, frame, x) || !owes(v)) return false;
+  if (!fix_ways(v, scratch, frame, x) || !owes(v)) return false;
   if (settling_ <= spreading) {
     spread(v);
     return false;
   }
-  relaxation_.begin(mesh_, v, scratch_.balls[0]);
-  const double least = std::min(floor_, relaxation_.worst_shape(glm::dvec3(0.0)));
-  if (x == glm::dvec3(0.0) || relaxation_.worst_shape(x) < least ||
-      !relaxation_.keeps_dihedrals(x) || !keeps_faces(v, scratch_.star, mesh_.position(v) + x)) {
+  begin_relaxation(v, scratch);
+  const VertexRelaxation& relaxation = scratch.relaxation;
+  const double least = std::min(floor_, relaxation.worst_shape(glm::dvec3(0.0)));
+  if (x == glm::dvec3(0.0) || relaxation.worst_shape(x) < least || !relaxation.keeps_dihedrals(x) ||
+      !keeps_faces(v, scratch.star, mesh_.position(v) + x)) {
     spread(v);
     return false;
   }
-  return move(v, x);
+  return move(v, x, alone_);
 }
 
 bool VolumeQualityLoop::owes(Vertex v) const {
   constexpr double noise = 1e-9;  // of a size cubed
-  const auto conditions = scratch_.balance.conditions();
+  const auto conditions = alone_.scratch.balance.conditions();
   const double least = noise * std::pow(size_of(v), 3);
   return std::any_of(conditions.begin(), conditions.end(),
                      [&](const VolumeCondition& c) { return std::abs(c.debt) > least; });
@@ -140,10 +142,10 @@ bool VolumeQualityLoop::owes(Vertex v) const {
 // Each neighbour inside the same model face takes an equal part.
 void VolumeQualityLoop::spread(Vertex v) {
   const auto takes = [&](const StarFace& f) { return state_[f.next].model == state_[v].model; };
-  const auto takers = std::count_if(scratch_.star.begin(), scratch_.star.end(), takes);
-  for (const VolumeCondition& c : scratch_.balance.conditions()) {
+  const auto takers = std::count_if(alone_.scratch.star.begin(), alone_.scratch.star.end(), takes);
+  for (const VolumeCondition& c : alone_.scratch.balance.conditions()) {
     const double part = c.debt / double(takers + 1);
-    for (const StarFace& f : scratch_.star)
+    for (const StarFace& f : alone_.scratch.star)
       if (takes(f)) debts_.add(f.next, c.region, part);
     debts_.add(v, c.region, part - c.debt);
   }

@@ -32,7 +32,7 @@ constexpr double worth_another = 0.01, worth_waiting = 0.4;
 }  // namespace
 
 VolumeQualityLoop::VolumeQualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options), collapser_(mesh), improvement_(mesh, improving_, *this) {
+    : Loop(mesh, options), improvement_(mesh, improving_, *this), alone_(mesh) {
   start(options);
 }
 
@@ -55,6 +55,7 @@ void VolumeQualityLoop::start(const DecimationOptions& options) {
   find_unit();
   measure_vertices();
   set_rules();
+  improvement_.set_threads(options_.threads);
   reach_of_payment_ = paid_at_once * std::max(1.0, stretch());
   descents_ = 0;
   waiting_ = false;
@@ -90,7 +91,6 @@ void VolumeQualityLoop::set_rules() {
 void VolumeQualityLoop::limit_dihedrals(double deg) {
   rules_.least_dihedral = improving_.removal.least_dihedral = LeastAngle(deg);
   improvement_.set_rules(improving_);
-  relaxation_.limit_dihedrals(rules_.least_dihedral);
 }
 
 void VolumeQualityLoop::find_unit() {
@@ -159,8 +159,8 @@ void VolumeQualityLoop::quadrics_of_model_edges() {
     if (mesh_.classification(e).dimension() > 1) continue;
     const auto [a, b] = mesh_.edge_vertices(e);
     const glm::dvec3 along = mesh_.position(b) - mesh_.position(a);
-    gather_model_faces(mesh_, a, scratch_.star);
-    for (const StarFace& f : scratch_.star) {
+    gather_model_faces(mesh_, a, alone_.scratch.star);
+    for (const StarFace& f : alone_.scratch.star) {
       if (!f.uses(b)) continue;
       const glm::dvec3 normal =
           area_normal(mesh_.position(a), mesh_.position(f.next), mesh_.position(f.previous));
@@ -186,6 +186,7 @@ void VolumeQualityLoop::begin_descent() {
     lose_patience();
   else
     ++descents_;
+  waiting_ = false;
   settling_ = 0;
   const auto turn = static_cast<std::size_t>(descents_ - 1);
   goal_ = static_cast<std::uint32_t>((turn < above.size() ? above[turn] : 1.0) * target_);
@@ -207,6 +208,9 @@ void VolumeQualityLoop::enter(Phase phase) {
   improvement_.begin_pass();
   if (phase == Phase::Swap) stir_limit_ = stir_now_++;
   phase_ = phase;
+  part_count_ = parts_now();
+  if (phase == Phase::Smooth && settling_ == 0 && part_count_ > 1)
+    turns_.begin(mesh_, 0, part_count_, options_.threads);
 }
 
 bool VolumeQualityLoop::last_descent() const {
