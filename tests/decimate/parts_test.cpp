@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "core/decimate/decimation.h"
-#include "core/decimate/quality/pass_turns.h"
 #include "core/measure/distance.h"
 #include "core/measure/statistics.h"
 #include "core/mesh/journal.h"
 #include "core/model/discrete_model.h"
+#include "core/parts/pass_turns.h"
 #include "core/samples/samples.h"
 #include "tests/support/thread_runs.h"
 

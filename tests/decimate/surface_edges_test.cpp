@@ -65,11 +65,12 @@ TEST(SurfaceEdgesTest, NeighboursComeInTheOrderOfEdges) {
     SCOPED_TRACE(surface.name);
     const auto all = classified(surface.data, true), few = classified(surface.data, false);
     const Request faces = few->request(0, 2), ends = all->request(0, 1);
-    SurfaceEdges edges(*few);
+    const SurfaceEdges edges(*few);
+    SurfaceEdges::Scratch scratch;
     for (const Vertex v : all->vertices()) {
       std::vector<Vertex> expected;
       for (const Edge e : all->row<1>(v)) expected.push_back(all->other_end(e, v));
-      const auto found = edges.neighbours(*few, v);
+      const auto found = edges.neighbours(*few, v, scratch);
       ASSERT_EQ(std::vector<Vertex>(found.begin(), found.end()), expected);
     }
   }

@@ -7,6 +7,27 @@
 #include "core/decimate/spacing/spacing.h"
 
 namespace aomd {
+namespace {
+
+// Of surfaces in parts: the paper's own models have fewer, and go as printed.
+constexpr std::uint32_t fewest_faces = 250'000;
+// Of edges to collapses of a sweep, where the next one is worth sharing out.
+constexpr std::uint64_t fewest_share = 64;
+
+std::size_t faces_gone(const CollapsePlan& plan) {
+  const Star& around = plan.around_deleted();
+  return static_cast<std::size_t>(
+      std::count_if(around.begin(), around.end(),
+                    [&](const StarFace& f) { return f.uses(plan.contraction.kept); }));
+}
+
+std::uint32_t& count_of(SweepStatistics& sweep, StepKind kind) {
+  return kind == StepKind::Collapse ? sweep.collapses
+         : kind == StepKind::Swap   ? sweep.swaps
+                                    : sweep.smooths;
+}
+
+}  // namespace
 
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options, int dimension)
     : Loop(mesh, options), dimension_(dimension) {}
@@ -15,8 +36,20 @@ void PaperLoop::start() {
   set_rules();
   reach_ = first_reach();
   average_length_ = average_lengths();
+  begin();
+}
+
+void PaperLoop::begin() {
+  part_count_ = parts();
   forget();
   begin_sweep();
+}
+
+std::size_t PaperLoop::parts() const {
+  if (dimension_ == 3) return 1;
+  if (options_.parts > 0)
+    return std::min(static_cast<std::size_t>(options_.parts), Partition::most_parts);
+  return mesh_.count(2) < fewest_faces ? 1 : part_count(mesh_);
 }
 
 Column<Vertex, double> PaperLoop::average_lengths() const {
@@ -42,30 +75,50 @@ void PaperLoop::restart(const DecimationOptions& options) {
   guards_.restart(mesh_, options);
   set_rules();
   reach_ = first_reach();
-  forget();
   improved_ = 0;
-  begin_sweep();
+  begin();
 }
 
 void PaperLoop::forget() {
   judged_.assign(edges().capacity(), 0);
   refusal_.assign(edges().capacity(), Reason::None);
-  changed_.assign(mesh_.capacity(0), ++now_);
+  changed_.assign(mesh_.capacity(0), ++alone_.now);
+  many_ = true;
 }
 
 void PaperLoop::begin_sweep() {
-  phase_ = Phase::Collapse;
-  cursor_ = 0;
+  enter(Phase::Collapse);
   open_sweep();
+}
+
+// A sweep that finds next to nothing changed since the last one is too short to be shared out.
+void PaperLoop::enter(Phase phase) {
+  phase_ = phase;
+  cursor_ = 0;
+  in_parts_ = part_count_ > 1 && (phase != Phase::Collapse || many_);
+  if (in_parts_) begin_turns();
+}
+
+void PaperLoop::begin_turns() {
+  if (phase_ == Phase::Smooth) return turns_.begin(mesh_, 0, part_count_, options_.threads);
+  const auto corners = [this](std::uint32_t id) {
+    const EdgeEnds ends = this->ends(Edge(id));
+    return std::array{ends[0], ends[1], ends[1]};
+  };
+  const bool ends_at_target = phase_ == Phase::Collapse && options_.target_faces > 0;
+  const std::uint64_t above =
+      std::max(mesh_.count(2), options_.target_faces) - options_.target_faces;
+  turns_.begin(mesh_, edges(), corners, part_count_, options_.threads,
+               ends_at_target ? above : PassTurns::unlimited);
 }
 
 // A collapse removes what is shorter than half the spacing: edges then end up at about that length.
 Verdict PaperLoop::judge(Vertex a, Vertex b) {
   Plan plan;
-  return judge(between(a, b), {true, true}, plan);
+  return judge(between(a, b), {true, true}, alone_, plan);
 }
 
-Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
+Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, const Hand& hand, Plan& plan) {
   const EdgeEnds ends = this->ends(edge);
   const double length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && 0.5 * spacing(ends[i]) > length;
@@ -73,12 +126,12 @@ Verdict PaperLoop::judge(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
   const std::size_t first = may_go[0] ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) may_go[i] = may_go[i] && !options_.kept(ends[i]);
   if (!may_go[0] && !may_go[1]) return {Reason::Kept, ends[first]};
-  return judge_collapse(edge, may_go, plan);
+  return judge_collapse(edge, may_go, hand, plan);
 }
 
 Verdict PaperLoop::judge(Edge edge, Vertex& deleted) {
   Plan plan;
-  const Verdict verdict = judge(edge_of(edge), {true, true}, plan);
+  const Verdict verdict = judge(edge_of(edge), {true, true}, alone_, plan);
   deleted = plan.collapse.contraction.deleted;
   return verdict;
 }
@@ -93,22 +146,45 @@ bool PaperLoop::unchanged_since(Edge e) const {
   return std::max(changed_[a], changed_[b]) <= judged_[e];
 }
 
-bool PaperLoop::try_collapse(Edge edge) {
+// Model edges and their ends are for who works alone: more than the faces around them changes.
+bool PaperLoop::must_wait(Edge edge) const {
+  const auto [a, b] = ends(edge);
+  return mesh_.classification(a).dimension() != 2 || mesh_.classification(b).dimension() != 2;
+}
+
+bool PaperLoop::try_collapse(Edge edge, Hand& hand) {
   if (unchanged_since(edge)) {
-    ++sweeps_.back().refused[static_cast<std::size_t>(refusal_[edge])];
+    refused(refusal_[edge], hand);
     return false;
   }
-  const Verdict verdict = judge(edge, {true, true}, plan_);
+  if (hand.within_part && must_wait(edge)) {
+    leave(edge, hand);
+    return false;
+  }
+  const Verdict verdict = judge(edge, {true, true}, hand, hand.plan);
   if (!verdict.accepted()) {
-    judged_[edge] = now_;
+    judged_[edge] = hand.now;
     refusal_[edge] = verdict.reason;
-    ++sweeps_.back().refused[static_cast<std::size_t>(verdict.reason)];
+    refused(verdict.reason, hand);
     return false;
   }
-  const EntityRef known_by = collapse(edge);
-  ++now_;
-  made(StepKind::Collapse, known_by, plan_.change);
+  const EntityRef known_by = collapse(edge, hand);
+  if (hand.within_part) turns_.took(hand.part, faces_gone(hand.plan.collapse));
+  made_by(hand, StepKind::Collapse, known_by);
   return true;
+}
+
+void PaperLoop::refused(Reason reason, Hand& hand) {
+  SweepStatistics& sweep = hand.edits ? hand.made : sweeps_.back();
+  ++sweep.refused[static_cast<std::size_t>(reason)];
+}
+
+void PaperLoop::made_by(Hand& hand, StepKind kind, EntityRef entity) {
+  ++hand.now;
+  if (hand.edits)
+    ++count_of(hand.made, kind);
+  else
+    made(kind, entity, hand.plan.change);
 }
 
 std::vector<CollapseOutlook> PaperLoop::outlook(Edge entity) {
@@ -119,7 +195,7 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge entity) {
   for (std::size_t i = 0; i < 2; ++i) {
     CollapseOutlook& o = outlooks[i];
     o.contraction = {ends[i], ends[1 - i], mesh_.position(ends[1 - i])};
-    o.verdict = judge(edge, {i == 0, i == 1}, plan);
+    o.verdict = judge(edge, {i == 0, i == 1}, alone_, plan);
     o.limits = limits(mesh_.classification(entity));
     o.length = glm::length(mesh_.position(ends[0]) - mesh_.position(ends[1]));
     o.longest = 0.5 * spacing(ends[i]);
@@ -128,20 +204,20 @@ std::vector<CollapseOutlook> PaperLoop::outlook(Edge entity) {
 }
 
 // Edges that a swap among tetrahedra has made were not judged yet.
-bool PaperLoop::try_swap(Edge edge) {
-  const EntityRef known_by = swap(edge);
+bool PaperLoop::try_swap(Edge edge, Hand& hand) {
+  const EntityRef known_by = swap(edge, hand);
   if (!known_by.valid()) return false;
-  ++now_;
-  judged_.resize(edges().capacity(), 0);
-  refusal_.resize(edges().capacity(), Reason::None);
-  made(StepKind::Swap, known_by, plan_.change);
+  if (!hand.edits) {
+    judged_.resize(edges().capacity(), 0);
+    refusal_.resize(edges().capacity(), Reason::None);
+  }
+  made_by(hand, StepKind::Swap, known_by);
   return true;
 }
 
-bool PaperLoop::try_smooth(Vertex v) {
-  if (!smooth(v)) return false;
-  ++now_;
-  made(StepKind::Smooth, v, plan_.change);
+bool PaperLoop::try_smooth(Vertex v, Hand& hand) {
+  if (!smooth(v, hand)) return false;
+  made_by(hand, StepKind::Smooth, v);
   return true;
 }
 
@@ -153,34 +229,73 @@ bool PaperLoop::at_target() const {
   return options_.target_faces > 0 && mesh_.count(dimension_) <= options_.target_faces;
 }
 
+std::uint32_t PaperLoop::next() {
+  if (in_parts_) return turns_.next(mesh_, options_.threads);
+  const IdPool& ids = phase_ == Phase::Smooth ? mesh_.ids(0) : edges();
+  const std::uint32_t id = ids.next_alive(cursor_);
+  cursor_ = id + 1;
+  return id < ids.capacity() ? id : no_index;
+}
+
+// A part has its share of the faces that are to go, whatever the others have done.
 bool PaperLoop::advance() {
   if (phase_ == Phase::Done) return false;
-  if (cursor_ >= end_of_phase() || (phase_ == Phase::Collapse && at_target())) {
-    next_phase();
-    return false;
-  }
-  const std::uint32_t id = (phase_ == Phase::Smooth ? mesh_.ids(0) : edges()).next_alive(cursor_);
-  cursor_ = id + 1;
-  if (id >= end_of_phase()) return false;
-  if (phase_ == Phase::Collapse) return try_collapse(Edge(id));
-  return phase_ == Phase::Swap ? try_swap(Edge(id)) : try_smooth(Vertex(id));
+  const std::uint32_t id = next();
+  alone_.within_part = in_parts_ && turns_.in_part();
+  alone_.part = turns_.part();
+  const bool stops = phase_ == Phase::Collapse && !alone_.within_part && at_target();
+  if (id != no_index && !stops) return try_one(id, alone_);
+  next_phase();
+  return false;
+}
+
+bool PaperLoop::try_one(std::uint32_t id, Hand& hand) {
+  if (phase_ == Phase::Smooth) return try_smooth(Vertex(id), hand);
+  if (in_parts_ && has_gone(Edge(id))) return false;
+  return phase_ == Phase::Swap ? try_swap(Edge(id), hand) : try_collapse(Edge(id), hand);
 }
 
 void PaperLoop::next_phase() {
-  cursor_ = 0;
   const bool improving = improved_ < options_.improve_passes;
   if (phase_ == Phase::Collapse && improving && options_.swap)
-    phase_ = Phase::Swap;
+    enter(Phase::Swap);
   else if (phase_ != Phase::Smooth && improving && options_.smooth)
-    phase_ = Phase::Smooth;
+    enter(Phase::Smooth);
   else
     end_sweep();
+}
+
+bool PaperLoop::advance_parts(const std::function<bool()>& cancelled) {
+  using Outcome = PartsAtOnce<Hand>::Outcome;
+  if (done() || !in_parts_ || !turns_.in_part() || !parts_may_share(mesh_, options_, guards_) ||
+      !ready_for(std::min(std::size_t(options_.threads), part_count_)))
+    return false;
+  Outcome outcome{};
+  do {
+    at_once_.begin(mesh_, part_count_, options_.threads,
+                   [&] { return std::make_unique<Hand>(at_once_.hands().size() + 1); });
+    for (const auto& hand : at_once_.hands()) hand->now = alone_.now;
+    outcome = at_once_.run(
+        turns_.part(), [&](Hand& hand) { return advance_part(hand); }, cancelled);
+    for (const auto& hand : at_once_.hands()) alone_.now = std::max(alone_.now, hand->now);
+  } while (outcome == Outcome::WantsRoom);
+  at_once_.settle(mesh_, sweeps_.back());
+  settle();
+  if (outcome == Outcome::Done) turns_.end_parts();
+  return true;
+}
+
+bool PaperLoop::advance_part(Hand& hand) {
+  const std::uint32_t id = turns_.next_of(hand.part);
+  if (id != no_index) try_one(id, hand);
+  return id != no_index;
 }
 
 void PaperLoop::end_sweep() {
   close_sweep();
   const SweepStatistics& sweep = sweeps_.back();
   ++improved_;
+  many_ = fewest_share * sweep.collapses >= edges().size();
   if (at_target() || (sweep.collapses == 0 && !grow()))
     phase_ = Phase::Done;
   else
@@ -214,21 +329,28 @@ double PaperLoop::needed_reach() const {
   return least;
 }
 
+// Turns were dealt out before.
 std::uint32_t PaperLoop::swap_pass() {
   std::uint32_t made = 0;
-  for (const Edge e : EntityRange<1>(edges())) made += try_swap(e);
+  alone_.within_part = false;
+  for (const Edge e : EntityRange<1>(edges())) made += try_swap(e, alone_);
+  if (in_parts_) turns_.give_up_parts();
   return made;
 }
 
 std::uint32_t PaperLoop::smooth_pass() {
   std::uint32_t made = 0;
-  for (const Vertex v : mesh_.vertices()) made += try_smooth(v);
+  alone_.within_part = false;
+  for (const Vertex v : mesh_.vertices()) made += try_smooth(v, alone_);
+  if (in_parts_) turns_.give_up_parts();
   return made;
 }
 
 double PaperLoop::progress() const {
   if (done()) return 1;
-  const double share = end_of_phase() ? double(cursor_) / end_of_phase() : 1;
+  const double share = in_parts_        ? turns_.progress()
+                       : end_of_phase() ? double(cursor_) / end_of_phase()
+                                        : 1;
   const double part = (static_cast<double>(phase_) + share) / 3;
   return 1 - std::pow(0.5, static_cast<double>(sweeps_.size()) - 1 + part);
 }

@@ -17,20 +17,21 @@ bool uses(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] =
 }  // namespace
 
 // Each edge is met at its smaller vertex, where marks tell those that were met before.
-SurfaceEdges::SurfaceEdges(const Mesh& mesh)
-    : sides_(3 * std::size_t{mesh.capacity(2)}), marks_(mesh), edge_to_(mesh.capacity(0)) {
+SurfaceEdges::SurfaceEdges(const Mesh& mesh) : sides_(3 * std::size_t{mesh.capacity(2)}) {
+  VertexMarks marks(mesh);
+  Column<Vertex, std::uint32_t> edge_to(mesh.capacity(0));
   ends_.reserve(mesh.count(2) / 2 * std::size_t{3} + mesh.count(2) / 16);
   for (const Vertex v : mesh.vertices()) {
-    marks_.clear(mesh);
+    marks.clear(mesh);
     for (const Face f : mesh.row<2>(v)) {
       const auto t = mesh.triangle(f);
       for (std::size_t k = 0; k < 3; ++k) {
         const Vertex from = t[k], to = t[next_side[k]];
         if (std::min(from, to) != v) continue;
         const Vertex far = std::max(from, to);
-        if (!marks_.has(far)) edge_to_[far] = add(from, to);
-        marks_.set(far);
-        sides(f)[k] = edge_to_[far];
+        if (!marks.has(far)) edge_to[far] = add(from, to);
+        marks.set(far);
+        sides(f)[k] = edge_to[far];
       }
     }
   }
@@ -54,9 +55,10 @@ Edge SurfaceEdges::find(const Mesh& mesh, Vertex a, Vertex b) const {
 }
 
 // Around most vertices each edge is the side before a face as well as the one after another.
-std::span<const Vertex> SurfaceEdges::neighbours(const Mesh& mesh, Vertex v) {
+std::span<const Vertex> SurfaceEdges::neighbours(const Mesh& mesh, Vertex v,
+                                                 Scratch& scratch) const {
   const Row<2> faces = mesh.row<2>(v);
-  std::vector<std::uint64_t>& edges = edges_around_;
+  std::vector<std::uint64_t>& edges = scratch.edges_around_;
   edges.resize(2 * faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto t = mesh.triangle(faces[i]);
@@ -71,9 +73,10 @@ std::span<const Vertex> SurfaceEdges::neighbours(const Mesh& mesh, Vertex v) {
   });
   std::sort(edges.begin(), end);
   edges.erase(std::unique(edges.begin(), end), edges.end());
-  around_.clear();
-  for (const std::uint64_t edge : edges) around_.emplace_back(static_cast<std::uint32_t>(edge));
-  return around_;
+  std::vector<Vertex>& around = scratch.around_;
+  around.clear();
+  for (const std::uint64_t edge : edges) around.emplace_back(static_cast<std::uint32_t>(edge));
+  return around;
 }
 
 Column<Vertex, double> SurfaceEdges::average_lengths(const Mesh& mesh) const {
@@ -88,43 +91,56 @@ Column<Vertex, double> SurfaceEdges::average_lengths(const Mesh& mesh) const {
   return average;
 }
 
-void SurfaceEdges::end(Edge e) {
-  if (ids_.alive(e.index)) ids_.destroy(e.index);
+void SurfaceEdges::end(Edge e, Scratch& scratch) {
+  EdgeEnds& ends = ends_[e.index];
+  if (ends[0].valid()) scratch.ended_.push_back(e);
+  ends = {};
+}
+
+void SurfaceEdges::settle(Scratch& scratch) {
+  for (const Edge e : scratch.ended_) ids_.destroy(e.index);
+  scratch.ended_.clear();
 }
 
 // Beside a face that goes, the edge from the deleted end falls together with that from the kept
 // one.
-void SurfaceEdges::merge_beside(const StarFace& gone, Vertex kept) {
+void SurfaceEdges::merge_beside(const StarFace& gone, Vertex kept, Scratch& scratch) {
   const std::uint32_t* const side = sides(gone.face);
+  const std::uint32_t after = side[gone.slot], before = side[previous_side[gone.slot]];
   const bool ahead = gone.next == kept;
-  end(Edge(side[ahead ? gone.slot : previous_side[gone.slot]]));
-  add_merge(side[ahead ? previous_side[gone.slot] : gone.slot], side[next_side[gone.slot]]);
+  end(Edge(ahead ? after : before), scratch);
+  add_merge({ahead ? before : after, side[next_side[gone.slot]]}, scratch);
 }
 
 // Without the link condition the ends may have other neighbours in common.
-void SurfaceEdges::merge_others(const Contraction& c, const Mesh& mesh, const StarPair& stars) {
-  marks_.clear(mesh);
+void SurfaceEdges::merge_others(const Contraction& c, const Mesh& mesh, const StarPair& stars,
+                                Scratch& scratch) {
+  if (!scratch.marks_) scratch.marks_.emplace(mesh);
+  VertexMarks& marks = *scratch.marks_;
+  Column<Vertex, std::uint32_t>& edge_to = scratch.edge_to_;
+  marks.clear(mesh);
+  edge_to.resize(mesh.capacity(0));
   for (const StarFace& f : stars[1]) {
-    marks_.set(f.next);
-    marks_.set(f.previous);
-    edge_to_[f.next] = sides(f.face)[f.slot];
-    edge_to_[f.previous] = sides(f.face)[previous_side[f.slot]];
+    marks.set(f.next);
+    marks.set(f.previous);
+    edge_to[f.next] = sides(f.face)[f.slot];
+    edge_to[f.previous] = sides(f.face)[previous_side[f.slot]];
   }
   for (const StarFace& f : stars[0]) {
     if (f.uses(c.kept)) continue;
-    if (marks_.has(f.next)) add_merge(sides(f.face)[f.slot], edge_to_[f.next]);
-    if (marks_.has(f.previous))
-      add_merge(sides(f.face)[previous_side[f.slot]], edge_to_[f.previous]);
+    if (marks.has(f.next)) add_merge({sides(f.face)[f.slot], edge_to[f.next]}, scratch);
+    if (marks.has(f.previous))
+      add_merge({sides(f.face)[previous_side[f.slot]], edge_to[f.previous]}, scratch);
   }
 }
 
-void SurfaceEdges::add_merge(std::uint32_t gone, std::uint32_t stays) {
-  end(Edge(gone));
-  merges_.push_back({gone, stays});
+void SurfaceEdges::add_merge(Merge merge, Scratch& scratch) {
+  end(Edge(merge.gone), scratch);
+  scratch.merges_.push_back(merge);
 }
 
-void SurfaceEdges::stretch(std::uint32_t& side, const Contraction& c) {
-  for (const Merge& merge : merges_)
+void SurfaceEdges::stretch(std::uint32_t& side, const Contraction& c, const Scratch& scratch) {
+  for (const Merge& merge : scratch.merges_)
     if (side == merge.gone) {
       side = merge.stays;
       return;
@@ -134,20 +150,20 @@ void SurfaceEdges::stretch(std::uint32_t& side, const Contraction& c) {
 }
 
 void SurfaceEdges::collapse(const Mesh& mesh, const Contraction& c, const StarPair& stars,
-                            TopologyRule topology) {
-  merges_.clear();
+                            TopologyRule topology, Scratch& scratch) {
+  scratch.merges_.clear();
   for (const StarFace& f : stars[0])
-    if (f.uses(c.kept)) merge_beside(f, c.kept);
-  if (topology != TopologyRule::Safe) merge_others(c, mesh, stars);
+    if (f.uses(c.kept)) merge_beside(f, c.kept, scratch);
+  if (topology != TopologyRule::Safe) merge_others(c, mesh, stars, scratch);
   for (const StarFace& f : stars[0]) {
     if (f.uses(c.kept)) continue;
-    stretch(sides(f.face)[f.slot], c);
-    stretch(sides(f.face)[previous_side[f.slot]], c);
+    stretch(sides(f.face)[f.slot], c, scratch);
+    stretch(sides(f.face)[previous_side[f.slot]], c, scratch);
   }
   for (const StarFace& f : stars[0])  // the last face of an edge may go, but not with Safe
     if (topology != TopologyRule::Safe && f.uses(c.kept) &&
         leaves_bare_edge({c.deleted, c.kept}, stars, f.third(c.kept)))
-      end(Edge(sides(f.face)[next_side[f.slot]]));
+      end(Edge(sides(f.face)[next_side[f.slot]]), scratch);
 }
 
 void SurfaceEdges::swap(const Mesh& mesh, const EdgePair& pair) {

@@ -23,7 +23,8 @@ bool has_wires(Mesh& mesh) {
 }  // namespace
 
 SurfacePaperLoop::SurfacePaperLoop(Mesh& mesh, const DecimationOptions& options)
-    : PaperLoop(mesh, options, 2), collapser_(mesh), curves_(mesh, most_points) {
+    : PaperLoop(mesh, options, 2), curves_(mesh, most_points) {
+  tools_.push_back(std::make_unique<Tools>(mesh));
   if (options_.exchange)
     wires_ = has_wires(mesh_);
   else if (!mesh_.complete(1))
@@ -97,12 +98,14 @@ Limits SurfacePaperLoop::limits(ModelRef edge) const {
   return limits;
 }
 
-Verdict SurfacePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
+Verdict SurfacePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, const Hand& hand,
+                                         Plan& plan) {
   hold(true);
   CollapsePlan& collapse = plan.collapse;
+  Collapser& collapser = tools(hand).collapser;
   const auto judge = [&] {
-    return edges_ ? collapser_.judge(mesh_, edges_->ends(edge), may_go, rules_, collapse)
-                  : collapser_.judge(mesh_, edge, may_go, rules_, collapse);
+    return edges_ ? collapser.judge(mesh_, edges_->ends(edge), may_go, rules_, collapse)
+                  : collapser.judge(mesh_, edge, may_go, rules_, collapse);
   };
   Verdict verdict = judge();
   if (verdict.accepted()) verdict = judge_curve(collapse.contraction);
@@ -134,12 +137,18 @@ bool SurfacePaperLoop::turns_too_far(const CurvePlace& place, const glm::dvec3& 
   return cosine < limit;
 }
 
-EntityRef SurfacePaperLoop::collapse(Edge edge) {
-  const CollapsePlan& plan = plan_.collapse;
-  if (edges_) edges_->collapse(mesh_, plan.contraction, plan.stars, rules_.topology);
-  collapser_.apply(mesh_, plan);
-  curves_.merged(mesh_, plan.contraction.deleted, plan.contraction.kept);
-  for (const StarFace& f : plan.around_deleted()) touch(f.next), touch(f.previous);
+EntityRef SurfacePaperLoop::collapse(Edge edge, Hand& hand) {
+  const CollapsePlan& plan = hand.plan.collapse;
+  auto& [collapser, scratch] = tools(hand);
+  if (edges_) edges_->collapse(mesh_, plan.contraction, plan.stars, rules_.topology, scratch);
+  if (hand.edits) {
+    collapser.apply(mesh_, *hand.edits, plan);
+  } else {
+    collapser.apply(mesh_, plan);
+    if (edges_) edges_->settle(scratch);
+    curves_.merged(mesh_, plan.contraction.deleted, plan.contraction.kept);
+  }
+  for (const StarFace& f : plan.around_deleted()) touch(f.next, hand), touch(f.previous, hand);
   return edges_ ? EntityRef(plan.contraction.kept) : EntityRef(edge);
 }
 
@@ -161,15 +170,16 @@ std::optional<SwapOutlook> SurfacePaperLoop::swap_outlook(Edge edge) {
   return o;
 }
 
-Verdict SurfacePaperLoop::judge_average(Vertex v, glm::dvec3& target) {
+Verdict SurfacePaperLoop::judge_average(Vertex v, const Hand& hand, glm::dvec3& target) {
   if (!edges_) return judge_smooth(mesh_, v, smooth_, target);
-  return judge_smooth(mesh_, v, edges_->neighbours(mesh_, v), smooth_, target);
+  const auto neighbours = edges_->neighbours(mesh_, v, tools(hand).edges);
+  return judge_smooth(mesh_, v, neighbours, smooth_, target);
 }
 
-Verdict SurfacePaperLoop::judge_smoothing(Vertex v, Plan& plan) {
+Verdict SurfacePaperLoop::judge_smoothing(Vertex v, const Hand& hand, Plan& plan) {
   if (options_.kept(v)) return {Reason::Kept, v};
   hold(false);
-  const Verdict verdict = judge_average(v, plan.move.target);
+  const Verdict verdict = judge_average(v, hand, plan.move.target);
   if (double cosine = 1; verdict.accepted() && curves_.inside(v) &&
                          rules_.topology == TopologyRule::Safe &&
                          turns_too_far(curves_.around(v), plan.move.target, cosine))
@@ -185,30 +195,53 @@ std::optional<MoveOutlook> SurfacePaperLoop::move_outlook(Vertex v) {
   Plan plan;
   plan.move.target = mesh_.position(v);
   o.vertex = v;
-  o.verdict = judge_smoothing(v, plan);
+  o.verdict = judge_smoothing(v, alone(), plan);
   o.target = plan.move.target;
   o.limits = limits({});
   return o;
 }
 
-EntityRef SurfacePaperLoop::swap(Edge edge) {
-  if (!judge_swapping(edge, plan_).accepted()) return {};
-  const EdgePair& pair = plan_.pair;
+// A part has no room for rows of any length.
+EntityRef SurfacePaperLoop::swap(Edge edge, Hand& hand) {
+  if (!judge_swapping(edge, hand.plan).accepted()) return {};
+  const EdgePair& pair = hand.plan.pair;
+  if (hand.within_part && (crowded(mesh_, pair.c) || crowded(mesh_, pair.d))) {
+    leave(edge, hand);
+    return {};
+  }
   if (edges_) edges_->swap(mesh_, pair);
-  apply_swap(mesh_, edges_ ? Edge() : edge, pair);
-  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v);
+  if (hand.edits)
+    apply_swap(*hand.edits, mesh_, pair);
+  else
+    apply_swap(mesh_, edges_ ? Edge() : edge, pair);
+  for (const Vertex v : {pair.a, pair.b, pair.c, pair.d}) touch(v, hand);
   return edges_ ? EntityRef(pair.f) : EntityRef(edge);
 }
 
-bool SurfacePaperLoop::smooth(Vertex v) {
-  if (!judge_smoothing(v, plan_).accepted()) return false;
-  apply_smooth(mesh_, v, plan_.move.target);
-  touch(v);
-  if (edges_)
-    for (const Vertex u : edges_->neighbours(mesh_, v)) touch(u);
+bool SurfacePaperLoop::smooth(Vertex v, Hand& hand) {
+  const glm::dvec3& target = hand.plan.move.target;
+  if (!judge_smoothing(v, hand, hand.plan).accepted()) return false;
+  if (hand.edits)
+    hand.edits->move(v, target);
   else
-    for (const Edge e : mesh_.row<1>(v)) touch(mesh_.other_end(e, v));
+    apply_smooth(mesh_, v, target);
+  touch(v, hand);
+  if (edges_)
+    for (const Vertex u : edges_->neighbours(mesh_, v, tools(hand).edges)) touch(u, hand);
+  else
+    for (const Edge e : mesh_.row<1>(v)) touch(mesh_.other_end(e, v), hand);
   return true;
+}
+
+bool SurfacePaperLoop::ready_for(std::size_t hands) {
+  if (!edges_) return false;
+  while (tools_.size() <= hands) tools_.push_back(std::make_unique<Tools>(mesh_));
+  if (phase() == Phase::Swap) mesh_.build_hash(1);
+  return true;
+}
+
+void SurfacePaperLoop::settle() {
+  for (const auto& tools : tools_) edges_->settle(tools->edges);
 }
 
 }  // namespace aomd

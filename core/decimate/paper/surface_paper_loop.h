@@ -1,7 +1,9 @@
 #pragma once
 // The printed strategy on surfaces.
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/paper/paper_loop.h"
@@ -31,17 +33,27 @@ class SurfacePaperLoop final : public PaperLoop {
   [[nodiscard]] Column<Vertex, double> average_lengths() const override;
   void set_rules() override;
   [[nodiscard]] Limits limits(ModelRef edge) const override;
-  [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) override;
+  [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, const Hand& hand,
+                                       Plan& plan) override;
   [[nodiscard]] Verdict judge_curve(const Contraction& contraction) const;
   [[nodiscard]] bool turns_too_far(const CurvePlace& place, const glm::dvec3& x,
                                    double& cosine) const;
-  [[nodiscard]] Verdict judge_smoothing(Vertex v, Plan& plan);
-  [[nodiscard]] Verdict judge_average(Vertex v, glm::dvec3& target);
+  [[nodiscard]] Verdict judge_smoothing(Vertex v, const Hand& hand, Plan& plan);
+  [[nodiscard]] Verdict judge_average(Vertex v, const Hand& hand, glm::dvec3& target);
   [[nodiscard]] Verdict judge_swapping(Edge edge, Plan& plan);
-  EntityRef collapse(Edge edge) override;
-  EntityRef swap(Edge edge) override;
-  bool smooth(Vertex v) override;
+  EntityRef collapse(Edge edge, Hand& hand) override;
+  EntityRef swap(Edge edge, Hand& hand) override;
+  bool smooth(Vertex v, Hand& hand) override;
+  bool ready_for(std::size_t hands) override;
+  void settle() override;
   void hold(bool collapses);
+  /// What one thread needs to judge and to make operations.
+  struct Tools {
+    explicit Tools(const Mesh& mesh) : collapser(mesh) {}
+    Collapser collapser;
+    SurfaceEdges::Scratch edges;
+  };
+  [[nodiscard]] Tools& tools(const Hand& hand) { return *tools_[hand.number]; }
 
   std::optional<SurfaceEdges> edges_;  ///< where they are no entities
   std::vector<Request> needs_;         ///< of the present phase, where relations are exchanged
@@ -50,7 +62,7 @@ class SurfacePaperLoop final : public PaperLoop {
   bool wires_ = false;  ///< some edges have no face: T(0,1) alone finds them
   CollapseRules rules_;
   SmoothRules smooth_{TurnLimit(0)};
-  Collapser collapser_;
+  std::vector<std::unique_ptr<Tools>> tools_;  ///< by number of hand
   OriginalCurves curves_;
 };
 

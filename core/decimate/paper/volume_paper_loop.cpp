@@ -36,7 +36,8 @@ Limits VolumePaperLoop::limits(ModelRef edge) const {
   return limits;
 }
 
-Verdict VolumePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) {
+Verdict VolumePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, const Hand& /*hand*/,
+                                        Plan& plan) {
   const CollapsePlan& collapse = plan.collapse;
   const Verdict verdict = collapser_.judge(mesh_, edge, may_go, rules_, plan.collapse);
   if (!verdict.accepted()) return verdict;
@@ -44,9 +45,9 @@ Verdict VolumePaperLoop::judge_collapse(Edge edge, std::array<bool, 2> may_go, P
                        collapse.around_kept());
 }
 
-EntityRef VolumePaperLoop::collapse(Edge edge) {
-  collapser_.apply(mesh_, plan_.collapse);
-  for_corners(plan_.collapse.balls[0], [&](Vertex v) { touch(v); });
+EntityRef VolumePaperLoop::collapse(Edge edge, Hand& hand) {
+  collapser_.apply(mesh_, hand.plan.collapse);
+  for_corners(hand.plan.collapse.balls[0], [&](Vertex v) { touch(v, hand); });
   return edge;
 }
 
@@ -62,14 +63,14 @@ Verdict VolumePaperLoop::judge_removing(Edge edge, Plan& plan) {
   return guards_.judge(mesh_, plan.change, plan.pair);
 }
 
-EntityRef VolumePaperLoop::swap(Edge edge) {
-  if (!judge_removing(edge, plan_).accepted()) return {};
-  aomd::apply(mesh_, plan_.removal);
-  const EdgeRing& ring = plan_.removal.ring;
+EntityRef VolumePaperLoop::swap(Edge edge, Hand& hand) {
+  if (!judge_removing(edge, hand.plan).accepted()) return {};
+  aomd::apply(mesh_, hand.plan.removal);
+  const EdgeRing& ring = hand.plan.removal.ring;
   for (std::uint32_t s = 0; s < ring.side_count; ++s)
-    for (std::uint32_t i = 0; i < ring.sides[s].count; ++i) touch(ring.sides[s].ring[i]);
-  touch(ring.a);
-  touch(ring.b);
+    for (std::uint32_t i = 0; i < ring.sides[s].count; ++i) touch(ring.sides[s].ring[i], hand);
+  touch(ring.a, hand);
+  touch(ring.b, hand);
   return edge;
 }
 
@@ -81,11 +82,11 @@ Verdict VolumePaperLoop::judge_moving(Vertex v, Plan& plan) {
   return guards_.judge(mesh_, plan.change, v, move.star, move.target);
 }
 
-bool VolumePaperLoop::smooth(Vertex v) {
-  if (!judge_moving(v, plan_).accepted()) return false;
-  RegionMover::apply(mesh_, plan_.region_move);
-  for_corners(plan_.region_move.ball, [&](Vertex far) { touch(far); });
-  touch(v);
+bool VolumePaperLoop::smooth(Vertex v, Hand& hand) {
+  if (!judge_moving(v, hand.plan).accepted()) return false;
+  RegionMover::apply(mesh_, hand.plan.region_move);
+  for_corners(hand.plan.region_move.ball, [&](Vertex far) { touch(far, hand); });
+  touch(v, hand);
   return true;
 }
 

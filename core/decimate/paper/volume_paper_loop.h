@@ -20,12 +20,13 @@ class VolumePaperLoop final : public PaperLoop {
  private:
   void set_rules() override;
   [[nodiscard]] Limits limits(ModelRef edge) const override;
-  [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, Plan& plan) override;
+  [[nodiscard]] Verdict judge_collapse(Edge edge, std::array<bool, 2> may_go, const Hand& hand,
+                                       Plan& plan) override;
   [[nodiscard]] Verdict judge_removing(Edge edge, Plan& plan);
   [[nodiscard]] Verdict judge_moving(Vertex v, Plan& plan);
-  EntityRef collapse(Edge edge) override;
-  EntityRef swap(Edge edge) override;
-  bool smooth(Vertex v) override;
+  EntityRef collapse(Edge edge, Hand& hand) override;
+  EntityRef swap(Edge edge, Hand& hand) override;
+  bool smooth(Vertex v, Hand& hand) override;
 
   VolumeRules rules_;
   RemovalRules removal_;

@@ -5,7 +5,6 @@
 // effect).
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,13 +12,13 @@
 
 #include "core/decimate/curves/original_curves.h"
 #include "core/decimate/loop.h"
+#include "core/decimate/parts_at_once.h"
 #include "core/decimate/quality/collapse_queue.h"
 #include "core/decimate/quality/collapse_rounds.h"
 #include "core/decimate/quality/original_surface.h"
-#include "core/decimate/quality/pass_turns.h"
 #include "core/decimate/quality/point_fit.h"
-#include "core/mesh/shared_edits.h"
 #include "core/parts/partition.h"
+#include "core/parts/pass_turns.h"
 
 namespace aomd {
 
@@ -49,15 +48,11 @@ class QualityLoop final : public Loop {
  private:
   // Collapses (quality_loop.cpp)
   /// What one thread needs to judge and to make collapses.
-  struct Hand {
+  struct Hand : PartHand {
     explicit Hand(const Mesh& mesh) : collapser(mesh) {}
     Collapser collapser;
     Plan plan;
     CollapseQueue::Turn turn;
-    std::size_t part = 0;
-    bool within_part = false;      ///< what touches the seam is left to others
-    SharedEdits* edits = nullptr;  ///< none: nobody else edits, and the mesh follows at once
-    SweepStatistics made;          ///< where there are others
   };
   bool advance_collapse();
   bool relax();
@@ -102,19 +97,10 @@ class QualityLoop final : public Loop {
   [[nodiscard]] bool must_wait(const Contraction& c, const Hand& hand) const {
     return hand.within_part && !(is_inside(c.deleted) && is_inside(c.kept));
   }
-  [[nodiscard]] bool parts_may_share() const;
-  /// What threads share while they take the parts.
-  struct PartsWork {
-    const std::function<bool()>& cancelled;
-    std::atomic<std::size_t> next = 0;  ///< the part that nobody has taken yet
-    std::atomic<bool> wants_room = false, stopped = false;
-  };
   [[nodiscard]] bool parts_are_ready();
-  void work_on_parts(Hand& hand, bool may_ask, PartsWork& work);
   /// One candidate of the hand's part; false where it has none any more.
   bool advance_part(Hand& hand);
   void end_parts();
-  void take_count(Hand& hand);
 
   // What is said without being done (outlook.cpp)
   /// With what would go where, and at what cost: infinite where it is out of the question.
@@ -179,9 +165,8 @@ class QualityLoop final : public Loop {
   Partition partition_;  ///< for the present stage
   CollapseQueue queue_;
   CollapseRounds rounds_;
-  Hand alone_;                                ///< of who works alone
-  std::vector<std::unique_ptr<Hand>> hands_;  ///< of those who work at the same time
-  std::vector<SharedEdits> edits_;            ///< by part
+  Hand alone_;                 ///< of who works alone
+  PartsAtOnce<Hand> at_once_;  ///< and of those who work at the same time
   Column<Edge, Reason> refusal_;
 
   std::vector<std::uint32_t>

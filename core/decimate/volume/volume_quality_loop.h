@@ -14,7 +14,7 @@
 #include "core/decimate/loop.h"
 #include "core/decimate/quadric.h"
 #include "core/decimate/quality/cheapest.h"
-#include "core/decimate/quality/pass_turns.h"
+#include "core/parts/pass_turns.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"

@@ -1,8 +1,11 @@
 #pragma once
-// In which order a pass goes through the faces or vertices of a surface in parts.
+// In which order a pass goes through the edges, faces or vertices of a surface in parts.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -16,14 +19,22 @@ namespace aomd {
 /// the other or at once.
 class PassTurns {
  public:
+  /// The vertices of what has an id, some of them repeatedly.
+  using Corners = std::function<std::array<Vertex, 3>(std::uint32_t id)>;
+  static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
   /// A pass over all entities of a level, 0 or 2. T(2,0) must be stored.
   void begin(const Mesh& mesh, int level, std::size_t parts, int threads);
+  /// A pass over other ids, as long as they are alive. It takes away so many faces at most: each
+  /// part may have its share of them, and the last few go alone, where it is for others to stop.
+  void begin(const Mesh& mesh, const IdPool& ids, Corners corners, std::size_t parts, int threads,
+             std::uint64_t faces = unlimited);
   /// The id whose turn it is; no_index at the end.
   [[nodiscard]] std::uint32_t next(const Mesh& mesh, int threads);
-  /// The next id of a part; no_index where it has none any more.
+  /// The next id of a part; no_index where it has none any more. It may have died meanwhile.
   [[nodiscard]] std::uint32_t next_of(std::size_t part) {
     Part& p = parts_[part];
-    return p.turn < p.ids.size() ? p.ids[p.turn++] : no_index;
+    return p.turn < p.ids.size() && p.taken + faces_each <= p.share ? p.ids[p.turn++] : no_index;
   }
 
   /// Whether it is a part's turn, which must not touch the seam; and which part's.
@@ -32,27 +43,36 @@ class PassTurns {
   [[nodiscard]] const Partition& partition() const { return partition_; }
   /// A part leaves an entity to who comes after, since the seam is in the way.
   void leave(std::size_t part, std::uint32_t id);
-  /// All parts of the present cut are done.
+  /// How many faces a part has taken away.
+  void took(std::size_t part, std::size_t faces) { parts_[part].taken += faces; }
+  /// All parts of the present cut are done. What had no turn is left, too.
   void end_parts();
   /// The surface was changed from outside: what is left of the pass is done alone.
   void give_up_parts();
+  /// How much of the pass is done, in [0,1].
+  [[nodiscard]] double progress() const;
 
  private:
   struct alignas(64) Part {
     std::vector<std::uint32_t> ids;
     std::size_t turn = 0;
     std::vector<std::uint32_t> left;
+    std::uint64_t share = unlimited, taken = 0;  ///< of the faces that may go
   };
   static constexpr int cuts = 2;
+  static constexpr std::uint64_t faces_each = 2;  ///< that go with most collapses
   [[nodiscard]] bool alone() const { return cut_ >= cuts; }
   bool cut_again(const Mesh& mesh, int threads);
-  void deal_out(const Mesh& mesh);
-  [[nodiscard]] bool is_inside(const Mesh& mesh, std::uint32_t id) const;
-  [[nodiscard]] std::size_t part_of(const Mesh& mesh, std::uint32_t id) const;
+  void deal_out(int threads);
+  void share_out();
+  [[nodiscard]] std::uint16_t place_of(std::uint32_t id) const;
 
-  int level_ = 0;
+  const IdPool* ids_ = nullptr;
+  Corners corners_;
   std::size_t count_ = 1;  ///< of the parts of a cut
   int cut_ = 0;            ///< past the last one: alone
+  std::uint64_t faces_ = unlimited;
+  std::size_t all_ = 0;  ///< that the pass began with
   Partition partition_;
   std::vector<Part> parts_;  ///< one for who is alone
   std::size_t part_ = 0;
