@@ -195,52 +195,150 @@ void build_sides(const Mesh& mesh, int i, int j, DownRows& result) {
     match_faces(mesh, rows, result);
 }
 
-// Linear: the sides of each vertex are told apart by marks, not by searching.
-MissingEntities missing_edges(const Mesh& mesh) {
-  struct Side {
-    std::uint32_t from, to;
-    ModelRef model;
-    bool exists;
-  };
-  const VertexRows edges(mesh, 1), faces(mesh, 2), regions(mesh, 3);
-  const auto each_side = [&](auto&& visit) {
-    edges.each([&](std::uint32_t id, const std::uint32_t* v) { visit(v[0], v[1], Edge(id)); });
-    const auto sides_of = [&](const VertexRows& rows, auto handle) {
-      rows.each([&](std::uint32_t id, const std::uint32_t* v) {
-        const ShapeTemplate& shape = rows.shape(id);
-        for (int k = 0; k < shape.edge_count; ++k) {
-          const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
-          visit(v[ends[0]], v[ends[1]], decltype(handle)(id));
-        }
-      });
-    };
-    sides_of(faces, Face());
-    sides_of(regions, Region());
-  };
-  std::vector<std::uint32_t> begin(mesh.capacity(0) + std::size_t{1}, 0);
-  each_side(
-      [&](std::uint32_t a, std::uint32_t b, auto) { ++begin[std::min(a, b) + std::size_t{1}]; });
-  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-  RawVector<Side> sides(begin.back());
-  each_side([&](std::uint32_t a, std::uint32_t b, auto of) {
-    sides[begin[std::min(a, b)]++] = {a, b, mesh.classification(of), decltype(of)::dimension == 1};
-  });
-  std::vector<std::uint32_t> mark(mesh.capacity(0), no_index);
-  MissingEntities missing;
-  missing.vertices.reserve(sides.size());
-  missing.classes.reserve(sides.size() / 2 + 16);
-  for (const Side& s : sides) {
-    const std::uint32_t low = std::min(s.from, s.to);
-    std::uint32_t& seen = mark[std::max(s.from, s.to)];
-    if (seen != low && !s.exists) {
-      missing.vertices.push_back(s.from);
-      missing.vertices.push_back(s.to);
-      missing.classes.push_back(s.model);
-    }
-    seen = low;
+namespace {
+
+// Finds the edges that a level lacks. Linear: the sides at each vertex are told apart by marks, not
+// by searching.
+class EdgeMaker {
+ public:
+  explicit EdgeMaker(const Mesh& mesh)
+      : mesh_(mesh), edges_(mesh, 1), faces_(mesh, 2), regions_(mesh, 3) {
+    AOMD_CHECK(mesh.capacity(0) < std::uint32_t{1} << 31);
+    AOMD_CHECK(mesh.capacity(1) + std::uint64_t{face_stride_} * mesh.capacity(2) +
+                   std::uint64_t{region_stride_} * mesh.capacity(3) <
+               no_index);
+    std::uint32_t* const begin = begin_.data();
+    each_side([begin](std::uint32_t a, std::uint32_t b, std::uint32_t) {
+      ++begin[std::min(a, b) + std::size_t{2}];
+    });
+    for (std::size_t v = 2; v < begin_.size(); ++v) begin[v] += begin[v - 1];
+    sides_.resize(begin_.back());
+    Side* const sides = sides_.data();
+    each_side([begin, sides](std::uint32_t a, std::uint32_t b, std::uint32_t place) {
+      const std::uint32_t high = std::max(a, b);
+      sides[begin[std::min(a, b) + std::size_t{1}]++] = {high & ~(1u << 31), a < b, place};
+    });
   }
-  missing.shapes.assign(missing.classes.size(), Shape::Line);
-  return missing;
+
+  MissingEntities run(DownRows* sides_of_faces) {
+    std::uint32_t* const rows = sides_of_faces ? allocate(*sides_of_faces) : nullptr;
+    missing_.vertices.reserve(sides_.size());
+    missing_.classes.reserve(sides_.size() / 2 + 16);
+    std::vector<Seen> seen(mesh_.capacity(0));
+    for (std::uint32_t low = 0; low < mesh_.capacity(0); ++low)
+      for (std::uint32_t at = begin_[low]; at < begin_[low + std::size_t{1}]; ++at) {
+        const Side& side = sides_[at];
+        Seen& mark = seen[side.high];
+        if (mark.low != low) mark = {low, number_of(side, low) << 1 | side.forward};
+        if (rows && side.place - first_face_ < first_region_ - first_face_)
+          rows[side.place - first_face_] = mark.edge ^ side.forward ^ 1u;
+      }
+    if (rows) part_directions(*sides_of_faces);
+    missing_.shapes.assign(missing_.classes.size(), Shape::Line);
+    return std::move(missing_);
+  }
+
+ private:
+  // An edge, or one of a face or of a region.
+  struct Side {
+    std::uint32_t high : 31;    // the larger of its vertices
+    std::uint32_t forward : 1;  // from the smaller one
+    std::uint32_t place;  // an edge, behind these in the rows of faces, behind these of regions
+  };
+  // The last edge seen that has a vertex as the larger one.
+  struct Seen {
+    std::uint32_t low = no_index;  // its other vertex
+    std::uint32_t edge = 0;        // twice, and one more where it is forward
+  };
+
+  template <typename Visit>
+  void each_side(Visit visit) const {
+    edges_.each([&](std::uint32_t id, const std::uint32_t* v) { visit(v[0], v[1], id); });
+    if (all_triangles(faces_))
+      each_side_of_triangles(visit);
+    else
+      each_side_of(faces_, first_face_, face_stride_, visit);
+    each_side_of(regions_, first_region_, region_stride_, visit);
+  }
+
+  template <typename Visit>
+  void each_side_of(const VertexRows& rows, std::uint32_t first, std::uint32_t stride,
+                    Visit visit) const {
+    rows.each([&](std::uint32_t id, const std::uint32_t* v) {
+      const ShapeTemplate& shape = rows.shape(id);
+      std::uint32_t place = first + id * stride;
+      for (int k = 0; k < shape.edge_count; ++k, ++place) {
+        const auto& ends = shape.edges[static_cast<std::size_t>(k)].vertices;
+        visit(v[ends[0]], v[ends[1]], place);
+      }
+    });
+  }
+
+  // The same, with what the template says read once.
+  template <typename Visit>
+  void each_side_of_triangles(Visit visit) const {
+    std::array<std::uint8_t, 6> at{};
+    for (std::size_t k = 0; k < 3; ++k)
+      std::copy_n(faces_.uniform()->edges[k].vertices.begin(), 2, at.begin() + 2 * k);
+    faces_.each([&](std::uint32_t id, const std::uint32_t* v) {
+      const std::uint32_t place = first_face_ + id * 3;
+      visit(v[at[0]], v[at[1]], place);
+      visit(v[at[2]], v[at[3]], place + 1);
+      visit(v[at[4]], v[at[5]], place + 2);
+    });
+  }
+
+  // The edge that a side is; one that is not listed is made as its first user has it.
+  std::uint32_t number_of(const Side& side, std::uint32_t low) {
+    if (side.place < first_face_) return side.place;
+    const std::uint32_t high = side.high;
+    missing_.vertices.push_back(side.forward ? low : high);
+    missing_.vertices.push_back(side.forward ? high : low);
+    missing_.classes.push_back(
+        side.place < first_region_
+            ? mesh_.classification(Face((side.place - first_face_) / face_stride_))
+            : mesh_.classification(Region((side.place - first_region_) / region_stride_)));
+    return first_face_ + static_cast<std::uint32_t>(missing_.classes.size()) - 1;
+  }
+
+  std::uint32_t* allocate(DownRows& rows) const {
+    const bool every_place = !has_holes(mesh_, 2) && faces_.uniform();
+    rows.allocate(mesh_.capacity(2), face_stride_, true, !every_place);
+    return rows.row(0);
+  }
+
+  // From edges in which the lowest bit says whether they are used in their own direction.
+  void part_directions(DownRows& rows) const {
+    std::uint32_t* const out = rows.row(0);
+    for_shape(faces_, [&, stride = face_stride_](auto shape_of) {
+      faces_.each([&](std::uint32_t id, const std::uint32_t*) {
+        std::uint32_t* const row = out + std::size_t{id} * stride;
+        const int sides = shape_of(id).edge_count;
+        unsigned bits = 0;
+        for (int k = 0; k < sides; ++k) {
+          bits |= (row[k] & 1u) << k;
+          row[k] >>= 1;
+        }
+        rows.set_directions(id, static_cast<std::uint16_t>(bits));
+      });
+    });
+  }
+
+  const Mesh& mesh_;
+  VertexRows edges_, faces_, regions_;
+  std::uint32_t face_stride_ = widest(faces_, 1), region_stride_ = widest(regions_, 1);
+  std::uint32_t first_face_ = mesh_.capacity(1),
+                first_region_ = first_face_ + face_stride_ * mesh_.capacity(2);
+  std::vector<std::uint32_t> begin_ =
+      std::vector<std::uint32_t>(mesh_.capacity(0) + std::size_t{2});
+  RawVector<Side> sides_;  ///< by their smaller vertices, of each in the order of places
+  MissingEntities missing_;
+};
+
+}  // namespace
+
+MissingEntities missing_edges(const Mesh& mesh, DownRows* sides_of_faces) {
+  return EdgeMaker(mesh).run(sides_of_faces);
 }
 
 // Chains by smallest vertex, since the faces to be found are being made.

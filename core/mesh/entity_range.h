@@ -31,6 +31,12 @@ class EntityRange {
   explicit EntityRange(const IdPool& ids) : ids_(&ids) {}
   [[nodiscard]] Iterator begin() const { return {ids_, 0}; }
   [[nodiscard]] Sentinel end() const { return {}; }
+  /// Calls visit(handle) for all of them. None may be created or deleted meanwhile, so that this
+  /// costs less than iterating.
+  template <typename Visit>
+  void each(Visit&& visit) const {
+    each_alive(*ids_, 0, ids_->capacity(), [&](std::uint32_t id) { visit(Handle<Dim>(id)); });
+  }
   /// All of them. O(capacity).
   [[nodiscard]] std::vector<Handle<Dim>> list() const {
     std::vector<Handle<Dim>> all;

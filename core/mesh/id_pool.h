@@ -63,10 +63,15 @@ class IdPool {
   std::uint32_t capacity_ = 0;
 };
 
-/// Calls visit(id) for the ids in [begin, end) that are alive, in ascending order.
+/// Calls visit(id) for the ids in [begin, end) that are alive, in ascending order; they must stay
+/// as they are meanwhile.
 template <typename Visit>
 void each_alive(const IdPool& ids, std::size_t begin, std::size_t end, Visit&& visit) {
   const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(end, ids.capacity()));
+  if (ids.free_ids().empty()) {
+    for (auto id = static_cast<std::uint32_t>(begin); id < last; ++id) visit(id);
+    return;
+  }
   for (std::uint32_t id = ids.next_alive(static_cast<std::uint32_t>(begin)); id < last;
        id = ids.next_alive(id + 1))
     visit(id);

@@ -31,6 +31,7 @@
 namespace aomd {
 
 class Journal;
+struct MissingEntities;
 
 /// Replaces one vertex of an edge, face or region by another; the entity keeps its id and
 /// classification.
@@ -222,7 +223,13 @@ class Mesh {
   void rebind(std::span<const Rebinding> items);
   void move(Vertex v, const glm::dvec3& position);
   /// Throws std::invalid_argument where the rule is broken.
-  void set_classification(EntityRef e, ModelRef model);
+  void set_classification(EntityRef e, ModelRef model) {
+    if (journal_ || class_lists_ || !alive(e) || !model.may_classify(e.dimension))
+      return edit_classification(e, model);
+    ModelRef& present = level(e.dimension).classes[e.index];
+    revision_ += present != model;
+    present = model;
+  }
 
   /// Another number after every edit, undo and redo included: what was judged at one number holds
   /// while the mesh has it.
@@ -278,7 +285,10 @@ class Mesh {
   [[nodiscard]] Request hold(int i, int j, const char* by);
   void build_up(int i, int j);
   void build_vertices(int i);
-  void complete_level(int dim);
+  void complete_levels(int i, int j);
+  void complete_level(int dim, DownRows* sides_of_faces = nullptr);
+  void take_missing(int dim, const MissingEntities& missing);
+  void note_built(int i, int j, double milliseconds);
   void free_unwanted(int i, int j);
   [[nodiscard]] DownRows compact_rows(int i, int j,
                                       const std::array<std::vector<std::uint32_t>, 4>& maps) const;
@@ -326,6 +336,7 @@ class Mesh {
   void replace_in_row(const Rebinding& item);
   void rebind_bare_regions(std::span<const Rebinding> items);
   [[nodiscard]] bool regions_are_bare() const;
+  void edit_classification(EntityRef e, ModelRef model);
   void classify(int dim, std::uint32_t id, ModelRef model);
 
   // Existence (mesh_find.cpp)

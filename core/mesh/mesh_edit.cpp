@@ -327,7 +327,7 @@ void Mesh::move(Vertex v, const glm::dvec3& position) {
   positions_[v.index] = position;
 }
 
-void Mesh::set_classification(EntityRef e, ModelRef model) {
+void Mesh::edit_classification(EntityRef e, ModelRef model) {
   require_alive(*this, e);
   require_class(e, model);
   const ModelRef present = classification(e);

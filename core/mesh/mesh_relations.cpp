@@ -15,6 +15,12 @@
 namespace aomd {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point before) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+}
+
 void check_cell(int i, int j) {
   if (i < 0 || i > 3 || j < 0 || j > 3 || i == j)
     throw std::invalid_argument(relation_name(i, j) +
@@ -42,8 +48,7 @@ void Request::release() {
 
 void Mesh::set(int i, int j) {
   check_cell(i, j);
-  complete_level(i);
-  complete_level(j);
+  complete_levels(i, j);
   build(i, j);
   representation_.demand(i, j).user = true;
 }
@@ -63,8 +68,7 @@ void Mesh::unset(int i, int j) {
 
 Request Mesh::request(int i, int j, const char* by) {
   check_cell(i, j);
-  complete_level(i);
-  complete_level(j);
+  complete_levels(i, j);
   return hold(i, j, by);
 }
 
@@ -114,7 +118,6 @@ void Mesh::free_unwanted(int i, int j) {
 }
 
 void Mesh::build(int i, int j) {
-  using Clock = std::chrono::steady_clock;
   if (stored(i, j)) return;
   const auto before = Clock::now();
   if (i < j)
@@ -123,9 +126,13 @@ void Mesh::build(int i, int j) {
     build_vertices(i);
   else
     build_sides(*this, i, j, representation_.down(i, j));
+  note_built(i, j, milliseconds_since(before));
+}
+
+void Mesh::note_built(int i, int j, double milliseconds) {
   Representation::Record& record = representation_.record(i, j);
   ++record.builds;
-  record.build_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+  record.build_ms = milliseconds;
 }
 
 std::uint32_t Mesh::widest(int dim, int lower) const {
@@ -208,9 +215,19 @@ void Mesh::build_vertices(int i) {
   representation_.down(i, 0) = std::move(rows);
 }
 
-// The new ids are fresh, in the order given. All that an incomplete level may have stored are
-// relations with the vertices, of which T(0,dim) is built again: others complete the level first.
-void Mesh::complete_level(int dim) {
+// Where faces ask for the edges that they lack, T(2,1) is known as soon as these are.
+void Mesh::complete_levels(int i, int j) {
+  complete_level(i);
+  if (i != 2 || j != 1 || complete(1)) return complete_level(j);
+  const auto before = Clock::now();
+  DownRows sides;
+  complete_level(1, &sides);
+  if (!sides.stored()) return;
+  representation_.down(2, 1) = std::move(sides);
+  note_built(2, 1, milliseconds_since(before));
+}
+
+void Mesh::complete_level(int dim, DownRows* sides_of_faces) {
   if (complete(dim)) return;
   // A history that has known higher entities would bring some back, or take some away, without
   // their sides.
@@ -223,7 +240,12 @@ void Mesh::complete_level(int dim) {
         "it before the first edit, or clear the journal");
   level(dim).complete = true;
   if (count(3) == 0 && (dim == 2 || count(2) == 0)) return;
-  const MissingEntities missing = dim == 1 ? missing_edges(*this) : missing_faces(*this);
+  take_missing(dim, dim == 1 ? missing_edges(*this, sides_of_faces) : missing_faces(*this));
+}
+
+// The new ids are fresh, in the order given. All that an incomplete level may have stored are
+// relations with the vertices, of which T(0,dim) is built again: others complete the level first.
+void Mesh::take_missing(int dim, const MissingEntities& missing) {
   if (missing.shapes.empty()) return;
   const std::uint32_t first =
       level(dim).ids.create_many(static_cast<std::uint32_t>(missing.shapes.size()));
@@ -231,15 +253,21 @@ void Mesh::complete_level(int dim) {
   if (!representation_.has_level(dim)) rows.allocate(0, static_cast<std::uint32_t>(dim + 1), false);
   hash_of(dim).release();
   grow_level(dim);
-  const std::uint32_t* from = missing.vertices.data();
-  for (std::uint32_t k = 0; k < missing.shapes.size(); ++k) {
-    set_shape(dim, first + k, missing.shapes[k]);
-    const int n = shape_template(missing.shapes[k]).vertex_count;
-    std::copy_n(from, n, rows.row(first + k));
-    from += n;
-    level(dim).classes[first + k] = missing.classes[k];
-    if (class_lists_) class_lists_->insert(dim, first + k, missing.classes[k]);
+  std::copy(missing.classes.begin(), missing.classes.end(),
+            level(dim).classes.begin() + static_cast<std::ptrdiff_t>(first));
+  if (dim == 1) {  // of one shape, whose rows are full
+    std::copy(missing.vertices.begin(), missing.vertices.end(), rows.row(first));
+  } else {
+    const std::uint32_t* from = missing.vertices.data();
+    for (std::uint32_t k = 0; k < missing.shapes.size(); ++k) {
+      set_shape(dim, first + k, missing.shapes[k]);
+      const int n = shape_template(missing.shapes[k]).vertex_count;
+      std::copy_n(from, n, rows.row(first + k));
+      from += n;
+    }
   }
+  for (std::uint32_t k = 0; class_lists_ && k < missing.classes.size(); ++k)
+    class_lists_->insert(dim, first + k, missing.classes[k]);
   if (stored(0, dim)) build_upward(*this, 0, dim, representation_.up(0, dim));
 }
 

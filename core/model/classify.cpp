@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/buckets.h"
 #include "core/mesh/column.h"
 #include "core/mesh/geometry.h"
 #include "core/mesh/journal_scope.h"
 #include "core/model/classify_volume.h"
 #include "core/model/curve_corners.h"
+#include "core/model/edge_faces.h"
+#include "core/model/some_edges.h"
 
 namespace aomd {
 namespace {
@@ -41,16 +46,19 @@ class Classifier {
       : mesh_(mesh),
         options_(options),
         corner_(options.corner_angle_deg),
-        needs_{mesh.request(2, 0, "classification"), mesh.request(0, 1, "classification"),
-               mesh.request(2, 1, "classification"), mesh.request(1, 2, "classification")},
+        needs_{mesh.request(2, 0, name), mesh.request(2, 1, name)},
+        faces_(mesh),
         listed_(mesh.capacity(1)) {}
 
   ClassifyResult run() {
     if (!options_.keep_present) forget();
     note_present();
+    if (curves_given_by_vertices_ || !options_.seams.empty()) around_ = mesh_.request(0, 1, name);
     find_features();
     if (curves_given_by_vertices_) find_curves_of_vertices();
+    list_curves();
     flood_faces();
+    find_touching();
     find_model_vertices();
     chain_edges();
     classify_rest();
@@ -66,20 +74,21 @@ class Classifier {
 
   // Faces of a surface lie in no model region, whatever the file says.
   void note_present() {
-    for (const Face f : mesh_.faces()) {
+    mesh_.faces().each([&](Face f) {
       if (mesh_.classification(f).dimension() == 3) mesh_.set_classification(f, {});
       const ModelRef m = mesh_.classification(f);
       if (m.dimension() == 2) tags_[2].taken(m);
       note_face(m);
-    }
-    for (const Edge e : mesh_.edges())
+    });
+    mesh_.edges().each([&](Edge e) {
       if (const ModelRef m = mesh_.classification(e); m.dimension() == 1)
         tags_[1].taken(m), edges_given_ = true, listed_[e] = 1;
-    for (const Vertex v : mesh_.vertices()) {
+    });
+    mesh_.vertices().each([&](Vertex v) {
       const ModelRef m = mesh_.classification(v);
       if (m.dimension() <= 1) tags_[static_cast<std::size_t>(m.dimension())].taken(m);
       curves_given_by_vertices_ |= m.dimension() == 1;
-    }
+    });
   }
 
   void note_face(ModelRef model) {
@@ -93,7 +102,7 @@ class Classifier {
   void find_features() {
     const auto angle = given() ? std::nullopt : options_.feature_angle_deg;
     features_ = aomd::find_features(
-        mesh_, {angle, options_.nonmanifold_edges, false, options_.seams}, feature_);
+        mesh_, faces_, {angle, options_.nonmanifold_edges, false, options_.seams}, feature_);
   }
 
   void flood_faces() {
@@ -108,9 +117,10 @@ class Classifier {
         stack.pop_back();
         for (const Edge e : mesh_.row<1>(f)) {
           if (feature_[e]) continue;
-          for (const Face g : mesh_.row<2>(e))
+          faces_.each_other(e, f, [&](Face g) {
             if (!mesh_.classification(g).valid())
               mesh_.set_classification(g, model), stack.push_back(g);
+          });
         }
       }
     }
@@ -155,11 +165,22 @@ class Classifier {
     return true;
   }
 
+  void list_curves() {
+    std::vector<Edge> curves;
+    mesh_.edges().each([&](Edge e) {
+      if (feature_[e]) curves.push_back(e);
+    });
+    curves_.emplace(mesh_, std::move(curves));
+  }
+
+  CurveEnds curve(Vertex v) const { return curve_at(*curves_, v, any_edge); }
+
   void find_model_vertices() {
     std::vector<std::pair<Vertex, ModelRef>> found;
-    for (const Vertex v : mesh_.vertices())
+    mesh_.vertices().each([&](Vertex v) {
       if (mesh_.classification(v).dimension() != 0 && is_model_vertex(v))
         found.emplace_back(v, ModelRef(0, tags_[0].take()));
+    });
     for (const auto& [v, model] : found) mesh_.set_classification(v, model);
   }
 
@@ -167,41 +188,45 @@ class Classifier {
   // edges that the file lists on one model edge it is no corner, and on a model edge that is
   // nowhere to be found it stays where it is.
   [[nodiscard]] bool is_model_vertex(Vertex v) const {
-    const auto is_feature = [&](Edge e) { return feature_[e] != 0; };
     const bool on_curve = mesh_.classification(v).dimension() == 1;
-    const CurveEnds ends = curve_at(mesh_, v, is_feature);
+    const CurveEnds ends = curve(v);
     if (ends.count == 0) return on_curve && !mesh_.row<1>(v).empty();
     if (ends.count != 2) return true;
     const ModelRef first = mesh_.classification(ends.edges[0]),
                    second = mesh_.classification(ends.edges[1]);
     if ((first.dimension() == 1 || second.dimension() == 1) && first != second) return true;
-    if (touches_other_faces(v, ends)) return true;
+    if (touches_other_faces_[v]) return true;
     const bool listed = on_curve && listed_[ends.edges[0]] && listed_[ends.edges[1]];
-    return !listed && curve_turns(mesh_, v, ends, corner_, is_feature);
+    return !listed && curve_turns(*curves_, v, ends, corner_, any_edge);
   }
 
-  // Whether a face at a vertex inside a curve lies on a model face that the curve does not bound:
+  // Marks the vertices inside a curve with a face on a model face that the curve does not bound:
   // surfaces that touch in a single point.
-  [[nodiscard]] bool touches_other_faces(Vertex v, const CurveEnds& ends) const {
-    const auto bounded = [&](ModelRef model) {
-      for (const Edge e : ends.edges)
-        for (const Face f : mesh_.row<2>(e))
-          if (mesh_.classification(f) == model) return true;
-      return false;
-    };
-    for (const Edge e : mesh_.row<1>(v))
-      if (!feature_[e])
-        for (const Face f : mesh_.row<2>(e))
-          if (!bounded(mesh_.classification(f))) return true;
-    return false;
+  void find_touching() {
+    Column<Vertex, std::uint8_t> inside(mesh_.capacity(0));
+    touches_other_faces_.assign(mesh_.capacity(0), 0);
+    for (const Edge e : curves_->edges())
+      for (const Vertex v : mesh_.edge_vertices(e)) inside[v] = curve(v).count == 2;
+    Buckets<ModelRef> bounded(mesh_.capacity(0), [&](auto&& file) {
+      for (const Edge e : curves_->edges())
+        for (const Vertex v : mesh_.edge_vertices(e))
+          if (inside[v]) faces_.each(e, [&](Face f) { file(v.index, mesh_.classification(f)); });
+    });
+    for (std::size_t v = 0; v < bounded.count(); ++v) std::ranges::sort(bounded[v], std::less<>());
+    mesh_.faces().each([&](Face f) {
+      for (const Vertex v : mesh_.row<0>(f))
+        if (inside[v] &&
+            !std::ranges::binary_search(bounded[v.index], mesh_.classification(f), std::less<>()))
+          touches_other_faces_[v] = 1;
+    });
   }
 
   bool ends_curve(Vertex v) const { return mesh_.classification(v).dimension() == 0; }
 
   void chain_edges() {
     std::vector<Edge> stack;
-    for (const Edge seed : mesh_.edges()) {
-      if (!feature_[seed] || mesh_.classification(seed).dimension() == 1) continue;
+    for (const Edge seed : curves_->edges()) {
+      if (mesh_.classification(seed).dimension() == 1) continue;
       const ModelRef model(1, tags_[1].take());
       mesh_.set_classification(seed, model);
       stack.push_back(seed);
@@ -210,31 +235,39 @@ class Classifier {
         stack.pop_back();
         for (const Vertex v : ends) {
           if (ends_curve(v)) continue;
-          for (const Edge e : mesh_.row<1>(v))
-            if (feature_[e] && mesh_.classification(e).dimension() != 1)
+          for (const Edge e : curves_->row<1>(v))
+            if (mesh_.classification(e).dimension() != 1)
               mesh_.set_classification(e, model), stack.push_back(e);
         }
       }
     }
   }
 
+  // A vertex that is no model vertex so far lies on what all its edges but those of a curve lie on,
+  // or on the curve. Model faces that touch in a single point do so in a model vertex.
   void classify_rest() {
-    for (const Edge e : mesh_.edges())
-      if (!feature_[e]) mesh_.set_classification(e, mesh_.classification(mesh_.row<2>(e)[0]));
-    for (const Vertex v : mesh_.vertices())
-      if (!ends_curve(v) && !mesh_.row<1>(v).empty()) mesh_.set_classification(v, around(v));
+    Column<Vertex, Span> around(mesh_.capacity(0));
+    mesh_.edges().each([&](Edge e) {
+      if (!feature_[e]) mesh_.set_classification(e, mesh_.classification(faces_.first(e)));
+      for (const Vertex v : mesh_.edge_vertices(e)) around[v].add(mesh_.classification(e));
+    });
+    mesh_.vertices().each([&](Vertex v) {
+      const auto [lowest, highest] = around[v];
+      if (ends_curve(v) || !lowest.valid()) return;
+      const bool one = lowest.dimension() == 1 || lowest == highest;
+      mesh_.set_classification(v, one ? lowest : ModelRef(0, tags_[0].take()));
+    });
   }
 
-  // The class of a vertex that is no model vertex so far: what all its edges but those of a curve
-  // lie on, or the curve. Model faces that touch in a single point do so in a model vertex.
-  [[nodiscard]] ModelRef around(Vertex v) {
-    ModelRef lowest, highest(0, 0);
-    for (const Edge e : mesh_.row<1>(v)) {
-      lowest = std::min(lowest, mesh_.classification(e));
-      highest = std::max(highest, mesh_.classification(e));
+  // The classes of the edges at a vertex.
+  struct Span {
+    ModelRef lowest, highest{0, 0};
+    void add(ModelRef model) {
+      if (model == lowest && model == highest) return;
+      lowest = std::min(lowest, model);
+      highest = std::max(highest, model);
     }
-    return lowest.dimension() == 1 || lowest == highest ? lowest : ModelRef(0, tags_[0].take());
-  }
+  };
 
   template <typename Range>
   int distinct(const Range& range, int dim) const {
@@ -248,20 +281,27 @@ class Classifier {
   }
 
   ClassifyResult count() const {
-    return {distinct(mesh_.vertices(), 0), distinct(mesh_.edges(), 1), distinct(mesh_.faces(), 2),
-            features_, given()};
+    return {distinct(mesh_.vertices(), 0), distinct(curves_->edges(), 1),
+            distinct(mesh_.faces(), 2), features_, given()};
   }
 
   [[nodiscard]] bool given() const {
     return (faces_differ_ && !faces_left_out_) || edges_given_ || curves_given_by_vertices_;
   }
 
+  static constexpr const char* name = "classification";
+  static constexpr auto any_edge = [](Edge) { return true; };
+
   Mesh& mesh_;
   ClassifyOptions options_;
   TurnLimit corner_;
-  std::array<Request, 4> needs_;
+  std::array<Request, 2> needs_;
+  Request around_;
+  EdgeFaces faces_;
   Column<Edge, std::uint8_t> feature_;
-  Column<Edge, std::uint8_t> listed_;  ///< by the file, on a model edge
+  std::optional<SomeEdges> curves_;                   ///< those that are features
+  Column<Vertex, std::uint8_t> touches_other_faces_;  ///< those inside a curve
+  Column<Edge, std::uint8_t> listed_;                 ///< by the file, on a model edge
   std::array<FreshTags, 3> tags_;
   FeatureCount features_;
   ModelRef some_face_;

@@ -86,12 +86,11 @@ bool FacetJudge::leave(Walk& w, Edge& through) const {
 bool FacetJudge::go(Walk& w) const {
   Edge e;
   if (!leave(w, e)) return false;
-  const Row<2> faces = mesh_.row<2>(e);
-  if (faces.size() != 2) return false;
+  if (faces_.count(e) != 2) return false;
   const auto ends = mesh_.edge_vertices(e);
   const glm::dvec3 unit = glm::normalize(mesh_.position(ends[1]) - mesh_.position(ends[0]));
   const glm::dvec3 out = -glm::normalize(into(w.face, w.side, unit));
-  w.face = faces[faces[0] == w.face ? 1 : 0];
+  w.face = faces_.across(e, w.face);
   w.side = side_of(mesh_.row<1>(w.face), e);
   const glm::dvec3 in = glm::normalize(into(w.face, w.side, unit));
   const double turn = std::atan2(-glm::dot(in, w.up), glm::dot(in, out));
@@ -137,7 +136,7 @@ bool FacetJudge::comes_to_fine_plane(Walk w, double angle, double width) const {
 }
 
 std::optional<std::array<FacetJudge::Walk, 2>> FacetJudge::set_out(Edge e) const {
-  const Row<2> faces = mesh_.row<2>(e);
+  const std::array faces = {faces_.first(e), faces_.second(e)};
   const auto ends = mesh_.edge_vertices(e);
   const glm::dvec3 p = mesh_.position(ends[0]), q = mesh_.position(ends[1]);
   const glm::dvec3 unit = glm::normalize(q - p);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/mesh/mesh.h"
+#include "core/model/edge_faces.h"
 
 namespace aomd {
 
@@ -12,13 +13,13 @@ namespace aomd {
 /// the surface goes on turning beyond its faces: the same way, by about as much, and as soon. To
 /// see that, a straight walk sets out from the middle of the edge over the faces of each side.
 /// docs/CLASSIFICATION.md has the rule in words and the shapes that it was found on. The mesh must
-/// store T(1,2), T(2,0), T(2,1).
+/// store T(2,0), T(2,1).
 class FacetJudge {
  public:
   /// From here on an edge is a corner, whatever is around it: fewer than eight to a full turn.
   static constexpr double corner_deg = 50;
 
-  explicit FacetJudge(const Mesh& mesh) : mesh_(mesh) {}
+  FacetJudge(const Mesh& mesh, const EdgeFaces& faces) : mesh_(mesh), faces_(faces) {}
 
   /// For an edge of two faces. O(1): a walk ends after at most 24 faces.
   [[nodiscard]] bool is_step(Edge e) const;
@@ -34,6 +35,7 @@ class FacetJudge {
   [[nodiscard]] glm::dvec3 into(Face f, std::size_t side, const glm::dvec3& unit) const;
 
   const Mesh& mesh_;
+  const EdgeFaces& faces_;
 };
 
 }  // namespace aomd

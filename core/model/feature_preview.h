@@ -14,7 +14,7 @@ struct FeaturePreview {
 };
 
 /// Counts what classify() would make of a surface of triangles on which nothing is classified,
-/// whatever is. The mesh must store T(0,1), T(1,2), T(2,0), T(2,1). O(entities).
+/// whatever is. The mesh must store T(0,1), T(2,0), T(2,1). O(entities).
 [[nodiscard]] FeaturePreview preview_features(const Mesh& mesh, const ClassifyOptions& options);
 
 }  // namespace aomd

@@ -9,6 +9,7 @@
 
 #include "core/mesh/geometry.h"
 #include "core/model/facets.h"
+#include "core/model/some_edges.h"
 
 namespace aomd {
 namespace {
@@ -24,39 +25,40 @@ enum Mark : std::uint8_t { None = 0, Border = 1, Sharp = 2, Hair = 3, Step = 4 }
 
 class FeatureFinder {
  public:
-  FeatureFinder(const Mesh& mesh, Column<Edge, std::uint8_t>& mark)
-      : mesh_(mesh), mark_(mark), seen_(mesh.capacity(1)), meeting_(mesh.capacity(0)) {}
+  FeatureFinder(const Mesh& mesh, const EdgeFaces& faces, Column<Edge, std::uint8_t>& mark)
+      : mesh_(mesh), faces_(faces), mark_(mark) {}
 
   void mark_borders(const FeatureOptions& options) {
-    for (const Edge e : mesh_.edges()) {
-      const Row<2> faces = mesh_.row<2>(e);
+    mesh_.edges().each([&](Edge e) {
+      const int faces = faces_.count(e);
       const bool given = !options.ignore_classes &&
-                         (mesh_.classification(e).dimension() == 1 || !same_model_face(faces));
-      const bool border =
-          faces.size() < 2 || (faces.size() > 2 && options.nonmanifold_edges) || given;
-      if (border) set_mark(e, Border);
-    }
+                         (mesh_.classification(e).dimension() == 1 || !same_model_face(e, faces));
+      const bool border = faces < 2 || (faces > 2 && options.nonmanifold_edges) || given;
+      if (border) mark_[e] = Border;
+    });
     for (const auto& [a, b] : options.seams)
-      if (const Edge e = mesh_.find_edge(Vertex(a), Vertex(b)); e.valid()) set_mark(e, Border);
+      if (const Edge e = mesh_.find_edge(Vertex(a), Vertex(b)); e.valid()) mark_[e] = Border;
   }
 
   void mark_sharp(double angle_deg) {
     const TurnLimit limit(angle_deg);
     normals_.assign(mesh_.capacity(2), glm::dvec3(0.0));
-    for (const Face f : mesh_.faces()) {
+    mesh_.faces().each([&](Face f) {
       const auto t = mesh_.triangle(f);
       normals_[f] = area_normal(mesh_.position(t[0]), mesh_.position(t[1]), mesh_.position(t[2]));
-    }
-    for (const Edge e : mesh_.edges())
-      if (mark_[e] == None && mesh_.row<2>(e).size() == 2 && past(e, limit))
-        set_mark(e, Sharp), sharp_.push_back(e);
+    });
+    mesh_.edges().each([&](Edge e) {
+      if (mark_[e] == None && faces_.count(e) == 2 && past(e, limit))
+        mark_[e] = Sharp, sharp_.push_back(e);
+    });
+    count_meetings();
   }
 
   // The steps of rounds make real curves look hairy: without them all others are judged again. A
   // fine mesh that was taken for a scan stays one.
   void drop_steps() {
     if (is_scan()) return;
-    const FacetJudge judge(mesh_);
+    const FacetJudge judge(mesh_, faces_);
     std::vector<Edge> steps;
     for (const Edge e : sharp_)
       if (judge.is_step(e)) steps.push_back(e);
@@ -72,18 +74,35 @@ class FeatureFinder {
   // hair.
   void drop_roughness() {
     grown_.assign(mesh_.capacity(0), 0);
-    for (const Vertex v : mesh_.vertices()) shave(v);
-    for (const Edge e : mesh_.edges())
+    mesh_.vertices().each([&](Vertex v) {
+      if (meeting_[v].features == 1) shave(v);
+    });
+    for (const Edge e : sharp_)
       if (in_set(e) && !seen_[e]) judge_set(e);
     drop_all_on_scans();
   }
 
  private:
-  bool same_model_face(Row<2> faces) const {
-    if (faces.size() < 2) return true;
-    const ModelRef first = mesh_.classification(faces[0]);
-    return std::all_of(faces.begin(), faces.end(),
-                       [&](Face f) { return mesh_.classification(f) == first; });
+  bool same_model_face(Edge e, int faces) const {
+    if (faces < 2) return true;
+    const ModelRef first = mesh_.classification(faces_.first(e));
+    if (faces == 2) return mesh_.classification(faces_.second(e)) == first;
+    bool same = true;
+    faces_.each(e, [&](Face f) { same = same && mesh_.classification(f) == first; });
+    return same;
+  }
+
+  // Edges with a mark, as they are met from their vertices.
+  void count_meetings() {
+    std::vector<Edge> marked;
+    mesh_.edges().each([&](Edge e) {
+      if (mark_[e] != None) marked.push_back(e);
+    });
+    meeting_.assign(mesh_.capacity(0), {});
+    for (const Edge e : marked)
+      for (const Vertex v : mesh_.edge_vertices(e)) ++meeting_[v].features;
+    seen_.assign(mesh_.capacity(1), 0);
+    marked_.emplace(mesh_, std::move(marked));
   }
 
   bool meets_step(Edge e) const {
@@ -108,10 +127,9 @@ class FeatureFinder {
   }
 
   bool past(Edge e, const TurnLimit& limit) const {
-    const Row<2> faces = mesh_.row<2>(e);
-    const glm::dvec3 n = normals_[faces[0]];
-    glm::dvec3 m = normals_[faces[1]];
-    if (mesh_.use_direction(faces[0], e) == mesh_.use_direction(faces[1], e)) m = -m;
+    const glm::dvec3 n = normals_[faces_.first(e)];
+    glm::dvec3 m = normals_[faces_.second(e)];
+    if (faces_.same_direction(e)) m = -m;
     const bool flat = glm::dot(n, n) == 0 || glm::dot(m, m) == 0;
     return !flat && !limit.allows(n, m);
   }
@@ -131,7 +149,7 @@ class FeatureFinder {
   int meeting(Vertex v, Edge from, Edge& next) const {
     const int count = meeting_[v].features;
     if (count != 1 && count != 2) return count;
-    for (const Edge e : mesh_.row<1>(v))
+    for (const Edge e : marked_->row<1>(v))
       if (is_feature(mark_[e]) && e != from) next = e;
     return count;
   }
@@ -181,7 +199,7 @@ class FeatureFinder {
     const glm::dvec3 p = mesh_.position(at), in = p - mesh_.position(mesh_.other_end(from, at));
     Edge best;
     double most = std::sqrt(0.5);
-    for (const Edge e : mesh_.row<1>(at)) {
+    for (const Edge e : marked_->row<1>(at)) {
       if (mark_[e] != Step) continue;
       const double cosine = cosine_between(in, mesh_.position(mesh_.other_end(e, at)) - p);
       if (cosine > most) most = cosine, best = e;
@@ -200,7 +218,7 @@ class FeatureFinder {
         low = glm::min(low, mesh_.position(v));
         high = glm::max(high, mesh_.position(v));
         if (std::exchange(grown_[v], char{1}) != 0) continue;
-        for (const Edge e : mesh_.row<1>(v))
+        for (const Edge e : marked_->row<1>(v))
           if (in_set(e) && !seen_[e]) seen_[e] = 1, set_.push_back(e);
       }
     }
@@ -214,20 +232,24 @@ class FeatureFinder {
 
   void drop_all_on_scans() {
     std::size_t sharp = 0, hair = 0;
-    for (const Edge e : mesh_.edges()) sharp += mark_[e] == Sharp, hair += mark_[e] == Hair;
+    for (const Edge e : sharp_) sharp += mark_[e] == Sharp, hair += mark_[e] == Hair;
     if (static_cast<double>(hair) <= most_rough * static_cast<double>(sharp + hair)) return;
-    for (const Edge e : mesh_.edges())
+    for (const Edge e : sharp_)
       if (mark_[e] == Sharp) set_mark(e, Hair);
   }
 
   double diagonal() {
     if (diagonal_ < 0) {
+      Column<Vertex, std::uint8_t> used(mesh_.capacity(0));
+      mesh_.faces().each([&](Face f) {
+        for (const Vertex v : mesh_.triangle(f)) used[v] = 1;
+      });
       glm::dvec3 low(1e300), high(-1e300);
-      for (const Face f : mesh_.faces())
-        for (const Vertex v : mesh_.triangle(f)) {
-          low = glm::min(low, mesh_.position(v));
-          high = glm::max(high, mesh_.position(v));
-        }
+      mesh_.vertices().each([&](Vertex v) {
+        if (!used[v]) return;
+        low = glm::min(low, mesh_.position(v));
+        high = glm::max(high, mesh_.position(v));
+      });
       diagonal_ = glm::length(high - low);
     }
     return diagonal_;
@@ -238,11 +260,13 @@ class FeatureFinder {
   };
 
   const Mesh& mesh_;
+  const EdgeFaces& faces_;
   Column<Edge, std::uint8_t>& mark_;
   const TurnLimit corner_{FacetJudge::corner_deg};
   Column<Edge, std::uint8_t> seen_;
   Column<Vertex, Meeting> meeting_;  ///< how many of a kind meet at each vertex
-  Column<Vertex, char> grown_;       ///< set: all of a set around it are in
+  std::optional<SomeEdges> marked_;
+  Column<Vertex, char> grown_;  ///< set: all of a set around it are in
   Column<Face, glm::dvec3> normals_;
   std::vector<Edge> sharp_, chain_, set_;
   double diagonal_ = -1;
@@ -252,8 +276,13 @@ class FeatureFinder {
 
 FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature) {
+  return find_features(mesh, EdgeFaces(mesh), options, feature);
+}
+
+FeatureCount find_features(const Mesh& mesh, const EdgeFaces& faces, const FeatureOptions& options,
+                           Column<Edge, std::uint8_t>& feature) {
   feature.assign(mesh.capacity(1), None);
-  FeatureFinder finder(mesh, feature);
+  FeatureFinder finder(mesh, faces, feature);
   finder.mark_borders(options);
   if (options.angle_deg) {
     finder.mark_sharp(*options.angle_deg);
@@ -261,12 +290,13 @@ FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
     finder.drop_steps();
   }
   FeatureCount count;
-  for (const Edge e : mesh.edges()) {
-    count.borders += feature[e] == Border;
-    count.sharp += feature[e] == Sharp;
-    count.rough += feature[e] == Hair;
-    count.steps += feature[e] == Step;
-    feature[e] = feature[e] == Border || feature[e] == Sharp;
+  for (std::uint32_t id = 0; id < feature.size(); ++id) {
+    std::uint8_t& mark = feature[Edge(id)];
+    count.borders += mark == Border;
+    count.sharp += mark == Sharp;
+    count.rough += mark == Hair;
+    count.steps += mark == Step;
+    mark = mark == Border || mark == Sharp;
   }
   return count;
 }

@@ -13,6 +13,8 @@
 
 namespace aomd {
 
+class EdgeFaces;
+
 /// What find_features() saw.
 struct FeatureCount {
   std::uint32_t borders =
@@ -43,9 +45,12 @@ struct FeatureOptions {
 /// that breaks off at steps in line with it is carried on over at most 8 of them. A fine mesh (less
 /// than a tenth of its edges sharp) that was taken for a scan stays one.
 ///
-/// docs/CLASSIFICATION.md has the measurements behind the numbers. The mesh must store T(0,1),
-/// T(1,2), T(2,0), T(2,1). O(entities).
+/// docs/CLASSIFICATION.md has the measurements behind the numbers. The mesh must store T(2,0) and
+/// T(2,1); with T(0,1) seams are found sooner. O(entities).
 FeatureCount find_features(const Mesh& mesh, const FeatureOptions& options,
+                           Column<Edge, std::uint8_t>& feature);
+/// The same where the faces of each edge are known.
+FeatureCount find_features(const Mesh& mesh, const EdgeFaces& faces, const FeatureOptions& options,
                            Column<Edge, std::uint8_t>& feature);
 
 }  // namespace aomd

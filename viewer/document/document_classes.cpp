@@ -39,8 +39,7 @@ const FeatureTrial& Document::try_feature_angle(double angle_deg) {
   Mesh& mesh = loaded_->mesh;
   if (!trial_) {
     trial_.emplace();
-    trial_->needs = {mesh.request(2, 0), mesh.request(0, 1), mesh.request(2, 1),
-                     mesh.request(1, 2)};
+    trial_->needs = {mesh.request(2, 0), mesh.request(0, 1), mesh.request(2, 1)};
   }
   ClassifyOptions options = options_.classify;
   options.feature_angle_deg = trial_->angle_deg = angle_deg;

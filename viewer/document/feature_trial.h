@@ -12,7 +12,7 @@ namespace aomd::scene {
 struct FeatureTrial {
   double angle_deg = 0;
   FeaturePreview preview;
-  std::array<Request, 4> needs;
+  std::array<Request, 3> needs;
 };
 
 }  // namespace aomd::scene
