@@ -9,8 +9,8 @@ namespace {
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 // Of collapses to go, or of vertices that wait, for each part: fewer are not worth sharing out.
 constexpr std::uint64_t fewest_each = 8;
-// Tetrahedra that go with a collapse, mostly, and never more.
-constexpr std::uint64_t regions_each = 6, most_regions_each = 32;
+// More tetrahedra than go with a collapse.
+constexpr std::uint64_t most_regions_each = 32;
 
 }  // namespace
 
@@ -41,11 +41,15 @@ bool VolumeRounds::ready() {
   return next_left_ == left_.size() && begin_round() && in_part();
 }
 
-// Each vertex that is left to who comes after may take some regions away too.
+// The vertices that are left to who comes after will take away as many regions each as the others
+// have: so both go equally far through the bucket where the target ends it.
 Vertex VolumeRounds::next_of(std::size_t part) {
-  const Part& p = parts_[part];
-  const bool done = p.taken + regions_each * p.left.size() + most_regions_each > p.share;
-  return done ? Vertex() : queue_.pop(part, bucket_);
+  Part& p = parts_[part];
+  const std::uint64_t made = p.seen - std::min<std::uint64_t>(p.seen, p.left.size());
+  const double all = made > 0 ? double(p.taken) * double(p.seen) / double(made) : 0;
+  if (all + most_regions_each > double(p.share)) return {};
+  ++p.seen;
+  return queue_.pop(part, bucket_);
 }
 
 // A vertex may have been left more than once, have gone meanwhile, or be back in the queue.
@@ -77,7 +81,7 @@ bool VolumeRounds::begin_round() {
   std::uint64_t waiting = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     queue_.leave_bucket(i);
-    parts_[i].taken = 0;
+    parts_[i].taken = parts_[i].seen = 0;
     parts_[i].share = queue_.waiting(i, lowest, lowest);
     waiting += parts_[i].share;
   }

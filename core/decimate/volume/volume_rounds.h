@@ -46,6 +46,7 @@ class VolumeRounds {
   struct alignas(64) Part {
     std::uint64_t share = 0;  ///< of the regions that may go
     std::uint64_t taken = 0;  ///< that have gone
+    std::uint64_t seen = 0;   ///< vertices that have had their turn
     std::vector<Vertex> left;
   };
   [[nodiscard]] bool reached() const { return goal_ > 0 && mesh_.count(3) <= goal_; }
