@@ -14,7 +14,6 @@
 #include "core/decimate/loop.h"
 #include "core/decimate/quadric.h"
 #include "core/decimate/quality/cheapest.h"
-#include "core/parts/pass_turns.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"
@@ -24,6 +23,7 @@
 #include "core/mesh/shared_edits.h"
 #include "core/operators/region_collapse.h"
 #include "core/parts/partition.h"
+#include "core/parts/pass_turns.h"
 
 namespace aomd {
 
