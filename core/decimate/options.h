@@ -75,9 +75,9 @@ struct DecimationOptions {
   bool swap = true;
   bool smooth = true;
   int threads = 1;  ///< used wherever there is something to share out; the result is the same
-  /// Of a surface: into how many parts it is cut, which take their turns (docs/PARTS.md); the
-  /// result depends on it, by next to nothing. 0: what suits the number of faces, which is one part
-  /// below 200,000 for Quality, 250,000 for Paper.
+  /// Of a surface, or a volume by Quality: into how many parts it is cut, which take their turns
+  /// (docs/PARTS.md); the result depends on it, by next to nothing. 0: what suits the number of
+  /// faces or regions, which is one part below 200,000 for Quality, 250,000 for Paper.
   int parts = 0;
   /// Vertices (nonzero) that stay where they are, and so do faces between three of them; none: all
   /// may go.
