@@ -1,6 +1,5 @@
-# What `cmake --install` puts where, in six components: programs, viewer, runtime (the shared library),
-# library (what programs are built with), python and documents; and
-# the Debian packages that `cpack -G DEB` makes of them (docs/INSTALL.md).
+# What `cmake --install` puts where, in seven components: programs, viewer, mpi, runtime (the shared
+# library), library (what programs are built with), python and documents; and the Debian packages that `cpack -G DEB` makes of them (docs/INSTALL.md).
 include(CMakePackageConfigHelpers)
 
 install(TARGETS aomd COMPONENT programs)
@@ -67,9 +66,13 @@ if(AOMD_BUILD_VIEWER)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT viewer)
 endif()
 
+if(TARGET aomd-mpi)
+  install(TARGETS aomd-mpi COMPONENT mpi)
+endif()
+
 # All that is installed, and no tests.
 add_custom_target(aomd_installed)
-foreach(target aomd aomd_core aomd_shared aomd_python aomd-view)
+foreach(target aomd aomd_core aomd_shared aomd_python aomd-view aomd-mpi)
   if(TARGET ${target})
     add_dependencies(aomd_installed ${target})
   endif()
@@ -77,16 +80,19 @@ endforeach()
 
 # The manual pages are made on installing, from what the programs say of themselves.
 find_program(HELP2MAN help2man)
-function(aomd_install_manuals component aomd view)
+function(aomd_install_manuals component aomd view mpi)
   install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/tools/package/manuals.sh\"
-    \"${aomd}\" \"${view}\"
+    \"${aomd}\" \"${view}\" \"${mpi}\"
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\"
     COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
 endfunction()
 if(HELP2MAN)
-  aomd_install_manuals(programs $<TARGET_FILE:aomd> "")
+  aomd_install_manuals(programs $<TARGET_FILE:aomd> "" "")
   if(AOMD_BUILD_VIEWER)
-    aomd_install_manuals(viewer "" $<TARGET_FILE:aomd-view>)
+    aomd_install_manuals(viewer "" $<TARGET_FILE:aomd-view> "")
+  endif()
+  if(TARGET aomd-mpi)
+    aomd_install_manuals(mpi "" "" $<TARGET_FILE:aomd-mpi>)
   endif()
 else()
   message(STATUS "Without help2man: no manual pages are installed")
@@ -149,6 +155,13 @@ if(AOMD_BUILD_VIEWER)
     "Each collapse, swap and move can be watched, undone and replayed, and"
     "every refusal is explained. Lessons tell what a mesh database stores."
     "The same program draws without a display.")
+endif()
+if(TARGET aomd-mpi)
+  aomd_package(mpi aomd-mpi science "openmpi-bin"
+    "makes surfaces coarser on several machines"
+    "aomd-mpi is the command decimate of aomd for processes that mpirun"
+    "starts: they share the blocks of a surface, which need not fit into"
+    "the memory of one. The result is that of aomd, byte for byte.")
 endif()
 if(TARGET aomd_shared)
   set(runtime_package libaomd${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

@@ -23,6 +23,8 @@ namespace aomd::io::detail {
 [[nodiscard]] ReadResult read_vtk(const Source& source);
 /// VTK's XML files of unstructured grids: text, base64 and raw, compressed by zlib or not.
 [[nodiscard]] ReadResult read_vtu(const Source& source);
+/// A list of such files, which are read as well.
+[[nodiscard]] ReadResult read_pvtu(const Source& source);
 /// SU2's native format.
 [[nodiscard]] ReadResult read_su2(const Source& source);
 /// Whether the library for glTF was there when this was built; without it both functions fail.
@@ -56,6 +58,9 @@ namespace aomd::io::detail {
 [[nodiscard]] std::string write_vtk(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_vtu(const MeshData& mesh, bool binary);
 [[nodiscard]] std::string write_su2(const MeshData& mesh);
+/// The list of the pieces; they are files beside it.
+void write_pvtu(const std::filesystem::path& path, const MeshData& mesh, bool binary,
+                std::size_t pieces, EncodedMesh& encoded);
 /// A .glb where it is to be `binary`; else numbers and pictures are files beside it, or part of it.
 void write_gltf(const std::filesystem::path& path, const MeshData& mesh, bool binary, bool beside,
                 EncodedMesh& encoded);

@@ -130,7 +130,7 @@ std::vector<const Attribute*> held_arrays(Format format, bool binary, bool besid
       held = {s.solids};
   }
   if (format == Format::Ply || format == Format::Msh || format == Format::Vtk ||
-      format == Format::Vtu)
+      format == Format::Vtu || format == Format::Pvtu)
     all();
   if (format == Format::Ply) held.push_back(ply_texture(mesh));
   if (format == Format::Msh)

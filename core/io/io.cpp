@@ -27,7 +27,7 @@ namespace {
 using detail::Source;
 
 /// First those that name one format each, in its order.
-constexpr std::array<std::pair<std::string_view, Format>, 12> extensions{{{".obj", Format::Obj},
+constexpr std::array<std::pair<std::string_view, Format>, 13> extensions{{{".obj", Format::Obj},
                                                                           {".ply", Format::Ply},
                                                                           {".off", Format::Off},
                                                                           {".stl", Format::Stl},
@@ -37,6 +37,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 12> extensions{{{".obj
                                                                           {".vtk", Format::Vtk},
                                                                           {".vtu", Format::Vtu},
                                                                           {".su2", Format::Su2},
+                                                                          {".pvtu", Format::Pvtu},
                                                                           {".meshb", Format::Medit},
                                                                           {".glb", Format::Gltf}}};
 
@@ -58,6 +59,14 @@ std::string_view first_word(const Source& source) {
   return other.skip_to_content() ? std::string_view() : other.word();
 }
 
+/// Whether the root of a VTK XML file says so.
+bool is_list_of_pieces(const Source& source) {
+  const std::size_t root = source.bytes.find("<VTKFile");
+  const std::size_t end = source.bytes.find('>', root);
+  return end != std::string_view::npos &&
+         source.bytes.substr(root, end - root).find("PUnstructuredGrid") != std::string_view::npos;
+}
+
 /// What the content is beyond doubt, if anything.
 std::optional<Format> format_of_content(const Source& source) {
   if (detail::is_vtk(source.bytes)) return Format::Vtk;
@@ -68,7 +77,8 @@ std::optional<Format> format_of_content(const Source& source) {
   if (word.starts_with("{")) return Format::Gltf;
   if (lower(word.substr(0, 4)) == "ply") return Format::Ply;
   if (word.starts_with("$MeshFormat") || word == "$Comments" || word == "$NOD") return Format::Msh;
-  if (word.starts_with("<VTKFile") || word.starts_with("<?xml")) return Format::Vtu;
+  if (word.starts_with("<VTKFile") || word.starts_with("<?xml"))
+    return is_list_of_pieces(source) ? Format::Pvtu : Format::Vtu;
   if (lower(word.substr(0, 20)) == "meshversionformatted") return Format::Medit;
   if (const std::string key = lower(word.substr(0, 5)); key == "ndime" || key == "nzone")
     return Format::Su2;
@@ -111,6 +121,8 @@ ReadResult read_as(Format format, const Source& source) {
       return detail::read_vtk(source);
     case Format::Vtu:
       return detail::read_vtu(source);
+    case Format::Pvtu:
+      return detail::read_pvtu(source);
     case Format::Su2:
       return detail::read_su2(source);
     case Format::Gltf:
@@ -172,7 +184,7 @@ ReadResult read_source(const Source& source) {
   if (!found && !named)
     source.fail(
         "is in no format that is known here: .obj, .ply, .off, .stl, .gltf, .glb, .msh, .mesh, "
-        ".meshb, .vtk, .vtu or .su2");
+        ".meshb, .vtk, .vtu, .pvtu or .su2");
   ReadResult result = read_as(found ? *found : *named, source);
   detail::rename_repeated(result.mesh.attributes, result.notes);
   if (found && named && *found != *named) {
@@ -199,12 +211,14 @@ bool writes_binary(const std::filesystem::path& path, Format format, const MeshD
     return extension == ".glb";
   if (format == Format::Gltf) return options.binary.value_or(true);
   // Binary STL has no solids, and few programs read binary OFF.
-  return options.binary.value_or(format == Format::Ply ||
+  return options.binary.value_or(format == Format::Ply || format == Format::Pvtu ||
                                  (format == Format::Stl && mesh.faces.classes.empty()));
 }
 
 /// Why the format cannot hold what the mesh is made of, or an empty string.
-std::string_view misfit(Format format, const MeshData& mesh) {
+std::string_view misfit(Format format, const MeshData& mesh, const WriteOptions& options) {
+  if (format == Format::Pvtu && !options.beside)
+    return "a .pvtu has its pieces in files beside it: it needs a place in a folder";
   constexpr std::size_t most_vtk_vertices = std::numeric_limits<std::int32_t>::max();
   for (int d = 1; d <= 3; ++d) {
     const std::vector<Shape>& shapes = mesh.list(d).shapes;
@@ -226,8 +240,8 @@ std::string_view misfit(Format format, const MeshData& mesh) {
 }
 
 void check_writable(const std::filesystem::path& path, Format format, const MeshData& mesh,
-                    bool single_precision) {
-  const std::string_view why = misfit(format, mesh);
+                    const WriteOptions& options, bool single_precision) {
+  const std::string_view why = misfit(format, mesh, options);
   if (!why.empty()) throw WriteError(path.string(), {}, std::string(why));
   const double limit =
       single_precision ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
@@ -264,6 +278,7 @@ std::string bytes_of(Format format, bool binary, const MeshData& mesh,
     case Format::Gltf:
     case Format::Obj:
     case Format::Ply:
+    case Format::Pvtu:
       break;
   }
   return detail::write_stl(mesh, binary);
@@ -284,6 +299,8 @@ void encode(const std::filesystem::path& path, Format format, bool binary, const
             const WriteOptions& options, EncodedMesh& encoded) {
   if (format == Format::Gltf)
     return detail::write_gltf(path, mesh, binary, options.beside, encoded);
+  if (format == Format::Pvtu)
+    return detail::write_pvtu(path, mesh, binary, options.pieces, encoded);
   if (format == Format::Obj)
     encoded.bytes =
         detail::write_obj(mesh, options.beside ? detail::libraries_for(path, mesh, encoded)
@@ -297,6 +314,11 @@ void encode(const std::filesystem::path& path, Format format, bool binary, const
   if (format != Format::Medit || !options.beside || solution.empty()) return;
   if (std::string arrays = detail::write_solution(mesh, binary); !arrays.empty())
     encoded.beside.push_back({solution.filename().string(), std::move(arrays)});
+}
+
+void note_what_is_left(const std::filesystem::path& file, EncodedMesh& encoded) {
+  encoded.notes.push_back(printable(file.filename().string()) +
+                          " is there from before, and does not belong to the mesh");
 }
 
 /// The arrays that stand beside a Medit mesh.
@@ -330,6 +352,10 @@ std::filesystem::path solution_beside(const std::filesystem::path& mesh) {
   return std::filesystem::path(mesh).replace_extension(extension == ".mesh" ? ".sol" : ".solb");
 }
 
+std::filesystem::path piece_beside(const std::filesystem::path& list, std::size_t piece) {
+  return list.parent_path() / (list.stem().string() + '_' + std::to_string(piece) + ".vtu");
+}
+
 void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh& encoded) {
   files.add(path, encoded.bytes);
   for (const EncodedMesh::Beside& file : encoded.beside)
@@ -337,8 +363,11 @@ void add_mesh(OutputFiles& files, const std::filesystem::path& path, EncodedMesh
   const std::filesystem::path arrays = solution_beside(path);
   std::error_code ignored;
   if (encoded.beside.empty() && !arrays.empty() && std::filesystem::exists(arrays, ignored))
-    encoded.notes.push_back(printable(arrays.filename().string()) +
-                            " is there from before, and does not belong to the mesh");
+    note_what_is_left(arrays, encoded);
+  if (lower(path.extension().string()) != ".pvtu") return;
+  if (const auto next = piece_beside(path, encoded.beside.size());
+      std::filesystem::exists(next, ignored))
+    note_what_is_left(next, encoded);
 }
 
 ReadResult read_bytes(const std::string& name, std::string_view bytes) {
@@ -358,7 +387,7 @@ Format format_for_writing(const std::filesystem::path& path) {
   throw WriteError(
       path.string(), {},
       "the extension names no format: .obj, .ply, .off, .stl, .gltf, .glb, .msh, .mesh, .meshb, "
-      ".vtk, .vtu or .su2");
+      ".vtk, .vtu, .pvtu or .su2");
 }
 
 std::optional<Format> format_named(std::string_view extension) {
@@ -375,7 +404,7 @@ EncodedMesh to_bytes(const std::filesystem::path& name, Format format, const Mes
   const bool binary = writes_binary(name, format, mesh, how);
   const bool rounds =
       format == Format::Gltf || (binary && (format == Format::Stl || format == Format::Off));
-  check_writable(name, format, mesh, rounds);
+  check_writable(name, format, mesh, how, rounds);
   EncodedMesh result;
   const bool beside = format == Format::Medit && how.beside && !solution_beside(name).empty();
   detail::note_losses(format, binary, beside, mesh, result.notes);

@@ -1,6 +1,7 @@
 #pragma once
 // Reading and writing meshes: the format is chosen by content, then by extension.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -15,7 +16,7 @@
 
 namespace aomd::io {
 
-enum class Format { Obj, Ply, Off, Stl, Gltf, Msh, Medit, Vtk, Vtu, Su2 };
+enum class Format { Obj, Ply, Off, Stl, Gltf, Msh, Medit, Vtk, Vtu, Su2, Pvtu };
 
 /// What a reader returns: the mesh and what it had to do to get it.
 struct ReadResult {
@@ -29,22 +30,25 @@ struct ReadResult {
 };
 
 struct WriteOptions {
-  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU; Medit is binary in .meshb, text in
-  /// .mesh, and glTF in .glb and .gltf, whatever is said here). Not given: PLY is binary; STL is
-  /// binary unless faces are classified, since only text holds solids; the others are text. Binary
-  /// VTU is appended raw bytes. Binary STL and OFF, and glTF, hold 32-bit floats, so that
-  /// coordinates are rounded; everything else reads back as the same doubles.
+  /// Where the format has both (PLY, STL, OFF, MSH, VTK, VTU, PVTU; Medit is binary in .meshb, text
+  /// in .mesh, and glTF in .glb and .gltf, whatever is said here). Not given: PLY is binary; STL is
+  /// binary unless faces are classified, since only text holds solids; PVTU is binary; the others
+  /// are text. Binary VTU is appended raw bytes. Binary STL and OFF, and glTF, hold 32-bit floats,
+  /// so that coordinates are rounded; everything else reads back as the same doubles.
   std::optional<bool> binary{};
   /// MSH only: 2.2 instead of 4.1.
   bool msh2 = false;
   /// Medit, glTF and OBJ: what the format has in files of their own goes beside the mesh. Else a
   /// glTF file holds its numbers itself, and the others leave such things out.
   bool beside = true;
+  /// PVTU only: how many .vtu files the mesh is cut into, beside the one that names them.
+  std::size_t pieces = 1;
 };
 
 /// A mesh as a file holds it, and what the format could not hold, as notes like those of a reader.
 struct EncodedMesh {
-  /// A file that belongs to it: arrays of Medit, numbers of glTF, materials and pictures.
+  /// A file that belongs to it: arrays of Medit, numbers of glTF, pieces of PVTU, materials and
+  /// pictures.
   struct Beside {
     std::string name;  ///< in the folder of the mesh
     std::string bytes;
@@ -87,7 +91,8 @@ struct EncodedMesh {
 ///   MSH    all              all                              all                  all, links (6)
 ///   Medit  all (1)          of the own dimension (2)         "medit:" ones (3)    -
 ///   VTK    all              all                              all (4)              -
-///   VTU    all              all                              all (4)              -
+///   VTU,   all              all                              all (4)              -
+///   PVTU
 ///   SU2    regions, faces;  of faces on model faces (5)      -                    groups of
 ///          in the plane faces, edges on model edges                              markers
 ///
@@ -122,6 +127,10 @@ std::vector<std::string> write(const std::filesystem::path& path, const MeshData
 /// The file of arrays that stands beside a Medit mesh: a.sol beside a.mesh, a.solb beside a.meshb;
 /// empty for other names.
 [[nodiscard]] std::filesystem::path solution_beside(const std::filesystem::path& mesh);
+
+/// The file of one piece, counted from 0, of a .pvtu: a_0.vtu, a_1.vtu beside a.pvtu.
+[[nodiscard]] std::filesystem::path piece_beside(const std::filesystem::path& list,
+                                                 std::size_t piece);
 
 /// The format that an extension names. Throws WriteError for an extension that no format has.
 [[nodiscard]] Format format_for_writing(const std::filesystem::path& path);

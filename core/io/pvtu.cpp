@@ -4,10 +4,14 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <pugixml.hpp>
 
 #include "core/base/text.h"
+#include "core/io/formats.h"
+#include "core/io/vtk_pieces.h"
+#include "core/io/vtu_grid.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -47,6 +51,25 @@ std::vector<std::filesystem::path> pvtu_pieces(const Source& source) {
     pieces.push_back(piece_of(source, piece));
   if (pieces.empty()) fail_at(source, grid, "names no pieces");
   return pieces;
+}
+
+ReadResult read_pvtu(const Source& source) {
+  JoinedGrid joined;
+  std::vector<std::string> notes;
+  for (const std::filesystem::path& path : pvtu_pieces(source)) {
+    const FileBytes bytes(path);
+    VtuGrid piece = read_vtu_grid({path.string(), bytes.view()});
+    if (piece.passed_over)
+      notes.push_back(printable(path.filename().string()) + ": " + *piece.passed_over);
+    joined.add(std::move(piece.grid), path);
+  }
+  const auto fail = [&](std::size_t cell, const std::string& what) {
+    throw ReadError(joined.place_of(cell), {}, what);
+  };
+  ReadResult result = mesh_of(joined.finish(), source, fail);
+  result.format = Format::Pvtu;
+  result.notes.insert(result.notes.end(), notes.begin(), notes.end());
+  return result;
 }
 
 }  // namespace aomd::io::detail

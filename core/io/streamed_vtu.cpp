@@ -9,6 +9,7 @@
 #include "core/io/vtk_cells.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
+#include "core/io/vtk_pieces.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
@@ -96,6 +97,7 @@ void StreamedVtu::take_data(const VtuSkeleton& skeleton, const pugi::xml_node& d
                             std::vector<RecordArray>& arrays) {
   for (const pugi::xml_node node : data.children("DataArray")) {
     const std::string named = node.attribute("Name").value();
+    if (named == point_ids_name || named == cell_ids_name) continue;  // of the whole
     const bool text = std::string_view(node.attribute("type").value()) == "String";
     if (text || named == dimension_name || named == tag_name) {
       leave_out(of + shown(named));

@@ -8,13 +8,19 @@
 namespace aomd::io::detail {
 namespace {
 
+/// Others are no faces.
+bool has_three_corners(const StreamedFile::Triangle& t) {
+  return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
 /// The vertices of edges that have one face.
 VertexRanks border_vertices(const StreamedFile& tile) {
   std::vector<std::uint64_t> edges;
   edges.reserve(3 * std::size_t{tile.faces()});
   tile.each_faces([&](std::span<const StreamedFile::Triangle> triangles, std::string_view) {
     for (const auto& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge_key(t[k], t[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3 && has_three_corners(t); ++k)
+        edges.push_back(edge_key(t[k], t[(k + 1) % 3]));
   });
   std::sort(edges.begin(), edges.end());
   VertexRanks border(tile.vertices());

@@ -15,6 +15,7 @@
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
 #include "core/io/vtu_data.h"
+#include "core/io/vtu_grid.h"
 
 namespace aomd::io::detail {
 namespace {
@@ -30,19 +31,18 @@ class VtuReader {
   explicit VtuReader(const Source& source)
       : source_(source), xml_end_(source.bytes.size()), room_(room_of(source.bytes.size())) {}
 
+  VtuGrid grid() {
+    read_grid();
+    return {std::move(grid_), passed_over()};
+  }
+
   ReadResult read() {
-    parse();
-    const pugi::xml_node root = document_.document_element();
-    read_root(root);
-    const pugi::xml_node grid = root.child("UnstructuredGrid");
-    if (!grid) fail(root, "has no element UnstructuredGrid");
-    read_coverage(grid.child("FieldData"));
-    for (const pugi::xml_node piece : grid.children("Piece")) read_piece(piece);
+    read_grid();
     ReadResult result =
         mesh_of(std::move(grid_), source_,
                 [this](std::size_t cell, const std::string& what) { fail_at_cell(cell, what); });
     result.format = Format::Vtu;
-    if (!passed_over_.empty()) result.notes.push_back("passed over: " + passed_over_.text());
+    if (const auto note = passed_over()) result.notes.push_back(*note);
     return result;
   }
 
@@ -50,6 +50,21 @@ class VtuReader {
   /// The most numbers that compressed arrays may unpack to: 128 bytes for each byte of the file,
   /// and small files may be packed tighter.
   static std::uint64_t room_of(std::size_t bytes) { return (1u << 18) + 16 * std::uint64_t{bytes}; }
+
+  void read_grid() {
+    parse();
+    const pugi::xml_node root = document_.document_element();
+    read_root(root);
+    const pugi::xml_node grid = root.child("UnstructuredGrid");
+    if (!grid) fail(root, "has no element UnstructuredGrid");
+    read_coverage(grid.child("FieldData"));
+    for (const pugi::xml_node piece : grid.children("Piece")) read_piece(piece);
+  }
+
+  [[nodiscard]] std::optional<std::string> passed_over() const {
+    if (passed_over_.empty()) return {};
+    return "passed over: " + passed_over_.text();
+  }
 
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const {
     source_.fail_at_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)),
@@ -333,5 +348,7 @@ class VtuReader {
 }  // namespace
 
 ReadResult read_vtu(const Source& source) { return VtuReader(source).read(); }
+
+VtuGrid read_vtu_grid(const Source& source) { return VtuReader(source).grid(); }
 
 }  // namespace aomd::io::detail

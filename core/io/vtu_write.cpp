@@ -7,9 +7,37 @@
 #include "core/io/stored_numbers.h"
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
+#include "core/io/vtk_pieces.h"
 
 namespace aomd::io::detail {
 namespace {
+
+void put_escaped(ByteWriter& out, std::string_view text) {
+  for (const char c : text) {
+    if (c == '&' || c == '<' || c == '>' || c == '"' || static_cast<unsigned char>(c) < 0x20) {
+      out << "&#" << static_cast<int>(static_cast<unsigned char>(c)) << ';';
+    } else {
+      out << c;
+    }
+  }
+}
+
+/// The first array of each meaning that VTK knows is the active one, and so is the one that says
+/// which elements of the whole a piece has.
+void put_actives(ByteWriter& out, const std::vector<VtkArray>& list) {
+  const auto put = [&](std::string_view word, std::string_view name) {
+    out << ' ' << word << "=\"";
+    put_escaped(out, name);
+    out << '"';
+  };
+  for (const auto& [word, meaning] : vtu_actives) {
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [m = meaning](const VtkArray& a) { return a.meaning == m; });
+    if (found != list.end()) put(word, found->name);
+  }
+  for (const std::string_view name : {point_ids_name, cell_ids_name})
+    if (find_array(list, name)) put("GlobalIds", name);
+}
 
 class VtuWriter {
  public:
@@ -65,7 +93,7 @@ class VtuWriter {
 
   void arrays(std::string_view element, const std::vector<VtkArray>& list, bool of_field) {
     out_ << '<' << element;
-    if (!of_field) actives(list);
+    if (!of_field) put_actives(out_, list);
     out_ << ">\n";
     for (const VtkArray& array : list) {
       const NumberType type = stored_type(array);
@@ -76,18 +104,6 @@ class VtuWriter {
       end();
     }
     out_ << "</" << element << ">\n";
-  }
-
-  /// The first array of each meaning that VTK knows is the active one.
-  void actives(const std::vector<VtkArray>& list) {
-    for (const auto& [word, meaning] : vtu_actives) {
-      const auto found = std::find_if(list.begin(), list.end(),
-                                      [m = meaning](const VtkArray& a) { return a.meaning == m; });
-      if (found == list.end()) continue;
-      out_ << ' ' << word << "=\"";
-      escaped(found->name);
-      out_ << '"';
-    }
   }
 
   /// `components` and `tuples` are left out where they are 0.
@@ -120,21 +136,55 @@ class VtuWriter {
     if (!binary_) out_ << "</DataArray>\n";
   }
 
-  void escaped(std::string_view text) {
-    for (const char c : text) {
-      if (c == '&' || c == '<' || c == '>' || c == '"' || static_cast<unsigned char>(c) < 0x20) {
-        out_ << "&#" << static_cast<int>(static_cast<unsigned char>(c)) << ';';
-      } else {
-        out_ << c;
-      }
-    }
-  }
+  void escaped(std::string_view text) { put_escaped(out_, text); }
 
   bool binary_;
   ByteWriter out_, appended_;
 };
 
+/// What a list of pieces says of their arrays.
+void put_parallel(ByteWriter& out, std::string_view element, const std::vector<VtkArray>& list) {
+  out << '<' << element;
+  put_actives(out, list);
+  out << ">\n";
+  for (const VtkArray& array : list) {
+    out << "<PDataArray type=\"" << xml_name(stored_type(array)) << "\" Name=\"";
+    put_escaped(out, array.name);
+    out << "\" NumberOfComponents=\"" << array.components << "\"/>\n";
+  }
+  out << "</" << element << ">\n";
+}
+
+std::string pvtu_of(const VtkDataset& piece, const std::vector<EncodedMesh::Beside>& files) {
+  ByteWriter out;
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+         "<PUnstructuredGrid GhostLevel=\"0\">\n";
+  put_parallel(out, "PPointData", piece.point_data);
+  put_parallel(out, "PCellData", piece.cell_data);
+  out << "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
+         "</PPoints>\n";
+  for (const EncodedMesh::Beside& file : files) {
+    out << "<Piece Source=\"";
+    put_escaped(out, file.name);
+    out << "\"/>\n";
+  }
+  out << "</PUnstructuredGrid>\n</VTKFile>\n";
+  return out.take();
+}
+
 }  // namespace
+
+void write_pvtu(const std::filesystem::path& path, const MeshData& mesh, bool binary,
+                std::size_t pieces, EncodedMesh& encoded) {
+  std::vector<VtkDataset> grids = cut_grid(grid_of(mesh), pieces);
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    encoded.beside.push_back(
+        {piece_beside(path, i).filename().string(), VtuWriter(binary).write(grids[i])});
+    if (i > 0) grids[i] = {};
+  }
+  encoded.bytes = pvtu_of(grids[0], encoded.beside);
+}
 
 std::string write_vtu(const MeshData& mesh, bool binary) {
   return VtuWriter(binary).write(grid_of(mesh));

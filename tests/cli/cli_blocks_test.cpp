@@ -99,6 +99,42 @@ TEST_F(BlocksCommand, ReadsStl) {
                  "s.stl: byte 1000: the file ends early");
 }
 
+TEST_F(BlocksCommand, WritesAndReadsPieces) {
+  ASSERT_EQ(aomd("decimate s.ply o.ply --target-faces 900 --quiet").code, 0);
+  const Outcome run = aomd("decimate s.ply o.pvtu --target-faces 900 --pieces 3 --report r.json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(json("r.json")["options"]["pieces"], 3);
+  EXPECT_TRUE(exists("o_2.vtu"));
+  EXPECT_FALSE(exists("o_3.vtu"));
+  ASSERT_EQ(aomd("convert o.pvtu back.ply").code, 0);
+  EXPECT_EQ(text("back.ply"), text("o.ply"));
+  ASSERT_EQ(aomd("convert o.pvtu again.pvtu --pieces 2").code, 0);
+  ASSERT_EQ(aomd("convert again.pvtu back.ply").code, 0);
+  EXPECT_EQ(text("back.ply"), text("o.ply"));
+  ASSERT_EQ(aomd("decimate o.pvtu coarse.ply --blocks 2 --target-faces 300").code, 0);
+  EXPECT_EQ(aomd("check coarse.ply --require closed,manifold").code, 0);
+}
+
+TEST_F(BlocksCommand, PiecesAreNoInputsAndNeedAPvtu) {
+  ASSERT_EQ(aomd("convert s.ply o.pvtu --pieces 2").code, 0);
+  const std::string before = text("o_1.vtu");
+  expect_failure("convert o_1.vtu o.pvtu --pieces 2", 2, "are one file: o_1.vtu");
+  expect_failure("convert o.pvtu o_1.vtu", 2, "are one file: o_1.vtu");
+  expect_failure("decimate o_0.vtu o.pvtu --target-faces 300", 2, "are one file");
+  expect_failure("convert s.ply o.ply --pieces 2", 2, "--pieces is for .pvtu, and o.ply is none");
+  expect_failure("convert s.ply o.pvtu --pieces 0", 2, "--pieces");
+  expect_failure("convert s.ply - --format pvtu", 4, "it needs a place in a folder");
+  EXPECT_EQ(text("o_1.vtu"), before);
+  std::filesystem::remove(at("o_1.vtu"));
+  expect_failure("convert o.pvtu o.ply", 3, "o_1.vtu");
+  std::filesystem::create_directory(at("o_1.vtu"));  // a target that is none: nothing appears
+  const std::string list = text("o.pvtu");
+  expect_failure("convert s.ply o.pvtu --pieces 3", 4, "o_1.vtu");
+  EXPECT_EQ(text("o.pvtu"), list);
+  EXPECT_FALSE(exists("o_2.vtu"));
+}
+
 TEST_F(BlocksCommand, OneBlockIsNone) {
   ASSERT_EQ(aomd("decimate s.ply a.ply --target-faces 900 --blocks 1").code, 0);
   ASSERT_EQ(aomd("decimate s.ply b.ply --target-faces 900").code, 0);

@@ -33,6 +33,15 @@ for target in 300 2000; do
   done
 done
 
+# STL, whose facets each process welds by itself, and pieces of VTU, as input and as output.
+"$aomd" convert s.ply s.stl
+"$aomd" convert s.ply s.pvtu --pieces 3
+for input in s.stl s.pvtu; do
+  "$aomd" decimate $input one.pvtu --blocks 5 --target-faces 300 --pieces 2 --quiet
+  run 3 decimate $input o.pvtu --blocks 5 --target-faces 300 --pieces 2 || fail "$input"
+  for piece in 0 1; do cmp one_$piece.vtu o_$piece.vtu || fail "$input comes to something else"; done
+done
+
 code=0
 run 3 decimate missing.ply o.ply --blocks 5 --target-faces 300 || code=$?
 [ $code -eq 3 ] || fail "a missing input ends with $code"

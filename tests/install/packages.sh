@@ -18,6 +18,9 @@ inside 'apt-get update -q && apt-get install -qy -o Dpkg::Use-Pty=0 --no-install
 inside 'cd /try && aomd --version && aomd sample bracket b.stl && mkdir o &&
   aomd decimate --to o --target-faces 20% --format ply --quiet b.stl && aomd info o/b.ply | head -1'
 inside 'cd /try && aomd-view o/b.ply --headless --screenshot b.png --size 320x240 && [ -s b.png ]'
+inside 'cd /try && [ ! -e /usr/bin/aomd-mpi ] || { aomd convert b.stl b.ply &&
+  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 \
+    aomd-mpi decimate b.ply c.ply --blocks 2 --target-faces 20% && echo "MPI: done"; }'
 inside 'cd /try && mkdir files && python3 consumer/consumer.py files && echo "python: done"'
 
 inside 'apt-get install -qy -o Dpkg::Use-Pty=0 --no-install-recommends g++ make cmake pkg-config nlohmann-json3-dev' >/dev/null

@@ -8,7 +8,9 @@ fail() {
   exit 1
 }
 rm -rf "$work"
-for component in programs viewer; do
+components="programs viewer"
+[ ! -e "$build/bin/aomd-mpi" ] || components+=" mpi"
+for component in $components; do
   DESTDIR=$work "$cmake" --install "$build" --prefix /usr --component $component >/dev/null
 done
 [ -z "$(find "$work" -type f -not -path "$work/usr/*")" ] || fail "something lies outside of /usr"
@@ -20,6 +22,12 @@ for file in bin/aomd bin/aomd-view share/applications/aomd-view.desktop \
   [ -s "$work/usr/$file" ] || fail "usr/$file is missing"
 done
 "$work/usr/bin/aomd" --version >/dev/null
+mpi=0
+if [ "${components##* }" = mpi ]; then
+  mpi=1
+  [ -s "$work/usr/share/doc/aomd-mpi/copyright" ] || fail "aomd-mpi has no copyright"
+  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$work/usr/bin/aomd-mpi" --version >/dev/null
+fi
 
 # The words that bash offers for the last one, sorted.
 offered() {
@@ -49,7 +57,9 @@ expect "sphere" aomd sample sph
 
 command -v help2man >/dev/null || exit 77
 [ "$(find "$work/usr/share/man/man1" -name 'aomd*.1.gz' | wc -l)" -eq \
-  $(("$("$work/usr/bin/aomd" --help | sed -n '/^Subcommands:/,/^$/p' | grep -c '^  ')" + 3)) ] ||
+  $(("$("$work/usr/bin/aomd" --help | sed -n '/^Subcommands:/,/^$/p' | grep -c '^  ')" + 3 + mpi)) ] ||
   fail "not one manual page for each program and command"
 zcat "$work/usr/share/man/man1/aomd-decimate.1.gz" | grep -q '^aomd-decimate \\- Makes a mesh coarser' ||
   fail "aomd-decimate.1 has no name"
+[ "$mpi" -eq 0 ] || zcat "$work/usr/share/man/man1/aomd-mpi.1.gz" | grep -q blocks ||
+  fail "aomd-mpi.1 says nothing of blocks"

@@ -120,6 +120,8 @@ TEST_F(StreamedStlTest, TilesAreOneAtTheirBorders) {
   std::filesystem::create_directory(folder_ / "tiles");
   for (const int tile : {0, 1}) {
     std::vector<Facet> facets = square();
+    facets.push_back({{1, 0, 0, 1, 0, 0, 1, 1, 0}});  // without area, at both borders
+    facets.push_back({{0, 0, 0, 0, 0, 0, 0, 1, 0}});
     for (Facet& f : facets)
       for (std::size_t k = 0; k < 9; k += 3) f.corners[k] += float(tile);
     std::ofstream(folder_ / "tiles" / (std::to_string(tile) + ".stl"), std::ios::binary)

@@ -16,7 +16,7 @@ PYTHON = pathlib.Path(__file__).parents[2] / "tools" / "python"
 
 
 #: What says where words and files of the program go: here a mesh comes back, and its report.
-WITHOUT_USE = {"format", "quiet", "blocks", "json", "to", "jobs"}
+WITHOUT_USE = {"format", "quiet", "blocks", "pieces", "json", "to", "jobs"}
 
 
 def options_of_program():

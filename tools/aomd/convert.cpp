@@ -16,6 +16,7 @@ namespace {
 
 struct ConvertArguments {
   std::string input, output, format;
+  std::size_t pieces = 1;
   bool ascii = false, binary = false, msh2 = false, split_to_tets = false, json = false,
        in_one_line = false;
 };
@@ -26,14 +27,18 @@ Json counted_json(const std::string& file, const MeshData& mesh) {
 
 int run(const ConvertArguments& options) {
   const io::Format format = format_of_output(options.output, options.format);
-  const std::vector<NamedFile> outputs = {{"OUT", options.output}};
-  check_files({{"IN", options.input}}, outputs);
+  std::vector<NamedFile> inputs = named_pieces(options.input),
+                         outputs = piece_files(options.output, format, options.pieces);
+  inputs.push_back({"IN", options.input});
+  outputs.push_back({"OUT", options.output});
+  check_files(inputs, outputs);
   io::ReadResult read = read_mesh(options.input);
   const Json before = options.json ? counted_json(options.input, read.mesh) : Json();
   if (options.split_to_tets) print_notes(options.input, cut_regions(read.mesh));
   io::WriteOptions how;
   if (options.ascii || options.binary) how.binary = options.binary;
   how.msh2 = options.msh2;
+  how.pieces = options.pieces;
   write_mesh(options.output, format, read.mesh, false, how);
   if (options.json)
     stream_beside(outputs) << text_of(
@@ -56,12 +61,13 @@ void add_convert(CLI::App& app, Action& action) {
       ->add_option(
           "OUT", batch->output,
           "Where to write it: .obj, .ply, .off, .stl, .gltf, .glb; with regions .msh, .mesh, .vtk, "
-          ".vtu or .su2; - is "
+          ".vtu, .pvtu or .su2; - is "
           "standard output")
       ->required()
       ->check(not_empty());
   add_folder(*command, *batch);
   add_format(*command, batch->format);
+  add_pieces(*command, options->pieces);
   CLI::Option* ascii =
       command->add_flag("--ascii", options->ascii, "As text, where the format has both");
   command->add_flag("--binary", options->binary, "As binary, where the format has both")

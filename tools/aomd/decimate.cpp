@@ -76,7 +76,11 @@ class Run {
   int run() {
     format_ = format_of_output(options_.output, options_.format);
     options_.check_spacing();
-    check_files(options_.inputs(), options_.outputs());
+    std::vector<NamedFile> inputs = options_.inputs(),
+                           outputs = piece_files(options_.output, format_, options_.pieces);
+    for (NamedFile& piece : named_pieces(options_.input)) inputs.push_back(std::move(piece));
+    for (NamedFile& file : options_.outputs()) outputs.push_back(std::move(file));
+    check_files(inputs, outputs);
     if (exchange_.rank() > 0) return help();
     read();
     meet_target();
@@ -373,7 +377,9 @@ class Run {
     io::EncodedMesh encoded;
     if (listener_ == nullptr) {
       const auto path = output_path(options_.output);
-      encoded = io::to_bytes(path, format_, result_);
+      io::WriteOptions how;
+      how.pieces = options_.pieces;
+      encoded = io::to_bytes(path, format_, result_, how);
       io::add_mesh(files, path, encoded);
       encoded.bytes = {}, encoded.beside = {};
     }

@@ -260,7 +260,8 @@ void add_outputs(CLI::App& command, DecimateOptions& o) {
   CLI::Option* strict = command.add_flag(
       "--strict", o.strict, "Exit code 1 where the target is missed by more than 1 percent");
   CLI::Option* quiet = command.add_flag("--quiet", o.quiet, "Prints nothing but errors");
-  put_into("Output", {report, journal, add_format(command, o.format), strict, quiet});
+  put_into("Output", {report, journal, add_format(command, o.format), add_pieces(command, o.pieces),
+                      strict, quiet});
 }
 
 bool by_surface(const std::optional<SpacingSource>& source) {
@@ -395,6 +396,7 @@ Json DecimateOptions::json(const DecimationOptions& steps, bool volume) const {
       {"smooth", steps.smooth},
       {"threads", steps.threads},
       {"blocks", blocks},
+      {"pieces", pieces},
       {"topology", topology},
       {"volume", volume && !paper() ? Json(steps.keep_volumes ? "keep" : "free") : Json(nullptr)},
       {"keep", or_null(keep)},

@@ -43,6 +43,7 @@ struct DecimateOptions {
   std::size_t blocks = 1;       ///< that the input is cut into
   // What is written
   std::string report, journal;
+  std::size_t pieces = 1;  ///< of a .pvtu
   bool quiet = false, strict = false, prints_json = false;
   bool one_of_several = false;   ///< other processes write to the same terminal
   DecimationOptions decimation;  ///< takes the numbers that need nothing else

@@ -10,7 +10,9 @@
 #include "core/base/text.h"
 #include "core/io/output_files.h"
 #include "core/io/output_target.h"
+#include "core/io/pvtu.h"
 #include "tools/aomd/command.h"
+#include "tools/aomd/values.h"
 
 namespace aomd::cli {
 namespace {
@@ -19,6 +21,8 @@ namespace fs = std::filesystem;
 
 using io::detail::input_identity;
 using io::detail::output_identity;
+
+constexpr int most_pieces = 500;  // each is an open file until all are there
 
 bool is_standard_output(const NamedFile& file) {
   return !file.path.empty() && output_path(file.path) == "/dev/stdout";
@@ -61,13 +65,42 @@ CLI::Option* add_format(CLI::App& command, std::string& format) {
   const auto check = [](const std::string& text) {
     return io::format_named(text)
                ? std::string()
-               : "must be obj, ply, off, stl, gltf, glb, msh, mesh, vtk, vtu or su2, not " +
+               : "must be obj, ply, off, stl, gltf, glb, msh, mesh, vtk, vtu, pvtu or su2, not " +
                      shown(text);
   };
   CLI::Option* option = command.add_option(
       "--format", format, "The format of OUT, whatever its name; needed where OUT is -");
   option->type_name("FMT")->check(CLI::Validator(check, ""));
   return option;
+}
+
+CLI::Option* add_pieces(CLI::App& command, std::size_t& pieces) {
+  CLI::Option* option = command.add_option(
+      "--pieces", pieces, "Of a .pvtu: cuts the result into so many .vtu files beside it");
+  return option->type_name("N")->transform(whole_number(1, most_pieces))->capture_default_str();
+}
+
+std::vector<NamedFile> piece_files(const std::string& given, io::Format format,
+                                   std::size_t pieces) {
+  if (format != io::Format::Pvtu && pieces > 1)
+    throw UsageError("--pieces is for .pvtu, and " + given + " is none");
+  std::vector<NamedFile> files;
+  for (std::size_t i = 0; format == io::Format::Pvtu && i < pieces; ++i)
+    files.push_back({"OUT", io::piece_beside(output_path(given), i).string()});
+  return files;
+}
+
+std::vector<NamedFile> named_pieces(const std::string& input) {
+  std::vector<NamedFile> files;
+  if (lower(fs::path(input).extension().string()) != ".pvtu") return files;
+  try {
+    const io::detail::FileBytes list(input);
+    for (const fs::path& piece : io::detail::pvtu_pieces({input, list.view()}))
+      files.push_back({"IN", piece.string()});
+  } catch (const io::FileError&) {
+    files.clear();  // who reads it says what is wrong
+  }
+  return files;
 }
 
 io::Format format_of_output(const std::string& given, const std::string& format) {

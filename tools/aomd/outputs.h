@@ -31,6 +31,16 @@ void check_files(const std::vector<NamedFile>& inputs, const std::vector<NamedFi
 /// Adds --format FMT.
 CLI::Option* add_format(CLI::App& command, std::string& format);
 
+/// Adds --pieces N, of a .pvtu.
+CLI::Option* add_pieces(CLI::App& command, std::size_t& pieces);
+
+/// The files of the pieces of an output, each by the name OUT; none but of a .pvtu. Throws
+/// UsageError for several pieces in another format.
+[[nodiscard]] std::vector<NamedFile> piece_files(const std::string& given, io::Format format,
+                                                 std::size_t pieces);
+/// The files that an input names as its pieces, each by the name IN; none where it cannot be read.
+[[nodiscard]] std::vector<NamedFile> named_pieces(const std::string& input);
+
 /// The format of an output: the one that --format names, else that of its extension. Throws
 /// UsageError for standard output without --format, io::WriteError for an unknown extension.
 [[nodiscard]] io::Format format_of_output(const std::string& given, const std::string& format);

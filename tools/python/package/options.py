@@ -9,7 +9,7 @@ from . import _aomd
 _TABLE = {entry["name"].replace("-", "_"): entry for entry in _aomd.decimate_options()}
 
 #: Options of `aomd decimate` that say where its words go. A program gets a mesh and notes instead.
-_WITHOUT_USE = ("format", "quiet", "blocks")
+_WITHOUT_USE = ("format", "quiet", "blocks", "pieces")
 
 
 def decimate_options() -> list[dict]:
