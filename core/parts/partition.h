@@ -40,6 +40,10 @@ class Partition {
  private:
   void share_out(const Mesh& mesh, int cut, int threads);
   template <typename Corners>
+  [[nodiscard]] bool is_across(const Corners& corners) const;
+  template <typename H, typename CornersOf>
+  void mark_seams(const Mesh& mesh, const CornersOf& corners_of, int threads);
+  template <typename Corners>
   void mark_seam(const Corners& corners);
 
   std::size_t count_ = 1;

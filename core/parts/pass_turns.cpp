@@ -10,24 +10,23 @@
 namespace aomd {
 namespace {
 
-constexpr std::uint16_t nowhere = 0xFFFF;        // on a seam, or of several parts
 constexpr std::size_t ids_a_piece = 8192;        // where threads share them out
 constexpr std::uint64_t fewest_faces_each = 16;  // to go, for each part: fewer go alone
 
 }  // namespace
 
 void PassTurns::begin(const Mesh& mesh, int level, std::size_t parts, int threads) {
-  const auto vertex = [](std::uint32_t id) {
-    return std::array{Vertex(id), Vertex(id), Vertex(id)};
-  };
+  const auto vertex = [](std::uint32_t id) { return std::array{Vertex(id)}; };
   const auto face = [&mesh](std::uint32_t id) { return mesh.triangle(Face(id)); };
-  begin(mesh, mesh.ids(level), level == 0 ? Corners(vertex) : Corners(face), parts, threads);
+  if (level == 0)
+    begin(mesh, mesh.ids(0), vertex, parts, threads);
+  else
+    begin(mesh, mesh.ids(2), face, parts, threads);
 }
 
-void PassTurns::begin(const Mesh& mesh, const IdPool& ids, Corners corners, std::size_t parts,
-                      int threads, std::uint64_t faces) {
+void PassTurns::begin_turns(const Mesh& mesh, const IdPool& ids, std::size_t parts, int threads,
+                            std::uint64_t faces) {
   ids_ = &ids;
-  corners_ = std::move(corners);
   count_ = parts;
   cut_ = -1;
   faces_ = faces;
@@ -58,26 +57,17 @@ bool PassTurns::cut_again(const Mesh& mesh, int threads) {
 void PassTurns::deal_out(int threads) {
   RawVector<std::uint16_t> places(left_.size());
   parallel_for(left_.size(), threads, ids_a_piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) places[i] = place_of(left_[i]);
+    find_places_(partition_, std::span(left_).subspan(begin, end - begin), &places[begin]);
   });
   std::size_t later = 0;
   for (std::size_t i = 0; i < left_.size(); ++i) {
     const std::uint32_t id = left_[i];
-    if (places[i] != nowhere)
+    if (places[i] != on_seam)
       parts_[places[i]].ids.push_back(id);
     else if (ids_->alive(id))
       left_[later++] = id;
   }
   left_.resize(later);
-}
-
-std::uint16_t PassTurns::place_of(std::uint32_t id) const {
-  if (!ids_->alive(id)) return nowhere;
-  const auto corners = corners_(id);
-  const std::size_t part = partition_.part_of(corners[0]);
-  for (const Vertex v : corners)
-    if (partition_.on_seam(v) || partition_.part_of(v) != part) return nowhere;
-  return static_cast<std::uint16_t>(part);
 }
 
 void PassTurns::share_out() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/mesh/mesh.h"
@@ -19,16 +20,23 @@ namespace aomd {
 /// the other or at once.
 class PassTurns {
  public:
-  /// The vertices of what has an id, some of them repeatedly.
-  using Corners = std::function<std::array<Vertex, 3>(std::uint32_t id)>;
   static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
   /// A pass over all entities of a level, 0 or 2. T(2,0) must be stored.
   void begin(const Mesh& mesh, int level, std::size_t parts, int threads);
-  /// A pass over other ids, as long as they are alive. It takes away so many faces at most: each
-  /// part may have its share of them, and the last few go alone, where it is for others to stop.
-  void begin(const Mesh& mesh, const IdPool& ids, Corners corners, std::size_t parts, int threads,
-             std::uint64_t faces = unlimited);
+  /// A pass over other ids, as long as they are alive; corners(id) has the vertices of each. It
+  /// takes away so many faces at most: each part may have its share of them, and the last few go
+  /// alone, where it is for others to stop.
+  template <typename Corners>
+  void begin(const Mesh& mesh, const IdPool& ids, const Corners& corners, std::size_t parts,
+             int threads, std::uint64_t faces = unlimited) {
+    find_places_ = [&ids, corners](const Partition& partition, std::span<const std::uint32_t> of,
+                                   std::uint16_t* places) {
+      for (const std::uint32_t id : of)
+        *places++ = ids.alive(id) ? place_of(partition, corners(id)) : on_seam;
+    };
+    begin_turns(mesh, ids, parts, threads, faces);
+  }
   /// The id whose turn it is; no_index at the end.
   [[nodiscard]] std::uint32_t next(const Mesh& mesh, int threads);
   /// The next id of a part; no_index where it has none any more. It may have died meanwhile.
@@ -62,13 +70,25 @@ class PassTurns {
   static constexpr int cuts = 2;
   static constexpr std::uint64_t faces_each = 2;  ///< that go with most collapses
   [[nodiscard]] bool alone() const { return cut_ >= cuts; }
+  static constexpr std::uint16_t on_seam = 0xFFFF;
+  template <std::size_t N>
+  [[nodiscard]] static std::uint16_t place_of(const Partition& partition,
+                                              const std::array<Vertex, N>& corners) {
+    const std::size_t part = partition.part_of(corners[0]);
+    for (const Vertex v : corners)
+      if (partition.on_seam(v) || partition.part_of(v) != part) return on_seam;
+    return static_cast<std::uint16_t>(part);
+  }
+  void begin_turns(const Mesh& mesh, const IdPool& ids, std::size_t parts, int threads,
+                   std::uint64_t faces);
   bool cut_again(const Mesh& mesh, int threads);
   void deal_out(int threads);
   void share_out();
-  [[nodiscard]] std::uint16_t place_of(std::uint32_t id) const;
 
   const IdPool* ids_ = nullptr;
-  Corners corners_;
+  /// The part that each id lies in.
+  std::function<void(const Partition&, std::span<const std::uint32_t>, std::uint16_t*)>
+      find_places_;
   std::size_t count_ = 1;  ///< of the parts of a cut
   int cut_ = 0;            ///< past the last one: alone
   std::uint64_t faces_ = unlimited;

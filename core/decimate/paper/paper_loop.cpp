@@ -13,6 +13,7 @@ namespace {
 constexpr std::uint32_t fewest_faces = 250'000;
 // Of edges to collapses of a sweep, where the next one is worth sharing out.
 constexpr std::uint64_t fewest_share = 64;
+constexpr std::size_t fewest_edges_each = 64;  // in a part
 
 std::size_t faces_gone(const CollapsePlan& plan) {
   const Star& around = plan.around_deleted();
@@ -91,20 +92,19 @@ void PaperLoop::begin_sweep() {
   open_sweep();
 }
 
-// A sweep that finds next to nothing changed since the last one is too short to be shared out.
+// A sweep that finds next to nothing changed since the last one is too short to be shared out, and
+// so is one over few edges.
 void PaperLoop::enter(Phase phase) {
   phase_ = phase;
   cursor_ = 0;
-  in_parts_ = part_count_ > 1 && (phase != Phase::Collapse || many_);
+  in_parts_ = part_count_ > 1 && edges().size() >= fewest_edges_each * part_count_ &&
+              (phase != Phase::Collapse || many_);
   if (in_parts_) begin_turns();
 }
 
 void PaperLoop::begin_turns() {
   if (phase_ == Phase::Smooth) return turns_.begin(mesh_, 0, part_count_, options_.threads);
-  const auto corners = [this](std::uint32_t id) {
-    const EdgeEnds ends = this->ends(Edge(id));
-    return std::array{ends[0], ends[1], ends[1]};
-  };
+  const auto corners = [this](std::uint32_t id) { return this->ends(Edge(id)); };
   const bool ends_at_target = phase_ == Phase::Collapse && options_.target_faces > 0;
   const std::uint64_t above =
       std::max(mesh_.count(2), options_.target_faces) - options_.target_faces;

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/parallel.h"
+
 namespace aomd {
 namespace {
 
 constexpr std::array<std::uint8_t, 3> next_side{1, 2, 0}, previous_side{2, 0, 1};
+
+constexpr std::size_t vertices_a_piece = 16384, faces_a_piece = 16384;
+
+// One for each thread, since each piece takes memory for all vertices.
+std::size_t pieces_for(std::size_t vertices, int threads) {
+  return std::clamp<std::size_t>(vertices / vertices_a_piece, 1, static_cast<std::size_t>(threads));
+}
+
+std::size_t piece_size(std::size_t vertices, std::size_t pieces) {
+  return (vertices + pieces - 1) / pieces;
+}
 
 std::size_t slot_of(const std::array<Vertex, 3>& t, Vertex v) {
   return t[0] == v ? 0 : t[1] == v ? 1 : 2;
@@ -16,31 +29,63 @@ bool uses(const std::array<Vertex, 3>& t, Vertex v) { return t[0] == v || t[1] =
 
 }  // namespace
 
-// Each edge is met at its smaller vertex, where marks tell those that were met before.
-SurfaceEdges::SurfaceEdges(const Mesh& mesh) : sides_(3 * std::size_t{mesh.capacity(2)}) {
-  VertexMarks marks(mesh);
-  Column<Vertex, std::uint32_t> edge_to(mesh.capacity(0));
-  ends_.reserve(mesh.count(2) / 2 * std::size_t{3} + mesh.count(2) / 16);
-  for (const Vertex v : mesh.vertices()) {
-    marks.clear(mesh);
-    for (const Face f : mesh.row<2>(v)) {
-      const auto t = mesh.triangle(f);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex from = t[k], to = t[next_side[k]];
-        if (std::min(from, to) != v) continue;
-        const Vertex far = std::max(from, to);
-        if (!marks.has(far)) edge_to[far] = add(from, to);
-        marks.set(far);
-        sides(f)[k] = edge_to[far];
-      }
-    }
-  }
+SurfaceEdges::SurfaceEdges(const Mesh& mesh, int threads)
+    : sides_(3 * std::size_t{mesh.capacity(2)}) {
+  const std::size_t vertices = mesh.capacity(0);
+  std::vector<std::vector<EdgeEnds>> pieces(pieces_for(vertices, threads));
+  const std::size_t size = piece_size(vertices, pieces.size());
+  parallel_for(pieces.size(), threads, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      pieces[i] = number(mesh, size * i, std::min(vertices, size * (i + 1)));
+  });
+  if (pieces.size() == 1)
+    ends_ = std::move(pieces[0]);
+  else
+    join(mesh, pieces, threads);
   ids_.create_many(static_cast<std::uint32_t>(ends_.size()));
 }
 
-std::uint32_t SurfaceEdges::add(Vertex from, Vertex to) {
-  ends_.push_back({from, to});
-  return static_cast<std::uint32_t>(ends_.size() - 1);
+// Those whose smaller vertex is one of these, numbered from 0. Each edge is met at that vertex: it
+// was met before where it has a number since the vertex had its turn.
+std::vector<EdgeEnds> SurfaceEdges::number(const Mesh& mesh, std::size_t begin, std::size_t end) {
+  std::vector<EdgeEnds> ends;
+  ends.reserve((3 * (end - begin) + (end - begin) / 16) + 16);
+  Column<Vertex, std::uint32_t> met(mesh.capacity(0), 0);  // the number of the last edge to it + 1
+  each_alive(mesh.ids(0), begin, end, [&](std::uint32_t id) {
+    const std::size_t first = ends.size();
+    for (const Face f : mesh.row<2>(Vertex(id))) {
+      const auto t = mesh.triangle(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex from = t[k], to = t[next_side[k]];
+        if (std::min(from, to).index != id) continue;
+        std::uint32_t& last = met[std::max(from, to)];
+        if (last <= first) {
+          ends.push_back({from, to});
+          last = static_cast<std::uint32_t>(ends.size());
+        }
+        sides(f)[k] = last - 1;
+      }
+    }
+  });
+  return ends;
+}
+
+// The numbers of each piece follow those of the pieces before.
+void SurfaceEdges::join(const Mesh& mesh, const std::vector<std::vector<EdgeEnds>>& pieces,
+                        int threads) {
+  std::vector<std::uint32_t> first;
+  for (const auto& piece : pieces) {
+    first.push_back(static_cast<std::uint32_t>(ends_.size()));
+    ends_.insert(ends_.end(), piece.begin(), piece.end());
+  }
+  const std::size_t size = piece_size(mesh.capacity(0), pieces.size());
+  parallel_for(mesh.capacity(2), threads, faces_a_piece, [&](std::size_t begin, std::size_t end) {
+    each_alive(mesh.ids(2), begin, end, [&](std::uint32_t id) {
+      const auto t = mesh.triangle(Face(id));
+      for (std::size_t k = 0; k < 3; ++k)
+        sides(Face(id))[k] += first[std::min(t[k], t[next_side[k]]).index / size];
+    });
+  });
 }
 
 Edge SurfaceEdges::find(const Mesh& mesh, Vertex a, Vertex b) const {

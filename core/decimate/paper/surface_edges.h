@@ -39,8 +39,9 @@ class SurfaceEdges {
     std::vector<Edge> ended_;  ///< whose numbers are still alive
   };
 
-  /// T(0,2) and T(2,0) must be stored. O(faces).
-  explicit SurfaceEdges(const Mesh& mesh);
+  /// T(0,2) and T(2,0) must be stored. O(faces). The result does not depend on the number of
+  /// threads.
+  explicit SurfaceEdges(const Mesh& mesh, int threads = 1);
 
   [[nodiscard]] const IdPool& ids() const { return ids_; }
   /// Invalid ones where it has gone.
@@ -66,7 +67,8 @@ class SurfaceEdges {
   [[nodiscard]] const std::uint32_t* sides(Face f) const {
     return sides_.data() + 3 * std::size_t{f.index};
   }
-  std::uint32_t add(Vertex from, Vertex to);
+  [[nodiscard]] std::vector<EdgeEnds> number(const Mesh& mesh, std::size_t begin, std::size_t end);
+  void join(const Mesh& mesh, const std::vector<std::vector<EdgeEnds>>& pieces, int threads);
   void merge_beside(const StarFace& gone, Vertex kept, Scratch& scratch);
   void merge_others(const Contraction& contraction, const Mesh& mesh, const StarPair& stars,
                     Scratch& scratch);

@@ -28,7 +28,7 @@ SurfacePaperLoop::SurfacePaperLoop(Mesh& mesh, const DecimationOptions& options)
   if (options_.exchange)
     wires_ = has_wires(mesh_);
   else if (!mesh_.complete(1))
-    edges_.emplace(mesh_);
+    edges_.emplace(mesh_, options.threads);
   start();
 }
 
@@ -59,7 +59,7 @@ Column<Vertex, double> SurfacePaperLoop::average_lengths() const {
 
 void SurfacePaperLoop::restart(const DecimationOptions& options) {
   curves_.locate_anywhere(mesh_);
-  if (edges_) edges_.emplace(mesh_);
+  if (edges_) edges_.emplace(mesh_, options.threads);
   PaperLoop::restart(options);
 }
 
