@@ -6,6 +6,23 @@
 #include "core/base/parallel.h"
 
 namespace aomd {
+namespace {
+
+// Each comparison as the processor's own instruction has it, whose first operand gives way: for
+// Box::add it needs copies, as there equal numbers leave the other one.
+Box box_of_centres(std::span<const BoxTree::Item> items) {
+  Box box;
+  glm::dvec3 low = box.low, high = box.high;
+  for (const BoxTree::Item& item : items)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = item.centre[axis];
+      low[axis] = low[axis] < at ? low[axis] : at;
+      high[axis] = high[axis] > at ? high[axis] : at;
+    }
+  return {low, high};
+}
+
+}  // namespace
 
 BoxTree::BoxTree(std::span<Item> items, int threads) {
   if (items.empty()) return;
@@ -53,8 +70,7 @@ void BoxTree::put(std::uint32_t n, const Box& box) {
 
 // Sorts the items into two halves and returns the size of the first.
 std::size_t BoxTree::split(std::span<Item> items) {
-  Box centres;
-  for (const Item& item : items) centres.add(item.centre);
+  const Box centres = box_of_centres(items);
   const glm::dvec3 size = centres.high - centres.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const double middle = 0.5 * (centres.low[axis] + centres.high[axis]);

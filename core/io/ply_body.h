@@ -35,6 +35,7 @@ class PlyText {
   void skip(NumberType type) { (void)any(type); }
   /// Whatever stands there: NaN for what is no number.
   double any(NumberType) {
+    if (double value = 0; cursor_.takes_plain_real(value)) return value;
     const std::string_view word = cursor_.word();
     if (word.empty()) cursor_.fail("the line ends before all properties are there");
     return number_of(word).value_or(std::numeric_limits<double>::quiet_NaN());

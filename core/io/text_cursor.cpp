@@ -116,8 +116,10 @@ std::int64_t TextCursor::unusual_integer(const char* what) {
 
 std::optional<double> number_of(std::string_view word) {
   double value = 0;
-  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (failure == std::errc{} && end == word.data() + word.size()) return value;
+  const char* const last = word.data() + word.size();
+  if (plain_real(word.data(), last, value) == last && !word.empty()) return value;
+  const auto [end, failure] = std::from_chars(word.data(), last, value);
+  if (failure == std::errc{} && end == last) return value;
   return unusual_number_of(word);
 }
 

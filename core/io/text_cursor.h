@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/plain_number.h"
 #include "core/io/source.h"
 
 namespace aomd::io::detail {
@@ -55,6 +56,14 @@ class TextCursor {
   void join_lines() { joins_lines_ = true; }
   /// The next word on this line as a finite number; `what` names it in errors.
   double real(const char* what);
+  /// Whether the next word on this line is a number as plain_real() reads; takes it then.
+  bool takes_plain_real(double& value) {
+    skip_blanks();
+    const char* const end = plain_real(p_, end_, value);
+    if (!end || !at_word_end(end)) return false;
+    p_ = end;
+    return true;
+  }
   /// The next word on this line as a whole number, without a decimal point.
   std::int64_t integer(const char* what);
 
@@ -81,8 +90,8 @@ class TextCursor {
 };
 
 inline double TextCursor::real(const char* what) {
-  skip_blanks();
   double value = 0;
+  if (takes_plain_real(value)) return value;
   const auto [next, error] = std::from_chars(p_, end_, value);
   if (error != std::errc{} || !at_word_end(next) || !std::isfinite(value))
     return unusual_real(what);
@@ -93,6 +102,10 @@ inline double TextCursor::real(const char* what) {
 inline std::int64_t TextCursor::integer(const char* what) {
   skip_blanks();
   std::int64_t value = 0;
+  if (const char* end = plain_integer(p_, end_, value); end && at_word_end(end)) {
+    p_ = end;
+    return value;
+  }
   const auto [next, error] = std::from_chars(p_, end_, value);
   if (error != std::errc{} || !at_word_end(next)) return unusual_integer(what);
   p_ = next;

@@ -16,6 +16,16 @@
 namespace aomd::measure {
 namespace {
 
+// Calls visit(its vertices) for every entity of a level.
+template <typename Visit>
+void each_by_vertices(const Mesh& mesh, int dim, Visit&& visit) {
+  if (mesh.count(dim) == 0) return;
+  const VertexRows rows(mesh, dim);
+  rows.each([&](std::uint32_t id, const std::uint32_t* v) {
+    visit(std::span(v, static_cast<std::size_t>(rows.shape(id).vertex_count)));
+  });
+}
+
 struct EdgeEnd {
   std::uint32_t vertex, faces;
 };
@@ -27,33 +37,32 @@ Buckets<EdgeEnd> sides_of_surface(const Mesh& mesh) {
             const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t faces) {
               file(std::min(a, b), {std::max(a, b), faces});
             };
-            VertexBuffer buffer;
-            for (const Face f : mesh.faces()) {
-              const auto v = mesh.vertices_of(f, buffer);
+            each_by_vertices(mesh, 2, [&](std::span<const std::uint32_t> v) {
               for (std::size_t k = 0; k < v.size(); ++k)
                 add(v[k], v[k + 1 < v.size() ? k + 1 : 0], 1);
-            }
-            for (const Edge e : mesh.edges()) {
-              const auto [a, b] = mesh.edge_vertices(e);
-              add(a.index, b.index, 0);
-            }
+            });
+            each_by_vertices(mesh, 1,
+                             [&](std::span<const std::uint32_t> v) { add(v[0], v[1], 0); });
           }};
 }
 
+// Edges are told apart by marks at their larger vertices.
 void count_surface_edges(const Mesh& mesh, Counts& counts) {
-  Buckets<EdgeEnd> sides = sides_of_surface(mesh);
-  for (std::size_t v = 0; v < sides.count(); ++v) {
-    const std::span<EdgeEnd> ends = sides[v];
-    std::ranges::sort(ends, {}, &EdgeEnd::vertex);
-    for (std::size_t i = 0; i < ends.size();) {
-      std::uint32_t faces = 0;
-      const std::uint32_t other = ends[i].vertex;
-      for (; i < ends.size() && ends[i].vertex == other; ++i) faces += ends[i].faces;
-      ++counts.edges;
-      counts.boundary_edges += faces == 1;
-      counts.nonmanifold_edges += faces > 2;
+  struct Seen {
+    std::uint32_t low = no_index, faces = 0;
+  };
+  std::vector<Seen> seen(mesh.capacity(0));
+  const Buckets<EdgeEnd> sides = sides_of_surface(mesh);
+  for (std::uint32_t low = 0; low < sides.count(); ++low)
+    for (const EdgeEnd& side : sides[low]) {
+      Seen& edge = seen[side.vertex];
+      if (edge.low != low) edge = {low, 0}, ++counts.edges;
+      if (side.faces == 0) continue;
+      ++edge.faces;
+      counts.boundary_edges += edge.faces == 1;
+      counts.boundary_edges -= edge.faces == 2;
+      counts.nonmanifold_edges += edge.faces == 3;
     }
-  }
 }
 
 void count_edges(const Mesh& mesh, Counts& counts) {
@@ -71,8 +80,8 @@ void count_edges(const Mesh& mesh, Counts& counts) {
 class Components {
  public:
   explicit Components(const Mesh& mesh) : sets_(mesh.capacity(0)), used_(mesh.capacity(0), 0) {
-    for (const Face f : mesh.faces()) connect(mesh, f);
-    for (const Region r : mesh.regions()) connect(mesh, r);
+    for (const int dim : {2, 3})
+      each_by_vertices(mesh, dim, [&](std::span<const std::uint32_t> v) { connect(v); });
   }
 
   [[nodiscard]] std::size_t count() {
@@ -83,10 +92,9 @@ class Components {
   [[nodiscard]] bool used(Vertex v) const { return used_[v.index] != 0; }
 
  private:
-  void connect(const Mesh& mesh, EntityRef e) {
-    VertexBuffer buffer;
-    const auto v = mesh.vertices_of(e, buffer);
-    for (const std::uint32_t u : v) used_[u] = 1, sets_.unite(v[0], u);
+  void connect(std::span<const std::uint32_t> v) {
+    used_[v[0]] = 1;
+    for (const std::uint32_t u : v.subspan(1)) used_[u] = 1, sets_.unite(v[0], u);
   }
 
   DisjointSets sets_;

@@ -35,11 +35,31 @@ const char* defect(const MeshData& data, int dim, std::size_t i, std::size_t at)
              : "is on a model entity of lower dimension";
 }
 
+bool all_of_shape(const EntityList& list, Shape shape) {
+  return std::all_of(list.shapes.begin(), list.shapes.end(), [&](Shape s) { return s == shape; });
+}
+
+// As defect() has it, of all at once.
+bool are_sound_triangles(const MeshData& data) {
+  const std::vector<std::uint32_t>& v = data.faces.vertices;
+  if (v.size() != 3 * data.faces.size() || !all_of_shape(data.faces, Shape::Triangle)) return false;
+  std::uint32_t highest = 0;
+  bool repeats = false;
+  for (std::size_t at = 0; at < v.size(); at += 3) {
+    highest = std::max({highest, v[at], v[at + 1], v[at + 2]});
+    repeats |= (v[at] == v[at + 1]) | (v[at + 1] == v[at + 2]) | (v[at + 2] == v[at]);
+  }
+  const std::vector<ModelRef>& classes = data.faces.classes;
+  return !repeats && highest < data.positions.size() &&
+         std::all_of(classes.begin(), classes.end(), [](ModelRef m) { return m.may_classify(2); });
+}
+
 void check_list(const MeshData& data, int dim) {
   const EntityList& list = data.list(dim);
   const std::string names = entity_plural(dim);
   require_data(list.classes.empty() || list.classes.size() == list.size(),
                "there are not as many classes as " + names);
+  if (dim == 2 && are_sound_triangles(data)) return;
   std::size_t at = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (const char* what = defect(data, dim, i, at))
@@ -234,11 +254,15 @@ void Mesh::take_list(int dim, const EntityList& list) {
   l.classes = list.classes;
   l.classes.resize(list.size());
   l.uniform = list.shapes[0];
-  if (std::any_of(list.shapes.begin(), list.shapes.end(), [&](Shape s) { return s != l.uniform; }))
-    l.shapes = list.shapes;
+  const bool uniform = all_of_shape(list, l.uniform);
+  if (!uniform) l.shapes = list.shapes;
   DownRows& rows = representation_.down(dim, 0);
   rows.allocate(static_cast<std::uint32_t>(list.size()), widest(dim, 0), false);
   const std::uint32_t* from = list.vertices.data();
+  if (uniform) {
+    std::copy(list.vertices.begin(), list.vertices.end(), rows.row(0));
+    return;
+  }
   for (std::uint32_t id = 0; id < list.size(); ++id) {
     const int n = shape_template(list.shapes[id]).vertex_count;
     std::copy_n(from, n, rows.row(id));

@@ -272,10 +272,13 @@ class Classifier {
   template <typename Range>
   int distinct(const Range& range, int dim) const {
     std::vector<std::int32_t> tags;
-    for (const auto e : range)
-      if (const ModelRef m = mesh_.classification(e);
-          m.dimension() == dim && (tags.empty() || tags.back() != m.tag()))
-        tags.push_back(m.tag());
+    ModelRef last;
+    for (const auto e : range) {
+      const ModelRef m = mesh_.classification(e);
+      if (m == last || m.dimension() != dim) continue;
+      tags.push_back(m.tag());
+      last = m;
+    }
     std::sort(tags.begin(), tags.end());
     return static_cast<int>(std::unique(tags.begin(), tags.end()) - tags.begin());
   }

@@ -5,7 +5,7 @@
 namespace aomd {
 
 EdgeFaces::EdgeFaces(const Mesh& mesh) : pairs_(mesh.capacity(1)) {
-  AOMD_CHECK(mesh.capacity(2) < std::uint32_t{1} << 31);
+  AOMD_CHECK(mesh.capacity(2) < std::uint32_t{1} << 30);
   const DownRows& sides = mesh.representation().down(2, 1);
   Pair* const pairs = pairs_.data();
   mesh.faces().each([&, pairs](Face f) {
@@ -19,7 +19,7 @@ EdgeFaces::EdgeFaces(const Mesh& mesh) : pairs_(mesh.capacity(1)) {
       else if (!pair.second.valid())
         pair.second = use;
       else
-        others_.emplace_back(e, f);
+        pair.second.go_on(), others_.emplace_back(e, f);
     }
   });
   std::stable_sort(others_.begin(), others_.end(),

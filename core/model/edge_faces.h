@@ -22,7 +22,7 @@ class EdgeFaces {
   [[nodiscard]] int count(Edge e) const {
     const Pair& pair = pairs_[e.index];
     if (!pair.second.valid()) return pair.first.valid() ? 1 : 0;
-    return others_.empty() || others_of(e).empty() ? 2 : 3;
+    return pair.second.goes_on() ? 3 : 2;
   }
   /// The two with the smallest ids, in ascending order. There must be as many.
   [[nodiscard]] Face first(Edge e) const { return pairs_[e.index].first.face(); }
@@ -42,28 +42,30 @@ class EdgeFaces {
     if (pair.first.valid()) visit(pair.first.face());
     if (!pair.second.valid()) return;
     visit(pair.second.face());
-    if (!others_.empty())
+    if (pair.second.goes_on())
       for (const auto& other : others_of(e)) visit(other.second);
   }
   /// The same for all but one of them.
   template <typename Visit>
   void each_other(Edge e, Face from, Visit&& visit) const {
     const Pair& pair = pairs_[e.index];
-    if (pair.second.valid() && others_.empty()) return visit(across(e, from));
+    if (pair.second.valid() && !pair.second.goes_on()) return visit(across(e, from));
     each(e, [&](Face f) {
       if (f != from) visit(f);
     });
   }
 
  private:
-  // A face and whether it uses the edge in the edge's own direction.
+  // A face, whether it uses the edge in the edge's own direction, and whether others follow.
   class Use {
    public:
     Use() = default;
-    Use(Face f, bool along) : bits_(f.index << 1 | std::uint32_t{along}) {}
+    Use(Face f, bool along) : bits_(f.index << 2 | std::uint32_t{along}) {}
+    void go_on() { bits_ |= 2u; }
     [[nodiscard]] bool valid() const { return bits_ != no_index; }
-    [[nodiscard]] Face face() const { return Face(bits_ >> 1); }
+    [[nodiscard]] Face face() const { return Face(bits_ >> 2); }
     [[nodiscard]] bool along() const { return (bits_ & 1u) != 0; }
+    [[nodiscard]] bool goes_on() const { return (bits_ & 2u) != 0; }
 
    private:
     std::uint32_t bits_ = no_index;

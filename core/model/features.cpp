@@ -289,16 +289,14 @@ FeatureCount find_features(const Mesh& mesh, const EdgeFaces& faces, const Featu
     finder.drop_roughness();
     finder.drop_steps();
   }
-  FeatureCount count;
+  constexpr std::array<std::uint8_t, 5> stays{0, 1, 1, 0, 0};  // by mark
+  std::array<std::uint32_t, 5> count{};
   for (std::uint32_t id = 0; id < feature.size(); ++id) {
     std::uint8_t& mark = feature[Edge(id)];
-    count.borders += mark == Border;
-    count.sharp += mark == Sharp;
-    count.rough += mark == Hair;
-    count.steps += mark == Step;
-    mark = mark == Border || mark == Sharp;
+    ++count[mark];
+    mark = stays[mark];
   }
-  return count;
+  return {count[Border], count[Sharp], count[Hair], count[Step]};
 }
 
 }  // namespace aomd

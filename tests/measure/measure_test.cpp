@@ -273,5 +273,33 @@ TEST(Statistics, FlipsAreFacesTurnedOver) {
   EXPECT_EQ(measure::measure_normals(original, Mesh()).flips, 0u);
 }
 
+// A book of four pages, the last of them twice and the other way round, a wire along a rim and one
+// beside it, and a vertex that nothing uses.
+TEST(Counts, TellEdgesByTheirFaces) {
+  MeshData data = zoo::book();
+  data.positions.insert(data.positions.end(), {{0, -1, 0.5}, {0, 5, 0}, {0, 6, 0}});
+  data.faces.add(Shape::Triangle, {0, 1, 5});
+  data.faces.add(Shape::Triangle, {1, 0, 5});
+  data.edges.add(Shape::Line, {2, 0});
+  data.edges.add(Shape::Line, {6, 2});
+  const measure::Counts counts = measure::count_entities(Mesh(data));
+  EXPECT_EQ(counts.edges, 10u);
+  EXPECT_EQ(counts.nonmanifold_edges, 1u);
+  EXPECT_EQ(counts.boundary_edges, 6u);
+  EXPECT_EQ(counts.components, 1u);
+  EXPECT_EQ(counts.unused_vertices, 1u);
+  EXPECT_EQ(counts.euler, 7 - 10 + 5);
+}
+
+TEST(Counts, KnowPiecesOfQuadsAndTriangles) {
+  MeshData data = zoo::square();
+  for (int k = 0; k < 4; ++k) data.positions.emplace_back(k, 3, k % 2);
+  data.faces.add(Shape::Quad, {4, 5, 7, 6});
+  const measure::Counts counts = measure::count_entities(Mesh(data));
+  EXPECT_EQ(counts.components, 2u);
+  EXPECT_EQ(counts.edges, 9u);
+  EXPECT_EQ(counts.boundary_edges, 8u);
+}
+
 }  // namespace
 }  // namespace aomd::test

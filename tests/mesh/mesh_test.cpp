@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "core/mesh/verify.h"
+#include "tests/support/message.h"
 #include "tests/support/zoo.h"
 
 namespace aomd {
@@ -88,6 +91,30 @@ TEST(MeshTest, FacesMayBeHeldByTheirEdgesAlone) {
     mesh.unset(2, 1);
     EXPECT_EQ(zoo::fingerprint(mesh), before) << animal.name;
   }
+}
+
+TEST(MeshTest, NamesTheTriangleThatIsNone) {
+  const auto refused = [](const std::function<void(MeshData&)>& spoil) {
+    MeshData data = zoo::square();
+    spoil(data);
+    return test::message([&] { Mesh mesh(data); });
+  };
+  EXPECT_EQ(refused([](MeshData&) {}), "");
+  EXPECT_EQ(refused([](MeshData& data) { data.faces.vertices[5] = 4; }),
+            "mesh data: face 1 uses a vertex that does not exist");
+  for (const std::size_t same : {4, 5})
+    EXPECT_EQ(refused([&](MeshData& data) { data.faces.vertices[same] = data.faces.vertices[3]; }),
+              "mesh data: face 1 uses a vertex twice");
+  EXPECT_EQ(refused([](MeshData& data) { data.faces.vertices[5] = data.faces.vertices[4]; }),
+            "mesh data: face 1 uses a vertex twice");
+  EXPECT_EQ(refused([](MeshData& data) { data.faces.vertices.pop_back(); }),
+            "mesh data: face 1 lacks vertices");
+  EXPECT_EQ(refused([](MeshData& data) { data.faces.shapes[1] = Shape::Line; }),
+            "mesh data: face 1 has a wrong shape");
+  EXPECT_EQ(refused([](MeshData& data) {
+              data.faces.classes = {{}, ModelRef(1, 1)};
+            }),
+            "mesh data: face 1 is on a model entity of lower dimension");
 }
 
 TEST(MeshTest, RefusesWhatTCannotSay) {
