@@ -92,12 +92,13 @@ void PaperLoop::begin_sweep() {
   open_sweep();
 }
 
-// A sweep that finds next to nothing changed since the last one is too short to be shared out, and
-// so is one over few edges.
+// What is left of a large surface may be too small to be worth cutting. A sweep that finds next to
+// nothing changed since the last one is too short to be shared out, and so is one over few edges.
 void PaperLoop::enter(Phase phase) {
   phase_ = phase;
   cursor_ = 0;
-  in_parts_ = part_count_ > 1 && edges().size() >= fewest_edges_each * part_count_ &&
+  const bool is_large = options_.parts > 0 || mesh_.count(2) >= fewest_faces;
+  in_parts_ = part_count_ > 1 && is_large && edges().size() >= fewest_edges_each * part_count_ &&
               (phase != Phase::Collapse || many_);
   if (in_parts_) begin_turns();
 }
