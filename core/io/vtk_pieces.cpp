@@ -21,7 +21,7 @@ namespace {
 
 constexpr double all_dimensions = 1 << 1 | 1 << 2 | 1 << 3;
 
-std::span<const std::int64_t> points_of(const VtkDataset& grid, std::size_t cell) {
+std::span<const std::int64_t> corners_of(const VtkDataset& grid, std::size_t cell) {
   const auto begin = static_cast<std::size_t>(cell == 0 ? 0 : grid.ends[cell - 1]);
   return std::span(grid.connectivity)
       .subspan(begin, static_cast<std::size_t>(grid.ends[cell]) - begin);
@@ -54,7 +54,7 @@ std::vector<std::size_t> pieces_of_cells(const VtkDataset& grid, std::size_t pie
   const HilbertGrid curve(box, bits);
   std::vector<std::pair<std::uint32_t, std::size_t>> order;
   for (std::size_t cell = 0; cell < grid.types.size(); ++cell) {
-    const auto points = points_of(grid, cell);
+    const auto points = corners_of(grid, cell);
     glm::dvec3 middle(0.0);
     for (const std::int64_t v : points)
       middle += grid.points[static_cast<std::size_t>(v)] / double(points.size());
@@ -81,7 +81,7 @@ VtkDataset piece_of(const VtkDataset& grid, const std::vector<std::size_t>& poin
     piece.points.push_back(grid.points[p]);
   }
   for (const std::size_t cell : cells) {
-    for (const std::int64_t v : points_of(grid, cell))
+    for (const std::int64_t v : corners_of(grid, cell))
       piece.connectivity.push_back(number[static_cast<std::size_t>(v)]);
     piece.ends.push_back(static_cast<std::int64_t>(piece.connectivity.size()));
     piece.types.push_back(grid.types[cell]);
@@ -105,7 +105,7 @@ VtkArray* coverage_of(VtkDataset& grid) {
 std::vector<std::size_t> used_by(const VtkDataset& grid, const std::vector<std::size_t>& cells) {
   std::vector<std::size_t> used;
   for (const std::size_t cell : cells)
-    for (const std::int64_t v : points_of(grid, cell)) used.push_back(static_cast<std::size_t>(v));
+    for (const std::int64_t v : corners_of(grid, cell)) used.push_back(static_cast<std::size_t>(v));
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;
@@ -253,7 +253,7 @@ void JoinedGrid::order_cells() {
                    [&](std::size_t a, std::size_t b) { return cell_ids_[a] < cell_ids_[b]; });
   VtkDataset ordered;
   for (const std::size_t cell : cell_order_) {
-    const auto points = points_of(grid_, cell);
+    const auto points = corners_of(grid_, cell);
     ordered.connectivity.insert(ordered.connectivity.end(), points.begin(), points.end());
     ordered.ends.push_back(static_cast<std::int64_t>(ordered.connectivity.size()));
     ordered.types.push_back(grid_.types[cell]);
