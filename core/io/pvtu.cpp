@@ -25,7 +25,8 @@ namespace {
 std::filesystem::path piece_of(const Source& source, const pugi::xml_node& piece) {
   const std::string named = piece.attribute("Source").value();
   if (named.empty()) fail_at(source, piece, "a piece without a Source");
-  const std::filesystem::path list = source.name, path = list.parent_path() / named;
+  const std::filesystem::path list = source.name;
+  std::filesystem::path path = list.parent_path() / named;
   std::error_code problem;
   if (std::filesystem::equivalent(path, list, problem))
     fail_at(source, piece, "names itself as a piece: " + shown(named));

@@ -32,6 +32,6 @@ struct WeldTooWide : std::exception {};
 /// joined first, of equally near ones those that come first. No two of one tile become one. It
 /// follows from the set of places alone. In memory are 24 B for each two within the tolerance.
 /// Throws WeldTooWide for more than 64 times as many as places.
-[[nodiscard]] TileReplacements weld_places(std::span<const TilePlace> places, double tolerance);
+[[nodiscard]] TileReplacements weld_places(std::span<const TilePlace> given, double tolerance);
 
 }  // namespace aomd::io::detail

@@ -42,6 +42,7 @@ VtkArray chosen(const VtkArray& array, const std::vector<std::size_t>& tuples) {
 std::vector<VtkArray> chosen(const std::vector<VtkArray>& arrays,
                              const std::vector<std::size_t>& tuples) {
   std::vector<VtkArray> some;
+  some.reserve(arrays.size());
   for (const VtkArray& array : arrays) some.push_back(chosen(array, tuples));
   return some;
 }
@@ -241,6 +242,7 @@ void JoinedGrid::keep_points(const std::vector<std::size_t>& kept,
   for (std::int64_t& v : grid_.connectivity)
     v = static_cast<std::int64_t>(number[static_cast<std::size_t>(v)]);
   std::vector<glm::dvec3> points;
+  points.reserve(kept.size());
   for (const std::size_t p : kept) points.push_back(grid_.points[p]);
   grid_.points = std::move(points);
   grid_.point_data = chosen(grid_.point_data, kept);
