@@ -4,6 +4,7 @@
 
 #include "core/base/assertion.h"
 #include "core/mesh/journal_scope.h"
+#include "core/mesh/shared_edits.h"
 #include "core/operators/collapse_checks.h"
 
 namespace aomd {

@@ -16,7 +16,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/shared_edits.h"
 #include "core/operators/ball.h"
 #include "core/operators/collapse.h"
 #include "core/operators/region_checks.h"
@@ -24,6 +23,8 @@
 #pragma GCC visibility push(default)
 
 namespace aomd {
+
+class SharedEdits;
 
 /// A collapse among tetrahedra that was judged: as on surfaces, with the tetrahedra around both
 /// ends. Its stars are of model faces, and empty where the end that goes lies inside a region.
