@@ -22,8 +22,10 @@ namespace {
 
 using test::classified;
 using test::Edges;
+using test::expect_the_same;
 using test::run;
 using test::RunResult;
+using test::samples_for_parts;
 
 DecimationOptions coarsest(int parts, int threads, std::uint32_t target = 0) {
   return {.coarsest = true, .target_faces = target, .threads = threads, .parts = parts};
@@ -33,17 +35,8 @@ DecimationOptions by_factor(double factor, int parts, std::uint32_t target = 0) 
   return {.factor = factor, .target_faces = target, .parts = parts};
 }
 
-void expect_the_same(const zoo::Animal& animal, const DecimationOptions& options) {
-  test::expect_the_same(animal, options, {2, 3, 8});
-}
-
-std::vector<zoo::Animal> samples() {
-  return test::samples(
-      {{"scan", 9000}, {"torus", 90}, {"terrain", 70}, {"nonmanifold", 40}, {"bracket", 6}});
-}
-
 TEST(PaperPartsThreadsTest, SameBytesOnSamples) {
-  for (const zoo::Animal& sample : samples()) {
+  for (const zoo::Animal& sample : samples_for_parts()) {
     const auto faces = static_cast<std::uint32_t>(sample.data.faces.size());
     expect_the_same(sample, coarsest(2, 1));
     expect_the_same(sample, coarsest(5, 1, faces / 3));

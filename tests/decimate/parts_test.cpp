@@ -20,27 +20,14 @@ namespace {
 
 using test::classified;
 using test::Edges;
+using test::expect_the_same;
+using test::in_parts;
 using test::run;
 using test::RunResult;
-
-DecimationOptions in_parts(std::uint32_t target, int parts, int threads, double regularity = 0.5) {
-  DecimationOptions options = test::quality(target, regularity);
-  options.parts = parts;
-  options.threads = threads;
-  return options;
-}
-
-void expect_the_same(const zoo::Animal& animal, const DecimationOptions& options) {
-  test::expect_the_same(animal, options, {2, 3, 8});
-}
-
-std::vector<zoo::Animal> samples() {
-  return test::samples(
-      {{"scan", 9000}, {"torus", 90}, {"terrain", 70}, {"nonmanifold", 40}, {"bracket", 6}});
-}
+using test::samples_for_parts;
 
 TEST(PartsThreadsTest, SameBytesOnSamples) {
-  for (const zoo::Animal& sample : samples()) {
+  for (const zoo::Animal& sample : samples_for_parts()) {
     const auto faces = static_cast<std::uint32_t>(sample.data.faces.size());
     expect_the_same(sample, in_parts(faces / 3, 2, 1, 0));
     expect_the_same(sample, in_parts(faces / 20, 5, 1));

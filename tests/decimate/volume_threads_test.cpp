@@ -17,16 +17,10 @@
 namespace aomd {
 namespace {
 
+using test::in_parts;
 using test::Levels;
 using test::RunResult;
 using test::VolumeBench;
-
-DecimationOptions in_parts(std::uint32_t target, int parts, int threads, double regularity = 0.5) {
-  DecimationOptions options = test::quality(target, regularity);
-  options.parts = parts;
-  options.threads = threads;
-  return options;
-}
 
 RunResult run(const MeshData& data, const DecimationOptions& options,
               Levels levels = Levels::Listed) {

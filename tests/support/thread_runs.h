@@ -30,7 +30,8 @@ inline RunResult run(const MeshData& data, const DecimationOptions& options,
 }
 
 inline void expect_the_same(const zoo::Animal& animal, DecimationOptions options,
-                            std::initializer_list<int> threads, Edges edges = Edges::OnModelEdges) {
+                            std::initializer_list<int> threads = {2, 3, 8},
+                            Edges edges = Edges::OnModelEdges) {
   options.threads = 1;
   const RunResult one = run(animal.data, options, edges);
   for (const int n : threads) {
@@ -39,6 +40,19 @@ inline void expect_the_same(const zoo::Animal& animal, DecimationOptions options
         << animal.name << " to " << options.target_faces << ", " << n << " threads, regularity "
         << options.regularity;
   }
+}
+
+inline DecimationOptions in_parts(std::uint32_t target, int parts, int threads,
+                                  double regularity = 0.5) {
+  DecimationOptions options = quality(target, regularity);
+  options.parts = parts;
+  options.threads = threads;
+  return options;
+}
+
+inline std::vector<zoo::Animal> samples_for_parts() {
+  return samples(
+      {{"scan", 9000}, {"torus", 90}, {"terrain", 70}, {"nonmanifold", 40}, {"bracket", 6}});
 }
 
 }  // namespace aomd::test
