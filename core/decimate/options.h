@@ -114,6 +114,14 @@ struct SweepStatistics {
   std::uint32_t faces = 0, regions = 0;  ///< after it
   std::array<std::uint32_t, reason_count> refused{};
 
+  /// Adds what was made and refused; what is left of the mesh stays.
+  SweepStatistics& operator+=(const SweepStatistics& other) {
+    collapses += other.collapses;
+    swaps += other.swaps;
+    smooths += other.smooths;
+    for (std::size_t i = 0; i < refused.size(); ++i) refused[i] += other.refused[i];
+    return *this;
+  }
   friend bool operator==(const SweepStatistics&, const SweepStatistics&) = default;
 };
 

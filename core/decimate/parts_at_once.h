@@ -1,11 +1,12 @@
 #pragma once
-// The parts of a surface at work at the same time, each on a thread.
+// The parts of a mesh at work at the same time, each on a thread.
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -28,75 +29,96 @@ struct PartHand {
 /// by one.
 [[nodiscard]] inline bool parts_may_share(const Mesh& mesh, const DecimationOptions& options,
                                           const Guards& guards) {
-  return options.threads > 1 && !guards.any() && !options.model &&
-         options.topology == TopologyRule::Safe && SharedEdits::possible(mesh);
+  return options.threads > 1 && !guards.any() && SharedEdits::possible(mesh);
 }
 
-/// Threads that take the turns of the parts of a surface, each with a hand of its own.
+/// The same for surfaces, where a model or the paper's topology changes more than lies in a part.
+[[nodiscard]] inline bool surface_parts_may_share(const Mesh& mesh,
+                                                  const DecimationOptions& options,
+                                                  const Guards& guards) {
+  return !options.model && options.topology == TopologyRule::Safe &&
+         parts_may_share(mesh, options, guards);
+}
+
+/// Threads that take the turns of the parts of a mesh, each with a hand of its own.
 template <typename Hand>
 class PartsAtOnce {
  public:
-  enum class Outcome { Done, WantsRoom, Stopped };
+  /// What the parts of a mesh are worked off by.
+  struct Work {
+    std::size_t parts = 1;
+    std::size_t first = 0;  ///< the part whose turn it is: those before it are done
+    int threads = 1;
+    const std::function<bool()>& cancelled;  ///< asked every few candidates
+  };
 
-  /// Makes sure that there is a hand for each thread, by make(), and begins edits of all parts.
+  /// Makes sure that there is a hand for each thread, by make().
   template <typename Make>
-  void begin(Mesh& mesh, std::size_t parts, int threads, Make&& make) {
-    parts_ = parts;
-    threads_ = std::min(static_cast<std::size_t>(threads), parts);
+  void need_hands(const Work& work, const Make& make) {
+    threads_ = std::min(static_cast<std::size_t>(work.threads), work.parts);
     while (hands_.size() < threads_) hands_.push_back(make());
-    SharedEdits::begin(mesh, parts, edits_);
   }
-  /// Calls advance(hand) for the parts from `first` on until it says that its part has nothing more
-  /// to do. Stops where parts have used up their room, who go on when all have new room, and when
-  /// `cancelled`, asked every few candidates, says so.
-  template <typename Advance>
-  Outcome run(std::size_t first, const Advance& advance, const std::function<bool()>& cancelled) {
-    Work work{cancelled, first};
-    parallel_for(threads_, static_cast<int>(threads_), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) take_parts(*hands_[i], i == 0, advance, work);
-    });
-    if (work.stopped) return Outcome::Stopped;
-    return work.wants_room ? Outcome::WantsRoom : Outcome::Done;
-  }
-  /// The mesh is one again, and the statistics have what all hands made.
-  void settle(Mesh& mesh, SweepStatistics& sweep) {
+  /// Calls advance(hand) for each part until it says that its part has nothing more to do. Where
+  /// parts have used up their room, they go on when all have new room, after begin(). Then the mesh
+  /// is one again, and the statistics have what all hands made. Who is cancelled begins no other
+  /// part, but ends those that were begun: regions that come later get the ids that went last, and
+  /// so what follows does not depend on where it was cancelled. Returns whether all parts are done.
+  template <typename Begin, typename Advance>
+  bool run(Mesh& mesh, const Work& work, SweepStatistics& sweep, const Begin& begin,
+           const Advance& advance) {
+    Shared shared{.work = work, .end = work.parts};
+    do {
+      SharedEdits::begin(mesh, work.parts, edits_);
+      begin();
+      shared.next = work.first;
+      shared.wants_room = false;
+      each_thread([&](std::size_t i) { take_parts(*hands_[i], i == 0, advance, shared); });
+      shared.end = std::min(shared.end, shared.next.load());
+      shared.may_stop = false;
+    } while (shared.wants_room);
     SharedEdits::settle(mesh, edits_);
-    for (const auto& hand : hands_) {
-      sweep.collapses += hand->made.collapses;
-      sweep.swaps += hand->made.swaps;
-      sweep.smooths += hand->made.smooths;
-      for (std::size_t i = 0; i < sweep.refused.size(); ++i)
-        sweep.refused[i] += hand->made.refused[i];
-      hand->made = {};
-    }
+    for (const auto& hand : hands_) sweep += std::exchange(hand->made, {});
+    return shared.end == work.parts;
   }
   [[nodiscard]] const std::vector<std::unique_ptr<Hand>>& hands() const { return hands_; }
 
  private:
-  struct Work {
-    const std::function<bool()>& cancelled;
-    std::atomic<std::size_t> next;  ///< the part that nobody has taken yet
+  /// What threads share while they take the parts.
+  struct Shared {
+    const Work& work;
+    std::size_t end;                    ///< no part from here on is begun
+    std::atomic<std::size_t> next = 0;  ///< the part that nobody has taken yet
+    bool may_stop = true;
     std::atomic<bool> wants_room = false, stopped = false;
   };
 
+  template <typename Do>
+  void each_thread(const Do& act) {
+    parallel_for(threads_, static_cast<int>(threads_), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) act(i);
+    });
+  }
   template <typename Advance>
-  void take_parts(Hand& hand, bool may_ask, const Advance& advance, Work& work) {
+  void take_parts(Hand& hand, bool may_ask, const Advance& advance, Shared& shared) {
     constexpr int candidates_between_checks = 64;
+    const auto& cancelled = shared.work.cancelled;
     hand.within_part = true;
-    for (hand.part = work.next++; hand.part < parts_; hand.part = work.next++) {
+    while (!(shared.may_stop && shared.stopped)) {
+      hand.part = shared.next++;
+      if (hand.part >= shared.end) return;
       hand.edits = &edits_[hand.part];
       bool goes_on = true;
-      for (int i = 1; goes_on && !work.stopped; ++i) {
-        if (may_ask && i % candidates_between_checks == 0 && work.cancelled && work.cancelled())
-          work.stopped = true;
+      for (int i = 1; goes_on; ++i) {
+        if (may_ask && i % candidates_between_checks == 0 && cancelled && cancelled())
+          shared.stopped = true;
         goes_on = hand.edits->has_room();
-        if (!goes_on) work.wants_room = true;
+        if (!goes_on) shared.wants_room = true;
         goes_on = goes_on && advance(hand);
       }
     }
   }
 
-  std::size_t parts_ = 1, threads_ = 1;
+  std::size_t threads_ = 1;
   std::vector<std::unique_ptr<Hand>> hands_;
   std::vector<SharedEdits> edits_;  ///< by part
 };

@@ -11,7 +11,9 @@
 //      \ | /                      |/
 //        u                        u
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +42,12 @@ struct CollapsePlan {
 
   [[nodiscard]] const Star& around_deleted() const { return stars[0]; }
   [[nodiscard]] const Star& around_kept() const { return stars[1]; }
+  /// How many faces it takes away.
+  [[nodiscard]] std::size_t faces_gone() const {
+    return static_cast<std::size_t>(
+        std::count_if(stars[0].begin(), stars[0].end(),
+                      [&](const StarFace& f) { return f.uses(contraction.kept); }));
+  }
 };
 
 /// Judges and applies edge collapses on one mesh; holds marks, so that a sweep allocates nothing,

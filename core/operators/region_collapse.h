@@ -12,7 +12,9 @@
 //       \|/               |
 //        y                y
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +32,13 @@ class SharedEdits;
 /// ends. Its stars are of model faces, and empty where the end that goes lies inside a region.
 struct VolumeCollapsePlan : CollapsePlan {
   std::array<Ball, 2> balls;  ///< accepted: around the end that goes (0) and the one that stays (1)
+
+  /// How many regions it takes away.
+  [[nodiscard]] std::size_t regions_gone() const {
+    return static_cast<std::size_t>(
+        std::count_if(balls[0].begin(), balls[0].end(),
+                      [&](const BallRegion& r) { return r.uses(contraction.kept); }));
+  }
 };
 
 /// Judges and applies collapses on one mesh of tetrahedra that is classified: every side of one

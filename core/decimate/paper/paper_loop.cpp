@@ -15,13 +15,6 @@ constexpr std::uint32_t fewest_faces = 250'000;
 constexpr std::uint64_t fewest_share = 64;
 constexpr std::size_t fewest_edges_each = 64;  // in a part
 
-std::size_t faces_gone(const CollapsePlan& plan) {
-  const Star& around = plan.around_deleted();
-  return static_cast<std::size_t>(
-      std::count_if(around.begin(), around.end(),
-                    [&](const StarFace& f) { return f.uses(plan.contraction.kept); }));
-}
-
 std::uint32_t& count_of(SweepStatistics& sweep, StepKind kind) {
   return kind == StepKind::Collapse ? sweep.collapses
          : kind == StepKind::Swap   ? sweep.swaps
@@ -170,7 +163,7 @@ bool PaperLoop::try_collapse(Edge edge, Hand& hand) {
     return false;
   }
   const EntityRef known_by = collapse(edge, hand);
-  if (hand.within_part) turns_.took(hand.part, faces_gone(hand.plan.collapse));
+  if (hand.within_part) turns_.took(hand.part, hand.plan.collapse.faces_gone());
   made_by(hand, StepKind::Collapse, known_by);
   return true;
 }
@@ -267,23 +260,25 @@ void PaperLoop::next_phase() {
 }
 
 bool PaperLoop::advance_parts(const std::function<bool()>& cancelled) {
-  using Outcome = PartsAtOnce<Hand>::Outcome;
-  if (done() || !in_parts_ || !turns_.in_part() || !parts_may_share(mesh_, options_, guards_) ||
+  if (done() || !in_parts_ || !turns_.in_part() ||
+      !surface_parts_may_share(mesh_, options_, guards_) ||
       !ready_for(std::min(std::size_t(options_.threads), part_count_)))
     return false;
-  Outcome outcome{};
-  do {
-    at_once_.begin(mesh_, part_count_, options_.threads,
-                   [&] { return std::make_unique<Hand>(at_once_.hands().size() + 1); });
-    for (const auto& hand : at_once_.hands()) hand->now = alone_.now;
-    outcome = at_once_.run(
-        turns_.part(), [&](Hand& hand) { return advance_part(hand); }, cancelled);
-    for (const auto& hand : at_once_.hands()) alone_.now = std::max(alone_.now, hand->now);
-  } while (outcome == Outcome::WantsRoom);
-  at_once_.settle(mesh_, sweeps_.back());
+  const PartsAtOnce<Hand>::Work work{part_count_, turns_.part(), options_.threads, cancelled};
+  at_once_.need_hands(work, [&] { return std::make_unique<Hand>(at_once_.hands().size() + 1); });
+  const bool all_done = at_once_.run(
+      mesh_, work, sweeps_.back(), [&] { agree_on_now(); },
+      [&](Hand& hand) { return advance_part(hand); });
+  agree_on_now();
   settle();
-  if (outcome == Outcome::Done) turns_.end_parts();
+  if (all_done) turns_.end_parts();
   return true;
+}
+
+// Parts may come to other hands.
+void PaperLoop::agree_on_now() {
+  for (const auto& hand : at_once_.hands()) alone_.now = std::max(alone_.now, hand->now);
+  for (const auto& hand : at_once_.hands()) hand->now = alone_.now;
 }
 
 bool PaperLoop::advance_part(Hand& hand) {

@@ -104,6 +104,7 @@ class PaperLoop : public Loop {
   std::uint32_t next();
   bool try_one(std::uint32_t id, Hand& hand);
   bool advance_part(Hand& hand);
+  void agree_on_now();
   void end_sweep();
   bool grow();
   [[nodiscard]] double needed_reach() const;

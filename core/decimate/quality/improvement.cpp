@@ -180,7 +180,7 @@ std::uint32_t QualityLoop::pass_done(std::uint32_t made) {
   if (made > 0 && phase_ == Phase::Collapse) {
     partition_ = Partition(mesh_, part_count_, 0, options_.threads);
     queue_.measure(true);
-    rounds_.begin(goals_[stage_]);
+    rounds_.begin(goals_[stage_], part_count_);
   }
   turns_.give_up_parts();
   std::fill(swaps_.refused.begin(), swaps_.refused.end(), std::array<Face, 3>());

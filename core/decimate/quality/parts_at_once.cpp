@@ -10,21 +10,16 @@ bool QualityLoop::parts_are_ready() {
 }
 
 bool QualityLoop::advance_parts(const std::function<bool()>& cancelled) {
-  using Outcome = PartsAtOnce<Hand>::Outcome;
-  if (done() || part_count_ == 1 || values_ || !parts_may_share(mesh_, options_, guards_) ||
+  if (done() || part_count_ == 1 || values_ || !surface_parts_may_share(mesh_, options_, guards_) ||
       !parts_are_ready())
     return false;
   if (phase_ == Phase::Swap) mesh_.build_hash(1);
-  Outcome outcome{};
-  do {
-    at_once_.begin(mesh_, part_count_, options_.threads,
-                   [&] { return std::make_unique<Hand>(mesh_); });
-    outcome = at_once_.run(
-        phase_ == Phase::Collapse ? rounds_.part() : turns_.part(),
-        [&](Hand& hand) { return advance_part(hand); }, cancelled);
-  } while (outcome == Outcome::WantsRoom);
-  at_once_.settle(mesh_, sweeps_.back());
-  if (outcome == Outcome::Done) end_parts();
+  const std::size_t first = phase_ == Phase::Collapse ? rounds_.part() : turns_.part();
+  const PartsAtOnce<Hand>::Work work{part_count_, first, options_.threads, cancelled};
+  at_once_.need_hands(work, [&] { return std::make_unique<Hand>(mesh_); });
+  const bool all_done = at_once_.run(
+      mesh_, work, sweeps_.back(), [] {}, [&](Hand& hand) { return advance_part(hand); });
+  if (all_done) end_parts();
   return true;
 }
 

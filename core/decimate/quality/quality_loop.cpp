@@ -12,7 +12,7 @@ bool QualityLoop::relax() {
   rules_.least_around = LeastAngle(0);
   fit_.least_angle = rules_.least_angle;
   queue_.refill();
-  rounds_.begin(goals_[stage_]);
+  rounds_.begin(goals_[stage_], part_count_);
   return true;
 }
 
@@ -110,10 +110,7 @@ void QualityLoop::collapse(const Contraction& c, Hand& hand) {
 
 void QualityLoop::count(const Contraction& c, Hand& hand) {
   if (hand.within_part) {
-    const Star& around = hand.plan.collapse.around_deleted();
-    rounds_.took(hand.part, static_cast<std::size_t>(
-                                std::count_if(around.begin(), around.end(),
-                                              [&](const StarFace& f) { return f.uses(c.kept); })));
+    rounds_.took(hand.part, hand.plan.collapse.faces_gone());
   } else {
     partition_.joined(mesh_, c.kept);
   }

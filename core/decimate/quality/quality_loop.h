@@ -164,7 +164,7 @@ class QualityLoop final : public Loop {
   std::size_t part_count_ = 1;
   Partition partition_;  ///< for the present stage
   CollapseQueue queue_;
-  CollapseRounds rounds_;
+  CollapseRounds<CollapseQueue> rounds_;
   Hand alone_;                 ///< of who works alone
   PartsAtOnce<Hand> at_once_;  ///< and of those who work at the same time
   Column<Edge, Reason> refusal_;

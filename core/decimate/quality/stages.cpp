@@ -11,6 +11,10 @@
 namespace aomd {
 namespace {
 
+// Two faces go with most collapses. Far above the target eight octaves of costs are worked off at
+// once.
+constexpr RoundRules surface_rounds{.dimension = 2, .most_each = 2, .buckets_far_off = 16};
+
 // A weight that is given at regularity 0, 1/2 and 1, and follows powers between.
 double between(double regularity, double at_0, double at_half, double at_1) {
   const double w = std::clamp(regularity, 0.0, 1.0);
@@ -72,7 +76,7 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
       curves_(mesh),
       fitter_(mesh, original_, curves_),
       queue_(mesh, original_, curves_, options_, partition_),
-      rounds_(mesh, queue_, partition_),
+      rounds_(mesh, queue_, surface_rounds),
       alone_(mesh) {
   if (options.values) {
     values_ = std::make_unique<AttributeFit>(mesh, original_, *options.values);
@@ -173,7 +177,7 @@ void QualityLoop::start(const DecimationOptions& options) {
 void QualityLoop::begin_stage() {
   partition_ = Partition(mesh_, part_count_, 0, options_.threads);
   queue_.measure(stage_ > 0 || options_.original != nullptr);
-  rounds_.begin(goals_[stage_]);
+  rounds_.begin(goals_[stage_], part_count_);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   round_ = 0;
   phase_ = Phase::Collapse;

@@ -230,10 +230,7 @@ bool VolumeQualityLoop::collapse(Vertex v, Vertex w, Hand& hand) {
 
 void VolumeQualityLoop::count(const Contraction& c, Hand& hand) {
   if (hand.within_part) {
-    const Ball& gone = hand.plan.collapse.balls[0];
-    rounds_.took(hand.part, static_cast<std::size_t>(std::count_if(
-                                gone.begin(), gone.end(),
-                                [&](const BallRegion& r) { return r.uses(c.kept); })));
+    rounds_.took(hand.part, hand.plan.collapse.regions_gone());
   } else {
     partition_.joined(mesh_, c.kept);
   }

@@ -4,7 +4,6 @@
 // whenever collapses alone lead no further (docs/VOLUMES.md).
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,15 +11,15 @@
 #include <vector>
 
 #include "core/decimate/loop.h"
+#include "core/decimate/parts_at_once.h"
 #include "core/decimate/quadric.h"
 #include "core/decimate/quality/cheapest.h"
+#include "core/decimate/quality/collapse_rounds.h"
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/decimate/volume/improvement.h"
 #include "core/decimate/volume/region_balance.h"
 #include "core/decimate/volume/vertex_relaxation.h"
 #include "core/decimate/volume/volume_placement.h"
-#include "core/decimate/volume/volume_rounds.h"
-#include "core/mesh/shared_edits.h"
 #include "core/operators/region_collapse.h"
 #include "core/parts/partition.h"
 #include "core/parts/pass_turns.h"
@@ -81,17 +80,13 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
     VertexRelaxation relaxation;
   };
   /// What one thread needs to judge and to make collapses and moves.
-  struct Hand {
+  struct Hand : PartHand {
     explicit Hand(const Mesh& mesh) : collapser(mesh) {}
     RegionCollapser collapser;
     Scratch scratch;
     Plan plan;
     std::vector<Candidate> found;
-    std::size_t part = 0;
-    bool within_part = false;      ///< what touches the seam, or the model, is left to others
-    SharedEdits* edits = nullptr;  ///< none: nobody else edits, and the mesh follows at once
-    SweepStatistics made;          ///< where there are others
-    bool waits = false;            ///< the same: something costs more than patience allows
+    bool waits = false;  ///< something costs more than patience allows
   };
 
   // Single precision holds the fourth power of a length only where it is near 1: what it holds is
@@ -208,23 +203,11 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   [[nodiscard]] bool must_wait(Vertex v, Vertex w, const Hand& hand) const {
     return hand.within_part && !(is_inside(v) && is_inside(w));
   }
-  /// What threads share while they take the parts.
-  struct SharedParts {
-    const std::function<bool()>& cancelled;
-    std::size_t end = 0;                ///< no part from here on is begun
-    std::atomic<std::size_t> next = 0;  ///< the part that nobody has taken yet
-    bool may_stop = true;
-    std::atomic<bool> wants_room = false, stopped = false;
-  };
   [[nodiscard]] std::size_t parts_now() const;
-  [[nodiscard]] bool parts_may_share() const;
   [[nodiscard]] bool parts_are_ready();
-  [[nodiscard]] std::size_t part_in_turn() const;
   void end_parts();
-  void work_on_parts(Hand& hand, bool may_ask, SharedParts& shared);
   /// One candidate of the hand's part; false where it has none any more.
   bool advance_part(Hand& hand);
-  void take_count(Hand& hand);
 
   // Debts (volume_settling.cpp)
   void limit_debts();
@@ -256,15 +239,15 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   Column<Vertex, double> size_;  ///< the mean length of the edges at a vertex, at the start
   Partition partition_;          ///< for the present descent
   VertexQueue queue_;
-  VolumeRounds rounds_{mesh_, queue_};
+  // More tetrahedra than go with a collapse are not to be missed at the target.
+  CollapseRounds<VertexQueue> rounds_{mesh_, queue_, {.dimension = 3, .most_each = 32}};
   VolumeDebts debts_;
   double reach_of_payment_ = 0;  ///< how far a vertex goes for debts at a time, by its size
   Hand alone_;                   ///< of who works alone
-  std::vector<std::unique_ptr<Hand>> hands_;  ///< of those who work at the same time
-  std::vector<SharedEdits> edits_;            ///< by part
-  std::size_t part_count_ = 1;                ///< in the present phase
-  PassTurns turns_;                           ///< of a pass of moves in several parts
-  Change allowed_;                            ///< by the removal that is to be made
+  PartsAtOnce<Hand> at_once_;    ///< and of those who work at the same time
+  std::size_t part_count_ = 1;   ///< in the present phase
+  PassTurns turns_;              ///< of a pass of moves in several parts
+  Change allowed_;               ///< by the removal that is to be made
   Column<Edge, Reason> refusal_;
   Column<Vertex, std::uint32_t> stir_;  ///< the pass in which something around changed last
   std::uint32_t stir_now_ = 0, stir_limit_ = 0;
