@@ -13,9 +13,10 @@ constexpr std::size_t page = std::size_t{1} << 21;
 
 // What ends within a page stays on small ones, so that no memory is taken that is not used.
 void* large_block(std::size_t size) {
-  void* const block = std::aligned_alloc(page, (size + page - 1) / page * page);
+  void* block = nullptr;
+  if (::posix_memalign(&block, page, size) != 0) return nullptr;
 #ifdef MADV_HUGEPAGE
-  if (block != nullptr) (void)::madvise(block, size / page * page, MADV_HUGEPAGE);
+  (void)::madvise(block, size / page * page, MADV_HUGEPAGE);
 #endif
   return block;
 }
