@@ -9,7 +9,7 @@
 
 #include "core/base/box_tree.h"
 
-namespace aomd::test {
+namespace aomd::test::box_tree_test {
 namespace {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -147,4 +147,4 @@ TEST(BoxTreeTest, StaysShallow) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::box_tree_test

@@ -17,7 +17,7 @@
 #include "core/model/nearest_lanes.h"
 #include "core/model/triangle_tree.h"
 
-namespace aomd::test {
+namespace aomd::test::lanes_test {
 namespace {
 
 template <typename Number>
@@ -151,4 +151,4 @@ TEST(LanesTest, CostsOfFourEdges) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::lanes_test

@@ -11,7 +11,7 @@
 
 #include "core/base/processes.h"
 
-namespace aomd::test {
+namespace aomd::test::processes_test {
 namespace {
 
 std::string own_id(std::size_t /*piece*/) { return std::to_string(::getpid()); }
@@ -74,4 +74,4 @@ TEST(Processes, AreLetGoOnceTheyAreToStop) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::processes_test

@@ -12,7 +12,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::block_cut_test {
 namespace {
 
 TEST(BlockCutTest, EqualBlocksAndTheStripBetweenThem) {
@@ -89,4 +89,4 @@ TEST(VertexRanksTest, NumbersItsMembersInOrder) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::block_cut_test

@@ -21,7 +21,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/surface_facts.h"
 
-namespace aomd {
+namespace aomd::coarse_surface_test {
 namespace {
 
 using Triangle = std::array<std::array<double, 3>, 3>;
@@ -303,4 +303,4 @@ TEST_F(Blocks, TheFirstProcessSaysWhatAnotherCouldNotDo) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::coarse_surface_test

@@ -10,7 +10,7 @@
 #include "tests/support/child.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_batch_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -250,4 +250,4 @@ TEST_F(WaitingBatch, LeavesNoProcessWhereItIsKilledItself) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_batch_test

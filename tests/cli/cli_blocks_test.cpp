@@ -5,7 +5,7 @@
 #include "tests/support/cli_helpers.h"
 #include "tests/support/surface_facts.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_blocks_test {
 namespace {
 
 class BlocksCommand : public CommandLine {
@@ -207,4 +207,4 @@ TEST_F(BlocksCommand, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_blocks_test

@@ -11,7 +11,7 @@
 #include "core/io/io.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_classified_test {
 namespace {
 
 constexpr int cells = 20;  // a plate of 20 by 20 squares, two triangles each
@@ -136,4 +136,4 @@ TEST_F(ClassifiedCommand, BordersCoarsenLikeThoseOfUnclassifiedPlates) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_classified_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_compare_test {
 namespace {
 
 constexpr const char* square = "OFF\n4 2 0\n0 0 0\n3 0 0\n3 4 0\n0 4 0\n3 0 1 2\n3 0 2 3\n";
@@ -168,4 +168,4 @@ TEST_F(CompareCommand, SharedBunnyAgainstItselfDecimated) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_compare_test

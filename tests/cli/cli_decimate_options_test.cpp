@@ -5,7 +5,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_decimate_options_test {
 namespace {
 
 class DecimateOptionsCommand : public CommandLine {
@@ -329,4 +329,4 @@ TEST_F(DecimateOptionsCommand, AReplayRepairsAsTheDecimationDid) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_decimate_options_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_decimate_test {
 namespace {
 
 class DecimateCommand : public CommandLine {
@@ -276,4 +276,4 @@ TEST_F(DecimateCommand, DragonFinishesInBothTopologies) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_decimate_test

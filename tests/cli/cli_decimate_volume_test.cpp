@@ -6,7 +6,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_decimate_volume_test {
 namespace {
 
 class DecimateVolume : public CommandLine {
@@ -158,4 +158,4 @@ TEST_F(DecimateVolume, NothingIsClassifiedThatWasNot) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_decimate_volume_test

@@ -3,7 +3,7 @@
 #include "core/io/io.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_dirt_test {
 namespace {
 
 using DirtCommands = CommandLine;
@@ -217,4 +217,4 @@ TEST_F(DirtCommands, AJournalOfAWeldedSoupIsReplayed) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_dirt_test

@@ -10,13 +10,17 @@
 #include "tests/support/child.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_endings_test {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+#ifdef __SANITIZE_ADDRESS__  // these look for what each moment does to memory, not for all moments
+constexpr int moments = 20;
+#else
 constexpr int moments = 100;
+#endif
 constexpr std::array names = {"o.ply", "o.journal", "o.json"};
 
 class Endings : public CommandLine {
@@ -180,4 +184,4 @@ TEST_F(CommandLine, NohupIsRespected) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_endings_test

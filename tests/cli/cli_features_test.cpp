@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "core/io/io.h"
-#include "tests/model/shape_builder.h"
 #include "tests/support/cli_helpers.h"
+#include "tests/support/shape_builder.h"
 
-namespace aomd {
+namespace aomd::cli_features_test {
 namespace {
 
 class CliFeatures : public test::CommandLine {
@@ -113,4 +113,4 @@ TEST_F(CliFeatures, AreCountedWithRoughnessAndSteps) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::cli_features_test

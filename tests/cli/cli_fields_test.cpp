@@ -6,7 +6,7 @@
 #include "tests/support/cli_helpers.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_fields_test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -396,4 +396,4 @@ TEST_F(FieldsCommand, NothingLiesBesideStandardOutput) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_fields_test

@@ -2,7 +2,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_repair_test {
 namespace {
 
 using RepairCommand = CommandLine;
@@ -95,4 +95,4 @@ TEST_F(RepairCommand, WeldsAndRemovesPiecesWhenAsked) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_repair_test

@@ -2,7 +2,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_target_test {
 namespace {
 
 class TargetCommand : public CommandLine {
@@ -275,4 +275,4 @@ TEST_F(TargetCommand, ReachOfAVolumeLetsGoOfItsLeastAngles) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_target_test

@@ -4,7 +4,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_test {
 namespace {
 
 using CommandLineTest = CommandLine;
@@ -251,4 +251,4 @@ TEST_F(CommandLine, AnInvertedRegionIsFound) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_test

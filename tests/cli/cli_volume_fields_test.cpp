@@ -5,7 +5,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_volume_fields_test {
 namespace {
 
 constexpr int sizes[] = {1, 2, 3, 4, 6, 9};
@@ -202,4 +202,4 @@ TEST_F(VolumeFields, CompareSaysWhatTheyDifferBy) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_volume_fields_test

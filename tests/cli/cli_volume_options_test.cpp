@@ -9,7 +9,7 @@
 #include "tests/support/cli_helpers.h"
 #include "tests/support/tet_zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_volume_options_test {
 namespace {
 
 class VolumeOptions : public CommandLine {
@@ -211,4 +211,4 @@ TEST_F(VolumeOptions, WhereVolumesStopARunTheReportSaysSo) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_volume_options_test

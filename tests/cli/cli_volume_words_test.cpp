@@ -5,7 +5,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_volume_words_test {
 namespace {
 
 using Notes = std::vector<std::string>;
@@ -210,4 +210,4 @@ TEST_F(VolumeWords, ListedInsideOut) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_volume_words_test

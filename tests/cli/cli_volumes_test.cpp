@@ -4,7 +4,7 @@
 
 #include "tests/support/cli_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::cli_volumes_test {
 namespace {
 
 // Three tetrahedra on one face.
@@ -208,4 +208,4 @@ TEST_F(Volumes, HangingVerticesAreNamed) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::cli_volumes_test

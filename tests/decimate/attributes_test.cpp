@@ -17,7 +17,7 @@
 #include "tests/support/painted_sphere.h"
 #include "tests/support/quality_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::attributes_test {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
@@ -258,4 +258,4 @@ TEST(Attributes, GoOnCountingWhereARunStartsAnew) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::attributes_test

@@ -4,7 +4,7 @@
 
 #include "core/decimate/guard/covered_cells.h"
 
-namespace aomd {
+namespace aomd::covered_cells_test {
 namespace {
 
 const ModelRef curve(1, 1);
@@ -45,4 +45,4 @@ TEST(CoveredCells, AfterAChangeFromOutside) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::covered_cells_test

@@ -12,7 +12,7 @@
 #include "core/decimate/spacing/spacing.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::curvature_test {
 namespace {
 
 struct Range {
@@ -208,4 +208,4 @@ TEST(CurvatureTest, OfAVolumeIsThatOfItsModelFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::curvature_test

@@ -7,7 +7,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::decimation_test {
 namespace {
 
 struct Job {
@@ -211,4 +211,4 @@ TEST(DecimationTest, SwapsAndSmoothingImproveTheSmallestAngle) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::decimation_test

@@ -12,7 +12,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::dirty_test {
 namespace {
 
 using test::finding;
@@ -158,4 +158,4 @@ TEST(DirtyTest, NoOperationBreaksWhatIsDrawnAtRandom) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::dirty_test

@@ -9,7 +9,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::ending_test {
 namespace {
 
 constexpr int many = 20000;  // times 64 candidates: far beyond what these meshes need
@@ -100,4 +100,4 @@ TEST(EndingTest, TheSpacingGrowsInFewSweepsWhereLengthsAreFarApart) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::ending_test

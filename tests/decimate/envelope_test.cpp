@@ -11,7 +11,7 @@
 #include "core/mesh/geometry.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::envelope_test {
 namespace {
 
 Envelope envelope_with_patches(const MeshData& data, double distance) {
@@ -136,4 +136,4 @@ TEST(Envelope, PatchesChangeNoAnswerByMoreThanTheResolution) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::envelope_test

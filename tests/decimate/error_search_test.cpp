@@ -7,7 +7,7 @@
 
 #include "core/decimate/error_search.h"
 
-namespace aomd {
+namespace aomd::error_search_test {
 namespace {
 
 struct Found {
@@ -81,4 +81,4 @@ TEST(ErrorSearchTest, FindsNothingWhereNothingFits) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::error_search_test

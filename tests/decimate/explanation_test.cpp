@@ -7,7 +7,7 @@
 #include "core/model/classify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::explanation_test {
 namespace {
 
 struct Bench {
@@ -193,4 +193,4 @@ TEST(Explanation, AskingChangesNothing) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::explanation_test

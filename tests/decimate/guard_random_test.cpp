@@ -19,7 +19,7 @@
 #include "core/operators/smooth.h"
 #include "tests/support/guard_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::guard_random_test {
 namespace {
 
 using measure::self_intersections;
@@ -241,4 +241,4 @@ TEST(Guards, RandomOperationsOnARealMesh) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::guard_random_test

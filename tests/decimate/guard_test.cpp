@@ -14,7 +14,7 @@
 #include "tests/support/tet_zoo.h"
 #include "tests/support/volume_bench.h"
 
-namespace aomd::test {
+namespace aomd::test::guard_test {
 namespace {
 
 using measure::self_intersections;
@@ -345,4 +345,4 @@ TEST(FaceTree, AFaceWithoutAreaKeepsItsPlace) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::guard_test

@@ -10,7 +10,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::hardly_a_surface_test {
 namespace {
 
 using test::classified;
@@ -137,4 +137,4 @@ TEST(ScaleTest, AnotherUnitGivesTheSameSurface) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::hardly_a_surface_test

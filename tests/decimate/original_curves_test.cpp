@@ -16,7 +16,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::original_curves_test {
 namespace {
 
 using test::classified;
@@ -265,4 +265,4 @@ TEST(OriginalCurvesTest, ThePaperLoopDoesNotEatADisc) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::original_curves_test

@@ -16,7 +16,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::original_surface_test {
 namespace {
 
 // Contracts random edges of a scan, and tells the original so.
@@ -399,4 +399,4 @@ TEST(TriangleQualityTest, ExactValues) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::original_surface_test

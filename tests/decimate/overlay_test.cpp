@@ -6,7 +6,7 @@
 
 #include "core/decimate/guard/overlay.h"
 
-namespace aomd {
+namespace aomd::overlay_test {
 namespace {
 
 //   2 +           what is below: (0,0) (2,0) (0,2), at z = 1
@@ -75,4 +75,4 @@ TEST(Overlay, NothingIsOverWhatHasNoArea) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::overlay_test

@@ -9,7 +9,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::paper_loop_test {
 namespace {
 
 Mesh classified_scan() {
@@ -109,4 +109,4 @@ TEST(PaperLoopTest, AnEdgeOfTheBorderIsJudgedAgainWhenTheNextOneIsGone) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::paper_loop_test

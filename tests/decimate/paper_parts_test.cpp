@@ -17,7 +17,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/thread_runs.h"
 
-namespace aomd {
+namespace aomd::paper_parts_test {
 namespace {
 
 using test::classified;
@@ -243,4 +243,4 @@ TEST(PaperPartsTest, AsGoodAsOnePart) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::paper_parts_test

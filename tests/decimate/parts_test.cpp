@@ -15,7 +15,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/thread_runs.h"
 
-namespace aomd {
+namespace aomd::parts_test {
 namespace {
 
 using test::classified;
@@ -220,4 +220,4 @@ TEST(PassTurnsTest, EachFaceHasATurnAndWhatIsLeftAnotherOne) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::parts_test

@@ -11,7 +11,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::quality_limits_test {
 namespace {
 
 using test::classified;
@@ -183,4 +183,4 @@ TEST(QualityLimitsTest, AMeshOfSliversReachesItsTarget) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::quality_limits_test

@@ -12,7 +12,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::quality_options_test {
 namespace {
 
 using test::classified;
@@ -202,4 +202,4 @@ TEST(QualityOptionsTest, AMeshAtItsTargetKeepsItsFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::quality_options_test

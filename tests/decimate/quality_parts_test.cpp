@@ -14,7 +14,7 @@
 #include "core/decimate/quality/vertex_queue.h"
 #include "core/model/triangle_tree.h"
 
-namespace aomd {
+namespace aomd::quality_parts_test {
 namespace {
 
 TEST(VertexQueueTest, LowestFirstAndEqualsInTheOrderOfIds) {
@@ -246,4 +246,4 @@ TEST(NearestPointTest, TrianglesWithoutArea) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::quality_parts_test

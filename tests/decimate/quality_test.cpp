@@ -16,7 +16,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::quality_test {
 namespace {
 
 using test::classified;
@@ -318,4 +318,4 @@ TEST(QualityTest, ABracketOfAHundredFacesHasNoneThatLooksAway) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::quality_test

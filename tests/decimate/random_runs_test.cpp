@@ -21,7 +21,7 @@
 #include "tests/support/random_classes.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::random_runs_test {
 namespace {
 
 unsigned from_environment(const char* name, unsigned usual) {
@@ -185,4 +185,4 @@ TEST(RandomRunsTest, WhateverIsDecimatedStaysConsistentAndLeadsBack) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::random_runs_test

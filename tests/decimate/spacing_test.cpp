@@ -15,7 +15,7 @@
 #include "tests/support/message.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::spacing_test {
 namespace {
 
 using test::message;
@@ -425,4 +425,4 @@ TEST(SpacingBySurfaceTest, GrowsInsideFromWhatItIsOnModelFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::spacing_test

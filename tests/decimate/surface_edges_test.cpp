@@ -13,7 +13,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::surface_edges_test {
 namespace {
 
 struct Surface {
@@ -138,4 +138,4 @@ TEST(SurfaceEdgesTest, EdgesThatAreEntitiesAreJudgedAsBefore) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::surface_edges_test

@@ -14,7 +14,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/thread_runs.h"
 
-namespace aomd {
+namespace aomd::threads_test {
 namespace {
 
 using test::classified;
@@ -178,4 +178,4 @@ TEST(ThreadsTest, SameBytesOnTheBunny) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::threads_test

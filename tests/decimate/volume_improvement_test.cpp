@@ -9,7 +9,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::volume_improvement_test {
 namespace {
 
 using namespace test;
@@ -121,4 +121,4 @@ TEST(VolumeImprovementTest, OtherShapesAndTheirVerticesStay) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_improvement_test

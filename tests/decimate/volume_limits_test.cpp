@@ -19,7 +19,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::volume_limits_test {
 namespace {
 
 using namespace test;
@@ -345,4 +345,4 @@ TEST(VolumeLimits, ARemovalThatPaysAndOneThatDoesNot) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_limits_test

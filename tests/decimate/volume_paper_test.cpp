@@ -12,7 +12,7 @@
 #include "tests/support/tet_zoo.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::volume_paper_test {
 namespace {
 
 using test::strata_of;
@@ -173,4 +173,4 @@ TEST(VolumePaperTest, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_paper_test

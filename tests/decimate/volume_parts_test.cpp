@@ -12,7 +12,7 @@
 #include "core/operators/region_collapse.h"
 #include "tests/support/volume_bench.h"
 
-namespace aomd {
+namespace aomd::volume_parts_test {
 namespace {
 
 using namespace test;
@@ -212,4 +212,4 @@ TEST(VertexRelaxationTest, StepsKeepTheLeastDihedralAngle) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_parts_test

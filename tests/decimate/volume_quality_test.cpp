@@ -15,7 +15,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::volume_quality_test {
 namespace {
 
 using namespace test;
@@ -347,4 +347,4 @@ TEST(VolumeQualityTest, KeptVerticesAndOtherShapesStay) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_quality_test

@@ -14,7 +14,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::volume_threads_test {
 namespace {
 
 using test::in_parts;
@@ -181,4 +181,4 @@ TEST(VolumeParts, AsGoodAsOnePart) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_threads_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/field_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::carry_cells_test {
 namespace {
 
 double wave(const glm::dvec3& p) { return std::sin(4 * p.x) + p.y * p.z; }
@@ -123,4 +123,4 @@ TEST(CarryCells, WithoutClassesTheWholeIsOne) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::carry_cells_test

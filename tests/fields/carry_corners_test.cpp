@@ -9,7 +9,7 @@
 #include "core/repair/triangulate.h"
 #include "tests/support/field_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::carry_corners_test {
 namespace {
 
 /// Which side of the cube around a point is nearest, and where on it, each from -1 to 1.
@@ -208,4 +208,4 @@ TEST(Corners, FollowRepairAndTriangulation) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::carry_corners_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/field_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::carry_surface_test {
 namespace {
 
 using Place = std::array<double, 3>;
@@ -308,4 +308,4 @@ TEST(CarrySurface, NothingWithoutArrays) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::carry_surface_test

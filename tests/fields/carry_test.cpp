@@ -5,7 +5,7 @@
 #include "core/fields/vertex_values.h"
 #include "tests/support/field_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::carry_test {
 namespace {
 
 double largest_error(const MeshData& mesh, const Attribute& a, const Function& f) {
@@ -186,4 +186,4 @@ TEST(Carry, NothingWithoutArrays) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::carry_test

@@ -11,7 +11,7 @@
 #include "tests/support/field_helpers.h"
 #include "tests/support/painted_sphere.h"
 
-namespace aomd::test {
+namespace aomd::test::fitted_values_test {
 namespace {
 
 using fields::fit_values;
@@ -139,4 +139,4 @@ TEST(FittedValues, OfColoursThatAreNoNumbersStayNone) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::fitted_values_test

@@ -9,7 +9,7 @@
 #include "core/mesh/tet_geometry.h"
 #include "core/samples/samples.h"
 
-namespace aomd::fields {
+namespace aomd::fields::overlap_test {
 namespace {
 
 double volume(const Tet& t) { return std::abs(six_volumes(t[0], t[1], t[2], t[3])) / 6; }
@@ -103,4 +103,4 @@ TEST(Place, OutsideTheOneThatIsCarriedOnLeast) {
 }
 
 }  // namespace
-}  // namespace aomd::fields
+}  // namespace aomd::fields::overlap_test

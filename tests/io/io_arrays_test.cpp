@@ -10,7 +10,7 @@
 #include "core/io/stored_numbers.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::io_arrays_test {
 namespace {
 
 constexpr NumberType all_types[] = {NumberType::Int8,    NumberType::UInt8,  NumberType::Int16,
@@ -351,4 +351,4 @@ INSTANTIATE_TEST_SUITE_P(Arrays, RoundTrip, testing::ValuesIn(cases),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::io_arrays_test

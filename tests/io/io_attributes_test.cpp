@@ -5,7 +5,7 @@
 #include "tests/support/volume_helpers.h"
 #include "tests/support/vtu_texts.h"
 
-namespace aomd {
+namespace aomd::io_attributes_test {
 namespace {
 
 std::vector<std::string> names_of(const MeshData& mesh) {
@@ -125,4 +125,4 @@ TEST(LeftOut, ArraysAndMarksOfWhatMoved) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_attributes_test

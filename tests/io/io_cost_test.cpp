@@ -9,7 +9,7 @@
 #include "tests/support/volume_helpers.h"
 #include "tests/support/vtu_texts.h"
 
-namespace aomd {
+namespace aomd::io_cost_test {
 namespace {
 
 /// One line for each of n things.
@@ -124,4 +124,4 @@ TEST(Cost, MemoryIsBoundedByTheFile) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_cost_test

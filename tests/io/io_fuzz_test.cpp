@@ -21,7 +21,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-namespace aomd {
+namespace aomd::io_fuzz_test {
 namespace {
 
 /// In the order of the names in fuzz/io_fuzz.cpp, where one without an extension comes last.
@@ -301,4 +301,4 @@ INSTANTIATE_TEST_SUITE_P(Formats, Fuzz, testing::Range(std::size_t{0}, format_co
                          [](const auto& of) { return std::string(formats[of.param]); });
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_fuzz_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/gltf_text.h"
 
-namespace aomd::test {
+namespace aomd::test::io_gltf_test {
 namespace {
 
 using Notes = std::vector<std::string>;
@@ -296,4 +296,4 @@ TEST(Gltf, AFileOfItsNumbersIsNotWrittenOverAnothers) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::io_gltf_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/gltf_text.h"
 
-namespace aomd::test {
+namespace aomd::test::io_materials_test {
 namespace {
 
 using Notes = std::vector<std::string>;
@@ -223,4 +223,4 @@ TEST(Materials, ThePictureOfAPlyGoesAlong) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::io_materials_test

@@ -2,7 +2,7 @@
 
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_medit_binary_test {
 namespace {
 
 using test::Indices;
@@ -120,4 +120,4 @@ TEST(MeditBinary, DamagedFilesSayTheByte) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_medit_binary_test

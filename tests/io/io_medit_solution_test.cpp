@@ -7,7 +7,7 @@
 #include "core/io/io.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::io_medit_solution_test {
 namespace {
 
 const std::string two_triangles =
@@ -109,4 +109,4 @@ TEST_F(MeditSolution, OneFromBeforeIsSaid) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::io_medit_solution_test

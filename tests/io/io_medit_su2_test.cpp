@@ -3,7 +3,7 @@
 #include "tests/support/message.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_medit_su2_test {
 namespace {
 
 using test::expect_error;
@@ -248,4 +248,4 @@ TEST(Su2, BadFilesSayTheLine) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_medit_su2_test

@@ -4,7 +4,7 @@
 #include "tests/support/msh_texts.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_msh_model_test {
 namespace {
 
 using test::expect_error;
@@ -156,4 +156,4 @@ TEST(MshModel, CommentsMayComeFirst) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_msh_model_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/msh_texts.h"
 
-namespace aomd {
+namespace aomd::io_msh_test {
 namespace {
 
 using test::expect_error;
@@ -363,4 +363,4 @@ TEST(Msh, RefusesBrokenBinaryWithTheByte) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_msh_test

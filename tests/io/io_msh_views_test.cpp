@@ -4,7 +4,7 @@
 
 #include "tests/support/msh_texts.h"
 
-namespace aomd {
+namespace aomd::io_msh_views_test {
 namespace {
 
 using test::expect_error;
@@ -92,4 +92,4 @@ TEST(MshViews, RefusesBrokenViews) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_msh_views_test

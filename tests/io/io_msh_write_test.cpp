@@ -12,7 +12,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_msh_write_test {
 namespace {
 
 struct Variant {
@@ -220,4 +220,4 @@ INSTANTIATE_TEST_SUITE_P(Msh, MshFiles, ::testing::ValuesIn(real_files), [](cons
 });
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_msh_write_test

@@ -5,7 +5,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_notes_test {
 namespace {
 
 using Notes = std::vector<std::string>;
@@ -153,4 +153,4 @@ TEST(WriteNotes, OrdinaryRoundingIsNotSpokenOf) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_notes_test

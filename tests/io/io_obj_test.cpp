@@ -4,7 +4,7 @@
 
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_obj_test {
 namespace {
 
 using test::expect_error;
@@ -162,4 +162,4 @@ TEST(Obj, BadInputsSayTheLine) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_obj_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_off_stl_test {
 namespace {
 
 using test::expect_error;
@@ -216,4 +216,4 @@ TEST(Stl, BadInputsSayLineOrByte) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_off_stl_test

@@ -13,7 +13,7 @@
 #include "core/io/output_target.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_output_files_test {
 namespace {
 
 using test::bytes_of;
@@ -205,4 +205,4 @@ TEST(OutputFiles, AnAbandonedProgramLeavesNothingAndSaysThatSomeAppeared) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_output_files_test

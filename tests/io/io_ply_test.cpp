@@ -4,7 +4,7 @@
 
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_ply_test {
 namespace {
 
 using test::expect_error;
@@ -246,4 +246,4 @@ TEST(Ply, BadBinarySaysTheByte) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_ply_test

@@ -8,7 +8,7 @@
 
 #include "core/samples/numeric.h"
 
-namespace aomd::io::detail {
+namespace aomd::io::detail::io_polygon_test {
 namespace {
 
 using Points = std::vector<glm::dvec3>;
@@ -104,4 +104,4 @@ TEST(Polygon, WithoutAreaStillGivesTriangles) {
 }
 
 }  // namespace
-}  // namespace aomd::io::detail
+}  // namespace aomd::io::detail::io_polygon_test

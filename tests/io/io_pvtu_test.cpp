@@ -14,7 +14,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_pvtu_test {
 namespace {
 
 class PvtuTest : public testing::Test {
@@ -235,4 +235,4 @@ TEST_F(PvtuTest, IsTilesOfASurface) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_pvtu_test

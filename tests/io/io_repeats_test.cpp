@@ -6,7 +6,7 @@
 #include "core/io/face_sink.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_repeats_test {
 namespace {
 
 using test::Indices;
@@ -250,4 +250,4 @@ TEST(Repeats, ABridgedFaceOfAFileKeepsItsPlaceAndClass) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_repeats_test

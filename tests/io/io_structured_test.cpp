@@ -2,7 +2,7 @@
 
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_structured_test {
 namespace {
 
 using test::expect_error;
@@ -97,4 +97,4 @@ TEST(Structured, BadGridsSayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_structured_test

@@ -11,7 +11,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/surface_facts.h"
 
-namespace aomd {
+namespace aomd::io_test {
 namespace {
 
 using test::same_mesh;
@@ -284,4 +284,4 @@ TEST(SharedData, SurfacesSurviveARoundTrip) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_test

@@ -8,7 +8,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/surface_facts.h"
 
-namespace aomd {
+namespace aomd::io_variants_test {
 namespace {
 
 using test::raw;
@@ -232,4 +232,4 @@ TEST(Variants, AMarkerThatIsPromisedMustBeThere) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_variants_test

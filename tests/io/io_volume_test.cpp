@@ -6,7 +6,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::io_volume_test {
 namespace {
 
 using test::count;
@@ -297,4 +297,4 @@ TEST(Volumes, ContentDecides) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_volume_test

@@ -5,7 +5,7 @@
 #include "tests/support/volume_helpers.h"
 #include "tests/support/vtu_texts.h"
 
-namespace aomd {
+namespace aomd::io_vtk_test {
 namespace {
 
 using test::count;
@@ -324,4 +324,4 @@ TEST(Vtu, SharedDataAreRefused) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_vtk_test

@@ -5,7 +5,7 @@
 #include "tests/support/volume_helpers.h"
 #include "tests/support/vtu_texts.h"
 
-namespace aomd {
+namespace aomd::io_vtu_packing_test {
 namespace {
 
 using test::expect_error;
@@ -143,4 +143,4 @@ TEST(VtuPacking, LegacyBinaryTextIsPassedOver) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_vtu_packing_test

@@ -10,7 +10,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::io_write_test {
 namespace {
 
 using test::bytes_of;
@@ -163,4 +163,4 @@ TEST(WriteMesh, NothingReadsBackInEveryFormat) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::io_write_test

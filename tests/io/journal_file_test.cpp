@@ -11,7 +11,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::journal_file_test {
 namespace {
 
 /// A torus that was decimated with a journal.
@@ -160,4 +160,4 @@ TEST_F(JournalFileTest, OtherVersionsAreNamed) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::journal_file_test

@@ -5,7 +5,7 @@
 #include "core/io/base64.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::picture_test {
 namespace {
 
 /// 8 by 4 pixels of one orange.
@@ -64,4 +64,4 @@ TEST(Picture, EveryDamagedJpegIsRefusedOrRead) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::picture_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace aomd::io::detail {
+namespace aomd::io::detail::plain_number_test {
 namespace {
 
 struct Read {
@@ -73,4 +73,4 @@ TEST(PlainNumberTest, MayBeWhole) {
 }
 
 }  // namespace
-}  // namespace aomd::io::detail
+}  // namespace aomd::io::detail::plain_number_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/io_helpers.h"
 
-namespace aomd::io {
+namespace aomd::io::png_test {
 namespace {
 
 using test::bytes_of;
@@ -85,4 +85,4 @@ TEST_F(Png, WritingAnEmptyPictureOrIntoNoFolderIsAWriteError) {
 }
 
 }  // namespace
-}  // namespace aomd::io
+}  // namespace aomd::io::png_test

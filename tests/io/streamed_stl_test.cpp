@@ -15,7 +15,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::streamed_stl_test {
 namespace {
 
 using io::StreamedSurface;
@@ -187,4 +187,4 @@ TEST(FacetCornersTest, NumbersByFirstAppearance) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::streamed_stl_test

@@ -16,7 +16,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::streamed_surface_test {
 namespace {
 
 using io::StreamedSurface;
@@ -388,4 +388,4 @@ TEST_F(StreamedSurfaceTest, SaysThatTheFileHasBecomeShorter) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::streamed_surface_test

@@ -12,7 +12,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::streamed_vtu_test {
 namespace {
 
 using io::StreamedSurface;
@@ -250,4 +250,4 @@ TEST_F(StreamedVtuTest, SaysWhatIsWrongWithAPvtu) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::streamed_vtu_test

@@ -16,7 +16,7 @@
 #include "core/model/triangle_intersection.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::crowded_pairs_test {
 namespace {
 
 using measure::count_self_intersections;
@@ -316,4 +316,4 @@ TEST(CrowdTest, RandomCrowdsAsByTrying) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::crowded_pairs_test

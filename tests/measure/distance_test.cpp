@@ -10,7 +10,7 @@
 #include "core/measure/normals.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::distance_test {
 namespace {
 
 using measure::Distance;
@@ -166,4 +166,4 @@ TEST(NormalDeviation, FacesWithoutAreaAreOnlyCounted) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::distance_test

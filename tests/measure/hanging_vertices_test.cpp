@@ -7,7 +7,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::hanging_vertices_test {
 namespace {
 
 using measure::hanging_vertices;
@@ -86,4 +86,4 @@ TEST(HangingVertices, NoSampleHasAny) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::hanging_vertices_test

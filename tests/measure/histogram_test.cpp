@@ -9,7 +9,7 @@
 #include "core/measure/histogram.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::histogram_test {
 namespace {
 
 using measure::entities_in;
@@ -117,4 +117,4 @@ TEST(Valences, OfTheSquareAndWithoutUnusedVertices) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::histogram_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace aomd::measure {
+namespace aomd::measure::image_diff_test {
 namespace {
 
 io::Image flat(int width, int height, std::uint8_t grey) {
@@ -94,4 +94,4 @@ TEST(ImageDiff, PictureCoversBothSizes) {
 }
 
 }  // namespace
-}  // namespace aomd::measure
+}  // namespace aomd::measure::image_diff_test

@@ -13,7 +13,7 @@
 #include "core/measure/statistics.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::measure_test {
 namespace {
 
 using measure::self_intersections;
@@ -302,4 +302,4 @@ TEST(Counts, KnowPiecesOfQuadsAndTriangles) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::measure_test

@@ -7,7 +7,7 @@
 #include "core/measure/normals.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::measure_threads_test {
 namespace {
 
 // Two chain links: each ring goes through the other's hole and is wide enough to cut it.
@@ -69,4 +69,4 @@ TEST(MeasureThreadsTest, TheSameAnglesAndDistances) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::measure_threads_test

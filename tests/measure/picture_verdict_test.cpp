@@ -15,7 +15,7 @@
 #include "core/measure/ssim.h"
 #include "tests/support/painted_scene.h"
 
-namespace aomd::measure {
+namespace aomd::measure::picture_verdict_test {
 namespace {
 
 using test::paint;
@@ -290,4 +290,4 @@ TEST(PictureVerdict, WhatIsTransparentCounts) {
 }
 
 }  // namespace
-}  // namespace aomd::measure
+}  // namespace aomd::measure::picture_verdict_test

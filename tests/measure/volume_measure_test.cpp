@@ -12,7 +12,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::volume_measure_test {
 namespace {
 
 using measure::analyse_volume;
@@ -312,4 +312,4 @@ TEST(VolumeComplex, SharedFiles) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::volume_measure_test

@@ -8,7 +8,7 @@
 #include "core/mesh/verify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::completed_edges_test {
 namespace {
 
 struct Side {
@@ -126,4 +126,4 @@ TEST(CompletedEdgesTest, AreNoneWithoutFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::completed_edges_test

@@ -9,7 +9,7 @@
 #include "core/mesh/verify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::entity_hash_test {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
@@ -78,4 +78,4 @@ TEST(EntityHashTest, EqualKeysDoNotFillTheMemory) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::entity_hash_test

@@ -7,7 +7,7 @@
 #include "core/model/classify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::journal_test {
 namespace {
 
 TEST(JournalTest, UndoesAndRedoesEveryKindOfEdit) {
@@ -213,4 +213,4 @@ TEST(JournalTest, AJournalMayBeDetachedAndAttachedAgain) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::journal_test

@@ -11,7 +11,7 @@
 #include "tests/support/volume_mesh.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::listed_level_test {
 namespace {
 
 using test::vertices;
@@ -125,4 +125,4 @@ TEST(ListedLevelTest, FacesInsideRegionsAreLetGoOf) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::listed_level_test

@@ -12,7 +12,7 @@
 #include "core/mesh/relation.h"
 #include "core/mesh/verify.h"
 
-namespace aomd {
+namespace aomd::long_rows_test {
 namespace {
 
 using Sets = std::vector<std::set<std::uint32_t>>;
@@ -160,4 +160,4 @@ TEST(LongRowsTest, SidesAtAHubAreFound) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::long_rows_test

@@ -8,7 +8,7 @@
 #include "tests/support/message.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::mesh_test {
 namespace {
 
 template <typename Row>
@@ -383,4 +383,4 @@ TEST(MeshTest, ToDataListsNoEdgeThatFacesImply) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::mesh_test

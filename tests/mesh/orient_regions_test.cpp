@@ -12,7 +12,7 @@
 #include "tests/support/volume_facts.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::orient_regions_test {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
@@ -271,4 +271,4 @@ TEST(OrientRegions, RandomDirt) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::orient_regions_test

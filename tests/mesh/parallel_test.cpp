@@ -11,7 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/id_pool.h"
 
-namespace aomd {
+namespace aomd::parallel_test {
 namespace {
 
 TEST(ParallelForTest, EveryItemHasItsTurnOnce) {
@@ -79,4 +79,4 @@ TEST(EachAliveTest, SkipsTheDeadAndStopsAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::parallel_test

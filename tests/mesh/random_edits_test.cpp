@@ -10,7 +10,7 @@
 #include "core/operators/swap.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::random_edits_test {
 namespace {
 
 class Random {
@@ -247,4 +247,4 @@ TEST(RandomEditsTest, AHistoryReplaysUnderAnotherRepresentation) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::random_edits_test

@@ -10,7 +10,7 @@
 #include "tests/support/program.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::random_program_test {
 namespace {
 
 using oracle::Liberties;
@@ -153,4 +153,4 @@ TEST(RandomProgramTest, AllBackIsTheStartAndAllForwardTheEnd) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::random_program_test

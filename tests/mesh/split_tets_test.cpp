@@ -14,7 +14,7 @@
 #include "tests/support/volume_facts.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::test {
+namespace aomd::test::split_tets_test {
 namespace {
 
 std::size_t of(const std::array<std::size_t, max_shapes>& counts, Shape shape) {
@@ -180,4 +180,4 @@ TEST(SplitToTets, SharedFiles) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::split_tets_test

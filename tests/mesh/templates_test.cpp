@@ -14,7 +14,7 @@
 #include "tests/support/volume_mesh.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::templates_test {
 namespace {
 
 using oracle::Ids;
@@ -301,4 +301,4 @@ TEST(TemplatesTest, ZLastThereIsRoomForSoManyOnly) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::templates_test

@@ -7,7 +7,7 @@
 #include "core/model/classify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::verify_test {
 namespace {
 
 bool found(const std::vector<Finding>& findings, const std::string& name, EntityRef e) {
@@ -235,4 +235,4 @@ TEST(VerifyTest, WhatNothingUsesIsNamedWhenAskedFor) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::verify_test

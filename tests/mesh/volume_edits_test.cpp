@@ -13,7 +13,7 @@
 #include "tests/support/volume_mesh.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::volume_edits_test {
 namespace {
 
 using test::message;
@@ -246,4 +246,4 @@ TEST(VolumeTest, FacesThatLookAlikeAreToldApart) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_edits_test

@@ -11,7 +11,7 @@
 #include "tests/support/volume_mesh.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::volume_test {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
@@ -288,4 +288,4 @@ TEST(VolumeTest, WhatDoesNotExistIsNotFound) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_test

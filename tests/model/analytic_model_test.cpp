@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace aomd {
+namespace aomd::analytic_model_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -200,4 +200,4 @@ TEST(AnalyticModel, TheDrilledBoxHoldsTogether) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::analytic_model_test

@@ -13,7 +13,7 @@
 #include "core/model/feature_preview.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::class_edits_test {
 namespace {
 
 //  6---7---8    Eight triangles, every square cut from its lower left to its upper right corner.
@@ -329,4 +329,4 @@ TEST(ClassProgramTest, WhatIsAcceptedIsSoundAndWhatIsRefusedIsNot) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::class_edits_test

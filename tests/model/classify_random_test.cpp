@@ -10,7 +10,7 @@
 #include "tests/support/random_classes.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::classify_random_test {
 namespace {
 
 using test::with_random_classes;
@@ -76,4 +76,4 @@ TEST(ClassifyRandomTest, ADecimationRefusesAClassificationThatIsNotClosed) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::classify_random_test

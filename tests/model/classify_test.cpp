@@ -8,7 +8,7 @@
 #include "core/mesh/verify.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::classify_test {
 namespace {
 
 ClassifyResult classified(Mesh& mesh, ClassifyOptions options = {}) {
@@ -345,4 +345,4 @@ TEST(ClassifyTest, ABoxSampleIsABox) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::classify_test

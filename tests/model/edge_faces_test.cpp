@@ -9,7 +9,7 @@
 #include "core/model/some_edges.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::edge_faces_test {
 namespace {
 
 std::vector<Face> all_of(const EdgeFaces& faces, Edge e) {
@@ -114,4 +114,4 @@ TEST(EntityRangeTest, VisitsThoseThatAreLeft) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::edge_faces_test

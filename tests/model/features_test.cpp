@@ -13,11 +13,11 @@
 #include "core/io/io.h"
 #include "core/mesh/mesh.h"
 #include "core/model/classify.h"
-#include "tests/model/feature_shapes.h"
-#include "tests/model/shape_builder.h"
+#include "tests/support/feature_shapes.h"
+#include "tests/support/shape_builder.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::features_test {
 namespace {
 
 using test::FeatureShape;
@@ -256,4 +256,4 @@ TEST(Features, OfAFrameAreTheEdgesOfItsModel) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::features_test

@@ -23,7 +23,7 @@
 #include <gmsh.h>
 #endif
 
-namespace aomd {
+namespace aomd::gmsh_model_test {
 namespace {
 
 constexpr const char* drilled_box =
@@ -306,4 +306,4 @@ TEST_F(StepTest, VolumesAreMeshedToo) {
 #endif
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::gmsh_model_test

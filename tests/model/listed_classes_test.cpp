@@ -12,7 +12,7 @@
 #include "tests/support/tet_zoo.h"
 #include "tests/support/volume_helpers.h"
 
-namespace aomd {
+namespace aomd::listed_classes_test {
 namespace {
 
 Mesh classified(const MeshData& data, bool complete) {
@@ -74,4 +74,4 @@ TEST(ListedClassesTest, AnythingThatAFileListsEndsTheSameEitherWay) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::listed_classes_test

@@ -15,7 +15,7 @@
 #include "tests/support/message.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::model_edges_test {
 namespace {
 
 using test::message;
@@ -293,4 +293,4 @@ TEST(ModelEdgesTest, AfterEditsTheLevelIsThatOfThePresentFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::model_edges_test

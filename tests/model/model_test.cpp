@@ -16,7 +16,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::model_test {
 namespace {
 
 std::string message_of(const auto& action) {
@@ -265,4 +265,4 @@ TEST(FitTest, ClassifyingIsOneStepToUndo) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::model_test

@@ -15,7 +15,7 @@
 #include "tests/support/cli_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::snap_test {
 namespace {
 
 constexpr ModelRef side{2, 1};
@@ -144,4 +144,4 @@ TEST_F(SnapCommand, ABareMeshIsClassifiedOnItsModel) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::snap_test

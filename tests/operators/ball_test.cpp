@@ -8,7 +8,7 @@
 #include "core/operators/ball.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::ball_test {
 namespace {
 
 TEST(BallTest, EachTetrahedronStandsUprightFromEachOfItsVertices) {
@@ -64,4 +64,4 @@ TEST(TetGeometryTest, UprightMeansBeyondRounding) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::ball_test

@@ -14,7 +14,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::contraction_program_test {
 namespace {
 
 using test::without_edges;
@@ -154,4 +154,4 @@ TEST(ContractionProgramTest, AllBackIsTheStartAndAllForwardTheEnd) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::contraction_program_test

@@ -12,7 +12,7 @@
 #include "core/operators/collapse.h"
 #include "tests/support/pair_bench.h"
 
-namespace aomd {
+namespace aomd::contraction_test {
 namespace {
 
 using namespace test;
@@ -384,4 +384,4 @@ TEST(ContractionTest, AModelEdgeBetweenUnclassifiedVerticesFollows) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::contraction_test

@@ -9,7 +9,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::crowd_test {
 namespace {
 
 glm::dvec3 on_circle(std::uint32_t i, std::uint32_t n, double z = 0) {
@@ -124,4 +124,4 @@ TEST(CrowdTest, TheWorkFollowsTheNumberOfFaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::crowd_test

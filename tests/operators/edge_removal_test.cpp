@@ -11,7 +11,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::edge_removal_test {
 namespace {
 
 using namespace test;
@@ -428,4 +428,4 @@ TEST(EdgeRemovalTest, InsideOutIsMendedWhollyOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::edge_removal_test

@@ -11,7 +11,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::face_removal_test {
 namespace {
 
 using namespace test;
@@ -181,4 +181,4 @@ TEST(FaceRemovalTest, ASheetInsideARegionStays) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::face_removal_test

@@ -6,7 +6,7 @@
 #include "core/operators/collapse.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::fan_test {
 namespace {
 
 Reason judge(const MeshData& data, TopologyRule topology) {
@@ -56,4 +56,4 @@ TEST(FanTest, AnEdgeWithoutFacesDoesNotPinchTwoSurfaces) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::fan_test

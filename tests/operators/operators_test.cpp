@@ -12,7 +12,7 @@
 #include "tests/support/as_listed.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::operators_test {
 namespace {
 
 // A mesh with what the operators need, classified.
@@ -393,4 +393,4 @@ TEST(GeometryTest, SmallestAngles) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::operators_test

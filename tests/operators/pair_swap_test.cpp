@@ -9,7 +9,7 @@
 #include "core/operators/swap.h"
 #include "tests/support/pair_bench.h"
 
-namespace aomd {
+namespace aomd::pair_swap_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(PairSwapTest, AModelEdgeWithoutFacesJoinsToo) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::pair_swap_test

@@ -9,7 +9,7 @@
 #include "core/operators/smooth.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::plan_test {
 namespace {
 
 struct Bench {
@@ -103,4 +103,4 @@ TEST(PlanTest, EveryEditMakesANewRevision) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::plan_test

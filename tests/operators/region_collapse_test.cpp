@@ -8,7 +8,7 @@
 #include "tests/support/strata.h"
 #include "tests/support/tet_zoo.h"
 
-namespace aomd {
+namespace aomd::region_collapse_test {
 namespace {
 
 constexpr ModelRef inside(3, 1);
@@ -324,4 +324,4 @@ TEST(RegionCollapseTest, ACrowdWaits) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::region_collapse_test

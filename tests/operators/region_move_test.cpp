@@ -12,7 +12,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::region_move_test {
 namespace {
 
 using namespace test;
@@ -370,4 +370,4 @@ TEST(RegionMoveTest, WithAModelTheTargetLiesOnIt) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::region_move_test

@@ -14,7 +14,7 @@
 #include "tests/support/volume_bench.h"
 #include "tests/support/volume_oracle.h"
 
-namespace aomd {
+namespace aomd::volume_program_test {
 namespace {
 
 using namespace test;
@@ -201,4 +201,4 @@ TEST(VolumeProgramTest, AllBackIsTheStartAndAllForwardTheEnd) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_program_test

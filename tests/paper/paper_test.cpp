@@ -25,7 +25,7 @@
 #pragma GCC diagnostic ignored "-Wparentheses"
 #pragma GCC diagnostic ignored "-Wshadow"
 
-namespace aomd::paper {
+namespace aomd::paper::paper_test {
 namespace {
 
 // A program with its text, to be compared with the paper's.
@@ -443,4 +443,4 @@ TEST(PaperTest, Figure7RunsToItsEnd) {
 }
 
 }  // namespace
-}  // namespace aomd::paper
+}  // namespace aomd::paper::paper_test

@@ -11,7 +11,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::partition_test {
 namespace {
 
 TEST(HilbertTest, GoesThroughAllCellsStepByStep) {
@@ -144,4 +144,4 @@ TEST(PartitionTest, HowManyPartsAMeshIsWorth) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::partition_test

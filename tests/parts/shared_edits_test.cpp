@@ -11,7 +11,7 @@
 #include "tests/support/quality_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd {
+namespace aomd::shared_edits_test {
 namespace {
 
 constexpr std::size_t part_count = 6;
@@ -126,4 +126,4 @@ TEST(SharedEditsTest, WhereMoreWouldHaveToFollowTheyAreNotPossible) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::shared_edits_test

@@ -3,7 +3,7 @@
 #include "core/repair/around.h"
 #include "tests/support/repair_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::around_test {
 namespace {
 
 using repair_detail::Around;
@@ -73,4 +73,4 @@ TEST(AroundTest, SidesAreOfTheFacesThatHaveThem) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::around_test

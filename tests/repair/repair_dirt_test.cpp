@@ -9,7 +9,7 @@
 #include "tests/support/message.h"
 #include "tests/support/repair_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::repair_dirt_test {
 namespace {
 
 using zoo::make;
@@ -218,4 +218,4 @@ TEST(RepairDirtTest, Dragon) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::repair_dirt_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/repair_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::repair_test {
 namespace {
 
 using zoo::make;
@@ -417,4 +417,4 @@ TEST(RepairTest, ATwistedBandIsLeftAsItIs) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::repair_test

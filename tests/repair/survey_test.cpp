@@ -5,7 +5,7 @@
 #include "tests/support/message.h"
 #include "tests/support/repair_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::survey_test {
 namespace {
 
 using zoo::make;
@@ -228,4 +228,4 @@ TEST(SurveyTest, ArraysThatContradictEachOtherAreRefused) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::survey_test

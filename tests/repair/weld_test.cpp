@@ -4,7 +4,7 @@
 
 #include "tests/support/repair_helpers.h"
 
-namespace aomd::test {
+namespace aomd::test::weld_test {
 namespace {
 
 using zoo::make;
@@ -182,4 +182,4 @@ TEST(WeldTest, ASoupWithNoiseCloses) {
 }
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::weld_test

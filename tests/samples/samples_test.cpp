@@ -11,7 +11,7 @@
 #include "core/samples/numeric.h"
 #include "tests/support/surface_facts.h"
 
-namespace aomd {
+namespace aomd::samples_test {
 namespace {
 
 using test::facts_of;
@@ -205,4 +205,4 @@ TEST(Samples, TheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::samples_test

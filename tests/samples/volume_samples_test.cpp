@@ -20,7 +20,7 @@
 #include "tests/support/surface_facts.h"
 #include "tests/support/volume_facts.h"
 
-namespace aomd {
+namespace aomd::volume_samples_test {
 namespace {
 
 using test::samples_of;
@@ -286,4 +286,4 @@ TEST(VolumeSamples, TheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::volume_samples_test

@@ -14,7 +14,6 @@ namespace aomd::test {
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-enum class Edges { All, OnModelEdges };
 inline constexpr Edges both[] = {Edges::All, Edges::OnModelEdges};
 inline const char* name(Edges edges) {
   return edges == Edges::All ? "all edges" : "model edges only";

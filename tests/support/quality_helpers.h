@@ -16,8 +16,6 @@
 
 namespace aomd::test {
 
-enum class Edges { All, OnModelEdges };
-
 inline Mesh classified(const MeshData& data, Edges edges = Edges::All) {
   Mesh mesh(data);
   classify(mesh, as_listed(data));

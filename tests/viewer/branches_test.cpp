@@ -14,7 +14,7 @@
 #include "tests/support/zoo.h"
 #include "viewer/drawing/step_before.h"
 
-namespace aomd::scene {
+namespace aomd::scene::branches_test {
 namespace {
 
 using test::drive;
@@ -205,4 +205,4 @@ TEST(StepBefore, OfEveryOperationIsWhatUndoBringsBack) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::branches_test

@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace aomd::scene {
+namespace aomd::scene::camera_test {
 namespace {
 
 constexpr double aspect = 1.6;
@@ -249,4 +249,4 @@ TEST(CameraText, NonsenseIsNamed) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::camera_test

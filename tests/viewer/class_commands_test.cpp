@@ -12,7 +12,7 @@
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/model_entity.h"
 
-namespace aomd::scene {
+namespace aomd::scene::class_commands_test {
 namespace {
 
 using test::drive;
@@ -235,4 +235,4 @@ TEST_F(ClassCommandsTest, AnyProgramOfEditsIsUndoneToTheStart) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::class_commands_test

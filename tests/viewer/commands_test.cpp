@@ -9,7 +9,7 @@
 #include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::commands_test {
 namespace {
 
 TEST(Commands, TheCommittedListIsTheGeneratedOne) {
@@ -91,4 +91,4 @@ TEST(Commands, EmptyLinesAndCommentsDoNothing) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::commands_test

@@ -11,7 +11,7 @@
 #include "core/measure/image_diff.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(Compare, AnyOtherFailureLeavesNone) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::compare_test

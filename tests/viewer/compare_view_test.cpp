@@ -13,7 +13,7 @@
 #include "tests/support/zoo.h"
 #include "viewer/drawing/palette.h"
 
-namespace aomd::scene {
+namespace aomd::scene::compare_view_test {
 namespace {
 
 using test::corners;
@@ -317,4 +317,4 @@ TEST(Mark, FollowsTheMesh) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::compare_view_test

@@ -11,7 +11,7 @@
 #include "tests/support/message.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::document_options_test {
 namespace {
 
 using test::drive;
@@ -253,4 +253,4 @@ TEST(Options, AMinDihedralHoldsForTetrahedra) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::document_options_test

@@ -14,7 +14,7 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/script.h"
 
-namespace aomd::scene {
+namespace aomd::scene::document_test {
 namespace {
 
 using test::drive;
@@ -316,4 +316,4 @@ TEST(Script, NamesTheLineThatMissed) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::document_test

@@ -12,7 +12,7 @@
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::scene {
+namespace aomd::scene::drawing_test {
 namespace {
 
 using test::drive;
@@ -278,4 +278,4 @@ TEST(Facts, OfTinyMeshes) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::drawing_test

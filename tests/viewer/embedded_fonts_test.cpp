@@ -7,7 +7,7 @@
 
 #include "tests/support/io_helpers.h"
 
-namespace aomd::ui {
+namespace aomd::ui::embedded_fonts_test {
 namespace {
 
 std::string text_of(std::span<const unsigned char> bytes) { return {bytes.begin(), bytes.end()}; }
@@ -25,4 +25,4 @@ TEST(EmbeddedFonts, AreThoseOfTheMachineThatBuiltIt) {
 TEST(EmbeddedFonts, OthersAreNone) { EXPECT_TRUE(embedded_font("small").empty()); }
 
 }  // namespace
-}  // namespace aomd::ui
+}  // namespace aomd::ui::embedded_fonts_test

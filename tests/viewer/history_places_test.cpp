@@ -4,7 +4,7 @@
 
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::history_places_test {
 namespace {
 
 using test::drive;
@@ -80,4 +80,4 @@ TEST(PlaySpeed, IsChosenAndGoesByTheLadder) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::history_places_test

@@ -13,7 +13,7 @@
 #include "tests/support/view_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::scene {
+namespace aomd::scene::inside_view_test {
 namespace {
 
 using test::corners;
@@ -234,4 +234,4 @@ TEST(Clip, CommandsSayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::inside_view_test

@@ -8,7 +8,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/lessons/lesson_texts.h"
 
-namespace aomd::scene {
+namespace aomd::scene::lesson_player_test {
 namespace {
 
 using test::drive;
@@ -193,4 +193,4 @@ TEST(LessonPlayer, WrongLinesSayWhatWouldBeRight) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::lesson_player_test

@@ -10,13 +10,15 @@
 #include "viewer/commands/commands.h"
 #include "viewer/lessons/lesson.h"
 
-namespace aomd::scene {
+namespace aomd::scene::lesson_test {
 namespace {
+
+using aomd::test::message;
 
 const std::string head = "@lesson A title\n@about One line\n@minutes 3\n";
 
 std::string error_of(const std::string& text) {
-  return test::message([&] { static_cast<void>(parse_lesson("01-x.lesson", text, is_command)); });
+  return message([&] { static_cast<void>(parse_lesson("01-x.lesson", text, is_command)); });
 }
 
 TEST(LessonText, MarksMakeSpans) {
@@ -31,12 +33,12 @@ TEST(LessonText, MarksMakeSpans) {
 }
 
 TEST(LessonText, WhatIsNotClosedOrNoCommandIsNamed) {
-  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("a *b")); }),
+  EXPECT_EQ(message([] { static_cast<void>(parse_paragraph("a *b")); }),
             "an emphasis is not closed");
-  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("a {}")); }), "a key is empty");
-  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("[go] there")); }),
+  EXPECT_EQ(message([] { static_cast<void>(parse_paragraph("a {}")); }), "a key is empty");
+  EXPECT_EQ(message([] { static_cast<void>(parse_paragraph("[go] there")); }),
             "the link 'go' has no (command)");
-  EXPECT_EQ(test::message([] { static_cast<void>(parse_paragraph("[go](stride 2)", is_command)); }),
+  EXPECT_EQ(message([] { static_cast<void>(parse_paragraph("[go](stride 2)", is_command)); }),
             "there is no command 'stride 2'");
 }
 
@@ -140,4 +142,4 @@ TEST(LessonFile, DamageIsAnErrorAndNothingWorse) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::lesson_test

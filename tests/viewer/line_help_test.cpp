@@ -9,7 +9,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/commands/line_help.h"
 
-namespace aomd::scene {
+namespace aomd::scene::line_help_test {
 namespace {
 
 std::string_view command_help(std::string_view line) {
@@ -80,4 +80,4 @@ TEST(Counted, AgreesWithItsNumber) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::line_help_test

@@ -10,7 +10,7 @@
 #include "viewer/commands/arguments.h"
 #include "viewer/commands/script.h"
 
-namespace aomd::scene {
+namespace aomd::scene::line_test {
 namespace {
 
 using aomd::test::TemporaryFolder;
@@ -120,4 +120,4 @@ TEST(Script, WhatCannotBeReadToItsEndIsAnError) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::line_test

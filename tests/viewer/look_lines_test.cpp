@@ -4,7 +4,7 @@
 
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::look_lines_test {
 namespace {
 
 TEST(LookLines, TheUsualLookNeedsNone) {
@@ -36,4 +36,4 @@ TEST(LookLines, LeadToEachLook) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::look_lines_test

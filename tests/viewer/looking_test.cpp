@@ -5,7 +5,7 @@
 #include "core/io/journal_file.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::looking_test {
 namespace {
 
 using test::drive;
@@ -91,4 +91,4 @@ TEST(Looking, AtOtherLimitsOrAtTheEndChangesNothingOfTheNextRun) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::looking_test

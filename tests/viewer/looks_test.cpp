@@ -4,7 +4,7 @@
 
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::looks_test {
 namespace {
 
 using test::drive;
@@ -92,4 +92,4 @@ TEST(RefusedEdge, AClickOnItsColourOpensItsReason) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::looks_test

@@ -9,7 +9,7 @@
 #include "tests/support/view_helpers.h"
 #include "viewer/explain/measures.h"
 
-namespace aomd::scene {
+namespace aomd::scene::measures_test {
 namespace {
 
 using test::drive;
@@ -91,4 +91,4 @@ TEST(Measures, ARegionSaysHowLargeItIs) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::measures_test

@@ -17,7 +17,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/base/text.h"
 
-namespace aomd::scene {
+namespace aomd::scene::model_view_test {
 namespace {
 
 using test::drive;
@@ -215,4 +215,4 @@ TEST(ModelCounts, AreWords) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::model_view_test

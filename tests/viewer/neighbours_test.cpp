@@ -5,7 +5,7 @@
 #include "tests/support/session_helpers.h"
 #include "tests/support/zoo.h"
 
-namespace aomd::scene {
+namespace aomd::scene::neighbours_test {
 namespace {
 
 using test::drive;
@@ -144,4 +144,4 @@ TEST(Neighbours, LookingChangesNoResult) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::neighbours_test

@@ -14,7 +14,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd {
+namespace aomd::outputs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -357,4 +357,4 @@ TEST(Series, CancelPutsEverythingBackToo) {
 
 }  // namespace in_steps
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::outputs_test

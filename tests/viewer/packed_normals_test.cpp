@@ -8,7 +8,7 @@
 #include "viewer/drawing/drawable.h"
 #include "viewer/drawing/packed_normals.h"
 
-namespace aomd::scene {
+namespace aomd::scene::packed_normals_test {
 namespace {
 
 using test::drive;
@@ -50,4 +50,4 @@ TEST(PackedNormals, ThreeFacesAtAnEdgeAndFacesWithoutAreaAreNoExceptions) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::packed_normals_test

@@ -6,7 +6,7 @@
 
 #include "viewer/commands/command_search.h"
 
-namespace aomd::scene {
+namespace aomd::scene::palette_test {
 namespace {
 
 std::vector<CommandMatch> find(std::string_view text, std::vector<std::string> recent = {}) {
@@ -113,4 +113,4 @@ TEST(FindCommands, NoLineIsListedTwice) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::palette_test

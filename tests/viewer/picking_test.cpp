@@ -10,7 +10,7 @@
 #include "viewer/document/loaded_mesh.h"
 #include "viewer/drawing/picking.h"
 
-namespace aomd::scene {
+namespace aomd::scene::picking_test {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
@@ -219,4 +219,4 @@ TEST(Picking, OfAVolumeFacesLeadToRegionsAndVerticesBack) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::picking_test

@@ -14,7 +14,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/recovery_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::recovery_death_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST(RecoveryAfterDeath, WhateverTheMomentOfDeathTheWorkOpens) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::recovery_death_test

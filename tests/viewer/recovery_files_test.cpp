@@ -12,7 +12,7 @@
 #include "tests/support/message.h"
 #include "tests/support/recovery_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::recovery_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ TEST(RecoveryFiles, AJournalElsewhereIsNotRead) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::recovery_files_test

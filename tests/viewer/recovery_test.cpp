@@ -14,7 +14,7 @@
 #include "tests/support/recovery_helpers.h"
 #include "viewer/commands/arguments.h"
 
-namespace aomd::scene {
+namespace aomd::scene::recovery_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -262,4 +262,4 @@ TEST(Recovery, IsThePlatformsStateFolder) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::recovery_test

@@ -6,7 +6,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::reload_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -130,4 +130,4 @@ TEST_F(Reload, WhatTheProgramWritesItselfIsNoNews) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::reload_test

@@ -15,7 +15,7 @@
 #include "viewer/ui/imgui_layer.h"
 #include "viewer/ui/theme.h"
 
-namespace aomd {
+namespace aomd::render_test {
 namespace {
 
 constexpr glm::ivec2 picture_size{640, 480};
@@ -379,4 +379,4 @@ TEST(Headless, AutoSaysWhichOneWorkedAndSizesAreChecked) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::render_test

@@ -12,7 +12,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/commands/tables.h"
 
-namespace aomd::scene {
+namespace aomd::scene::runs_test {
 namespace {
 
 using test::drive;
@@ -174,4 +174,4 @@ TEST(Runs, AsATable) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::runs_test

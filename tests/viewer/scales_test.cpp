@@ -9,7 +9,7 @@
 
 #include "tests/support/view_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::scales_test {
 namespace {
 
 using test::drive;
@@ -169,4 +169,4 @@ TEST(ScaleCommands, RefuseWhatMakesNoScale) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::scales_test

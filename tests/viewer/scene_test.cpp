@@ -10,7 +10,7 @@
 
 #include "viewer/drawing/drawable.h"
 
-namespace aomd::scene {
+namespace aomd::scene::scene_test {
 namespace {
 
 double luminance(Color c) {
@@ -152,4 +152,4 @@ TEST(Box, GrowsAndKnowsItsMeasures) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::scene_test

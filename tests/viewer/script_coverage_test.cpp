@@ -15,7 +15,7 @@
 #include "viewer/commands/commands.h"
 #include "viewer/suite/suite.h"
 
-namespace aomd::scene {
+namespace aomd::scene::script_coverage_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ TEST(ScriptCoverage, EveryScriptIsACaseOfItsSuite) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::script_coverage_test

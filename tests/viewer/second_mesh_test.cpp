@@ -9,7 +9,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/commands/tables.h"
 
-namespace aomd::scene {
+namespace aomd::scene::second_mesh_test {
 namespace {
 
 using test::drive;
@@ -235,4 +235,4 @@ TEST(Reference, TheStateThatIsComparedWithNeverMakesWay) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::second_mesh_test

@@ -6,7 +6,7 @@
 #include "viewer/drawing/picking.h"
 #include "viewer/drawing/selection_drawing.h"
 
-namespace aomd::scene {
+namespace aomd::scene::selection_test {
 namespace {
 
 using test::drive;
@@ -290,4 +290,4 @@ TEST(Selecting, WhatIsCopiedNamesFactsAndNeighbours) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::selection_test

@@ -6,7 +6,7 @@
 #include "viewer/ui/layout.h"
 #include "viewer/ui/settings.h"
 
-namespace aomd::ui {
+namespace aomd::ui::settings_test {
 namespace {
 
 using aomd::test::TemporaryFolder;
@@ -80,4 +80,4 @@ TEST(PanelWidths, AreWhatTheUserChoseAsFarAsThereIsRoom) {
 }
 
 }  // namespace
-}  // namespace aomd::ui
+}  // namespace aomd::ui::settings_test

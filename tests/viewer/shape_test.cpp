@@ -16,7 +16,7 @@
 #include "viewer/drawing/hollows.h"
 #include "viewer/drawing/openness.h"
 
-namespace aomd::scene {
+namespace aomd::scene::shape_test {
 namespace {
 
 using test::drive;
@@ -231,4 +231,4 @@ TEST(SteppedScale, HasOneColourAFaceAndNoneInBetween) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::shape_test

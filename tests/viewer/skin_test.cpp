@@ -11,7 +11,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/drawing/palette.h"
 
-namespace aomd::scene {
+namespace aomd::scene::skin_test {
 namespace {
 
 using test::drive;
@@ -260,4 +260,4 @@ TEST(Quads, AreCountedAndDrawnButNotDecimated) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::skin_test

@@ -6,7 +6,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::spare_mesh_test {
 namespace {
 
 using test::drive;
@@ -83,4 +83,4 @@ TEST_F(Spare, IsOnlyWhatNothingHasBeenDoneTo) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::spare_mesh_test

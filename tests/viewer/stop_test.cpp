@@ -9,7 +9,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/explain/edge_verdicts.h"
 
-namespace aomd::scene {
+namespace aomd::scene::stop_test {
 namespace {
 
 using test::drive;
@@ -137,4 +137,4 @@ TEST(LastSweep, ThatChangedNothingCountsToo) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::stop_test

@@ -12,7 +12,7 @@
 #include "tests/support/io_helpers.h"
 #include "viewer/suite/report.h"
 
-namespace aomd::suite {
+namespace aomd::suite::suite_page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ TEST_F(SuitePageShown, TextIsText) {
 }
 
 }  // namespace
-}  // namespace aomd::suite
+}  // namespace aomd::suite::suite_page_test

@@ -11,7 +11,7 @@
 #include "core/io/png.h"
 #include "tests/support/io_helpers.h"
 
-namespace aomd {
+namespace aomd::suite_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -280,4 +280,4 @@ TEST_F(SuiteRun, AProcessThatDiesCostsItsCaseAlone) {
 }
 
 }  // namespace
-}  // namespace aomd
+}  // namespace aomd::suite_run_test

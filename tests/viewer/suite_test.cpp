@@ -11,7 +11,7 @@
 #include "tests/support/io_helpers.h"
 #include "viewer/suite/report.h"
 
-namespace aomd::suite {
+namespace aomd::suite::suite_test {
 namespace {
 
 class SuiteFile : public testing::Test {
@@ -261,4 +261,4 @@ TEST(Report, JUnitTellsFailuresFromErrors) {
 }
 
 }  // namespace
-}  // namespace aomd::suite
+}  // namespace aomd::suite::suite_test

@@ -9,7 +9,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/commands/tables.h"
 
-namespace aomd::scene {
+namespace aomd::scene::tables_test {
 namespace {
 
 using test::drive;
@@ -144,4 +144,4 @@ TEST(Clipboard, TheSystemsIsUsedWhereThereIsOne) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::tables_test

@@ -11,7 +11,7 @@
 #include "viewer/document/adjacency.h"
 #include "viewer/explain/id_facts.h"
 
-namespace aomd::scene {
+namespace aomd::scene::tensor_test {
 namespace {
 
 using test::drive;
@@ -196,4 +196,4 @@ TEST(Strategies, RunInTheBackgroundOfASessionAndCanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::tensor_test

@@ -8,7 +8,7 @@
 #include "tests/support/session_helpers.h"
 #include "viewer/explain/entity_facts.h"
 
-namespace aomd::scene {
+namespace aomd::scene::texture_test {
 namespace {
 
 using aomd::test::TemporaryFolder;
@@ -116,4 +116,4 @@ TEST(Texture, TheInspectorShowsCorners) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::texture_test

@@ -8,7 +8,7 @@
 #include "tests/support/io_helpers.h"
 #include "tests/support/session_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::unsaved_test {
 namespace {
 
 using test::drive;
@@ -192,4 +192,4 @@ TEST(AsksFirst, GivingUpTheSaveDialogGivesUpTheLine) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::unsaved_test

@@ -12,7 +12,7 @@
 #include "core/measure/volume_statistics.h"
 #include "tests/support/view_helpers.h"
 
-namespace aomd::scene {
+namespace aomd::scene::volume_colors_test {
 namespace {
 
 using test::corners;
@@ -141,4 +141,4 @@ TEST(VolumeColors, WhatIsNotDecimatedHasNoSpacing) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::volume_colors_test

@@ -19,7 +19,7 @@
 #include "viewer/base/entity_text.h"
 #include "viewer/drawing/skin_keeper.h"
 
-namespace aomd::scene {
+namespace aomd::scene::volume_decimation_test {
 namespace {
 
 using aomd::test::TemporaryFolder;
@@ -312,4 +312,4 @@ TEST(VolumeDecimation, WhatIsForSurfacesAloneIsRefusedWithASentence) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::volume_decimation_test

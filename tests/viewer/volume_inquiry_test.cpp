@@ -16,7 +16,7 @@
 #include "viewer/drawing/selection_drawing.h"
 #include "viewer/explain/entity_verdict.h"
 
-namespace aomd::scene {
+namespace aomd::scene::volume_inquiry_test {
 namespace {
 
 using test::drive;
@@ -225,4 +225,4 @@ TEST(VolumeInquiry, RegionsAreListedWithTheirVolumes) {
 }
 
 }  // namespace
-}  // namespace aomd::scene
+}  // namespace aomd::scene::volume_inquiry_test

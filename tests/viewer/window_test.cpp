@@ -6,7 +6,7 @@
 
 #include "tests/support/viewer_window.h"
 
-namespace aomd::test {
+namespace aomd::test::window_test {
 namespace {
 
 /// The middle of what is left for the scene.
@@ -252,4 +252,4 @@ INSTANTIATE_TEST_SUITE_P(Signals, DyingViewerWindow, testing::Values(SIGKILL, SI
                          });
 
 }  // namespace
-}  // namespace aomd::test
+}  // namespace aomd::test::window_test

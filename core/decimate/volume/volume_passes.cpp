@@ -158,10 +158,10 @@ bool VolumeQualityLoop::find_target(Vertex v, Scratch& scratch, glm::dvec3& x) {
   begin_relaxation(v, scratch);
   scratch.balance.begin(mesh_.position(v));
   if (s.model.dimension() == 3) return relaxation.step(floor_, glm::dvec3(0.0), x);
-  Frame frame;
+  FixedDirections fixed;
   glm::dvec3 shift(0.0);
-  if (!fix_ways(v, scratch, frame, shift)) return false;
-  for (int i = 0; i < frame.taken(); ++i) relaxation.close(frame.axis(i));
+  if (!fix_ways(v, scratch, fixed, shift)) return false;
+  for (int i = 0; i < fixed.taken(); ++i) relaxation.close(fixed.axis(i));
   if (const float area = s.quadric.trace(); area > 0)
     relaxation.add_surface(of_positions(s.quadric), hold_ / (area * s.size * s.size));
   return relaxation.step(floor_, shift, x) && (!options_.model || end_on_model(v, relaxation, x)) &&
@@ -180,23 +180,24 @@ bool VolumeQualityLoop::end_on_model(Vertex v, const VertexRelaxation& relaxatio
 
 // Vertices stay on what is flat, and go so that the volumes on all sides stay; those on model edges
 // also along them. `x` receives what pays their debts.
-bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x) {
+bool VolumeQualityLoop::fix_ways(Vertex v, Scratch& scratch, FixedDirections& fixed,
+                                 glm::dvec3& x) {
   const int dimension = state_[v].model.dimension();
   gather_model_faces(mesh_, v, scratch.star);
   scratch.planes.clear();
   scratch.planes.add(mesh_, v, scratch.star);
-  take_planes(scratch.planes, frame);
+  take_planes(scratch.planes, fixed);
   if (options_.keep_volumes) scratch.balance.add(mesh_, v, scratch.balls[0]);
-  if (frame.taken() < 3 - dimension) draw_debts(v, scratch);
+  if (fixed.taken() < 3 - dimension) draw_debts(v, scratch);
   debts_.charge(v, scratch.balance.conditions());
   take_conditions(scratch.balance.conditions(), reach_of_payment_ * size_of(v), 3 - dimension,
-                  frame, x);
-  if (dimension == 2) return frame.taken() == 1 || (!options_.keep_volumes && frame.taken() == 0);
+                  fixed, x);
+  if (dimension == 2) return fixed.taken() == 1 || (!options_.keep_volumes && fixed.taken() == 0);
   glm::dvec3 along;
   if (!tangent(v, scratch.star, along)) return false;
-  if (!options_.keep_volumes && frame.taken() == 0) frame.take(across(along));
-  if (frame.taken() == 1) frame.take(glm::cross(along, frame.axis(0)));
-  return frame.taken() == 2;
+  if (!options_.keep_volumes && fixed.taken() == 0) fixed.take(across(along));
+  if (fixed.taken() == 1) fixed.take(glm::cross(along, fixed.axis(0)));
+  return fixed.taken() == 2;
 }
 
 // From the vertex before it on its model edge to the one after it.

@@ -23,14 +23,14 @@ std::size_t strongest(std::span<const VolumeCondition> conditions, std::uint32_t
 }
 
 // The minimum over the directions that are left, each pulled to where x is now.
-glm::dvec3 least_over(const Quadric& q, const Frame& frame, const glm::dvec3& x) {
+glm::dvec3 least_over(const Quadric& q, const FixedDirections& fixed, const glm::dvec3& x) {
   const double stay = steady * q.trace();
   const glm::dvec3 slope = q.slope(x);
-  if (frame.taken() == 3) return x;
-  const glm::dvec3& g = frame.axis(2);
+  if (fixed.taken() == 3) return x;
+  const glm::dvec3& g = fixed.axis(2);
   const double gg = glm::dot(g, q.times(g)) + stay, sg = glm::dot(g, slope);
-  if (frame.taken() == 2) return gg > 0 ? x - sg / gg * g : x;
-  const glm::dvec3& f = frame.axis(1);
+  if (fixed.taken() == 2) return gg > 0 ? x - sg / gg * g : x;
+  const glm::dvec3& f = fixed.axis(1);
   const double ff = glm::dot(f, q.times(f)) + stay, fg = glm::dot(f, q.times(g)),
                sf = glm::dot(f, slope), determinant = ff * gg - fg * fg;
   if (!(determinant > 0)) return x;
@@ -39,7 +39,7 @@ glm::dvec3 least_over(const Quadric& q, const Frame& frame, const glm::dvec3& x)
 
 }  // namespace
 
-bool Frame::take(const glm::dvec3& n) {
+bool FixedDirections::take(const glm::dvec3& n) {
   constexpr double least_new = 0.1;
   const glm::dvec3 part = free_part(n);
   const double free = glm::length(part);
@@ -48,7 +48,7 @@ bool Frame::take(const glm::dvec3& n) {
   return true;
 }
 
-void Frame::complete() {
+void FixedDirections::complete() {
   if (taken_ == 1) {
     const glm::dvec3& n = axes_[0];
     const glm::dvec3 other = std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -57,22 +57,22 @@ void Frame::complete() {
   if (taken_ == 1 || taken_ == 2) axes_[2] = glm::cross(axes_[0], axes_[1]);
 }
 
-void take_planes(const ModelPlanes& planes, Frame& frame) {
+void take_planes(const ModelPlanes& planes, FixedDirections& fixed) {
   for (const ModelFacePart& p : planes.parts())
-    if (p.flat()) frame.take(p.normal);
+    if (p.flat()) fixed.take(p.normal);
 }
 
 void take_conditions(std::span<const VolumeCondition> conditions, double payment, int most,
-                     Frame& frame, glm::dvec3& x) {
+                     FixedDirections& fixed, glm::dvec3& x) {
   constexpr double least_say = 0.05;
   std::uint32_t done = 0;
-  while (frame.taken() < most) {
+  while (fixed.taken() < most) {
     const std::size_t i = strongest(conditions, done);
     if (i == conditions.size()) return;
     done |= 1u << i;
     const VolumeCondition& c = conditions[i];
-    const glm::dvec3 part = frame.free_part(c.normal);
-    if (glm::length(c.normal) < least_say * c.outside || !frame.take(c.normal)) continue;
+    const glm::dvec3 part = fixed.free_part(c.normal);
+    if (glm::length(c.normal) < least_say * c.outside || !fixed.take(c.normal)) continue;
     const double payable = payment * glm::length(part);
     const double wanted = -c.change(x) - std::clamp(c.debt, -payable, payable);
     x += wanted / glm::dot(part, part) * part;
@@ -81,23 +81,23 @@ void take_conditions(std::span<const VolumeCondition> conditions, double payment
 
 glm::dvec3 least_under(const Quadric& q, const ModelPlanes& planes,
                        std::span<const VolumeCondition> conditions, const PlacementLimits& limits) {
-  Frame frame;
-  take_planes(planes, frame);
+  FixedDirections fixed;
+  take_planes(planes, fixed);
   glm::dvec3 x = limits.middle;
-  take_conditions(conditions, limits.payment, 2, frame, x);
-  if (frame.taken() > 0) {
-    frame.complete();
-    return least_over(q, frame, x);
+  take_conditions(conditions, limits.payment, 2, fixed, x);
+  if (fixed.taken() > 0) {
+    fixed.complete();
+    return least_over(q, fixed, x);
   }
   return q.minimum(limits.middle, steady * q.trace(), x) ? x : limits.middle;
 }
 
 glm::dvec3 nearest_under(const ModelPlanes& planes, std::span<const VolumeCondition> conditions,
                          const PlacementLimits& limits, const glm::dvec3& x) {
-  Frame frame;
-  take_planes(planes, frame);
+  FixedDirections fixed;
+  take_planes(planes, fixed);
   glm::dvec3 near = x;
-  take_conditions(conditions, limits.payment, 2, frame, near);
+  take_conditions(conditions, limits.payment, 2, fixed, near);
   return near;
 }
 

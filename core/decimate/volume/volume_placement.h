@@ -23,7 +23,7 @@ struct PlacementLimits {
 };
 
 /// Directions at right angles to each other: those in which a place is fixed, then the others.
-class Frame {
+class FixedDirections {
  public:
   [[nodiscard]] int taken() const { return taken_; }
   /// The part of a vector that is not fixed.
@@ -43,13 +43,13 @@ class Frame {
 };
 
 /// Fixes what keeps a place on the flat model faces around it: two of them a line, three a point.
-void take_planes(const ModelPlanes& planes, Frame& frame);
+void take_planes(const ModelPlanes& planes, FixedDirections& fixed);
 
 /// Moves `x` until the conditions hold, in directions that are not fixed yet, which they fix; at
 /// most until `most` are. Conditions that say little (a normal that is short for its area) or what
 /// others say already are left out: what they lack becomes a debt. The longest normals come first.
 void take_conditions(std::span<const VolumeCondition> conditions, double payment, int most,
-                     Frame& frame, glm::dvec3& x);
+                     FixedDirections& fixed, glm::dvec3& x);
 
 /// The place where `quadric` is least on the flat model faces around and under the conditions.
 [[nodiscard]] glm::dvec3 least_under(const Quadric& quadric, const ModelPlanes& planes,

@@ -189,7 +189,7 @@ class VolumeQualityLoop final : public Loop, private ImprovementWatch {
   void begin_relaxation(Vertex v, Scratch& scratch) const;
   bool find_target(Vertex v, Scratch& scratch, glm::dvec3& x);
   bool end_on_model(Vertex v, const VertexRelaxation& relaxation, glm::dvec3& x);
-  bool fix_ways(Vertex v, Scratch& scratch, Frame& frame, glm::dvec3& x);
+  bool fix_ways(Vertex v, Scratch& scratch, FixedDirections& fixed, glm::dvec3& x);
   [[nodiscard]] bool tangent(Vertex v, const Star& star, glm::dvec3& along) const;
   [[nodiscard]] bool keeps_faces(Vertex v, const Star& star, const glm::dvec3& to) const;
   std::uint32_t pass_done(std::uint32_t made);

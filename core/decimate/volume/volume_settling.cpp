@@ -113,9 +113,9 @@ bool VolumeQualityLoop::settle(Vertex v) {
   Scratch& scratch = alone_.scratch;
   gather(mesh_, v, scratch.balls[0]);
   scratch.balance.begin(mesh_.position(v));
-  Frame frame;
+  FixedDirections fixed;
   glm::dvec3 x(0.0);
-  if (!fix_ways(v, scratch, frame, x) || !owes(v)) return false;
+  if (!fix_ways(v, scratch, fixed, x) || !owes(v)) return false;
   if (settling_ <= spreading) {
     spread(v);
     return false;

@@ -1,6 +1,6 @@
-#include "tests/model/feature_shapes.h"
+#include "tests/support/feature_shapes.h"
 
-#include "tests/model/shape_builder.h"
+#include "tests/support/shape_builder.h"
 
 namespace aomd::test {
 namespace {

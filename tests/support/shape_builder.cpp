@@ -1,4 +1,4 @@
-#include "tests/model/shape_builder.h"
+#include "tests/support/shape_builder.h"
 
 #include <algorithm>
 #include <map>
