@@ -16,7 +16,7 @@ namespace aomd::io::detail {
 namespace {
 
 /// Where the elements of one keyword stand among those of their dimension.
-struct Part {
+struct MeditPart {
   bool read = false;
   std::size_t first = 0, count = 0;
   std::vector<std::size_t> dropped{};  ///< places in the list that gave no element; ascending
@@ -154,7 +154,7 @@ class MeditReader {
     const ShapeTemplate& shape = shape_template(kind.shape);
     const auto corners = static_cast<std::size_t>(shape.vertex_count);
     const bool curved = kind.nodes > corners;
-    Part& part = (curved ? curved_parts_ : parts_)[static_cast<std::size_t>(kind.shape)];
+    MeditPart& part = (curved ? curved_parts_ : parts_)[static_cast<std::size_t>(kind.shape)];
     if (part.read) input_.fail(name + " are listed twice");
     EntityList& list = mesh_.list(shape.dimension);
     part = {true, list.size(), count(name, kind.nodes + 1)};
@@ -288,7 +288,8 @@ class MeditReader {
     return mesh_.attributes.back().values;
   }
 
-  void mark(std::vector<double>& values, const std::vector<Mark>& marks, const Part& part) const {
+  void mark(std::vector<double>& values, const std::vector<Mark>& marks,
+            const MeditPart& part) const {
     for (const Mark& m : marks) {
       const std::size_t place = checked(m, part.count);
       const auto gone = std::lower_bound(part.dropped.begin(), part.dropped.end(), place);
@@ -298,7 +299,7 @@ class MeditReader {
   }
 
   /// Numbers of elements of higher order count where there are no others.
-  const Part& part_of(std::size_t shape) const {
+  const MeditPart& part_of(std::size_t shape) const {
     return parts_[shape].read ? parts_[shape] : curved_parts_[shape];
   }
 
@@ -351,8 +352,8 @@ class MeditReader {
   std::vector<Early> early_;
   bool tagged_ = false;  ///< an element has a reference other than 0
   std::vector<std::int32_t> references_;
-  std::array<Part, builtin_shapes> parts_, curved_parts_;   ///< by shape; of higher order
-  std::array<std::vector<Mark>, builtin_shapes> required_;  ///< by shape; vertices first
+  std::array<MeditPart, builtin_shapes> parts_, curved_parts_;  ///< by shape; of higher order
+  std::array<std::vector<Mark>, builtin_shapes> required_;      ///< by shape; vertices first
   std::vector<Mark> corners_, ridges_;
   Vectors normals_, tangents_;
   Repeats repeats_;

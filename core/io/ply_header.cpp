@@ -11,7 +11,7 @@ namespace aomd::io::detail {
 namespace {
 
 NumberType type_named(TextCursor& cursor) {
-  constexpr std::array<std::pair<std::string_view, NumberType>, 16> types{{
+  constexpr std::array<std::pair<std::string_view, NumberType>, 16> named{{
       {"char", NumberType::Int8},
       {"int8", NumberType::Int8},
       {"uchar", NumberType::UInt8},
@@ -30,7 +30,7 @@ NumberType type_named(TextCursor& cursor) {
       {"float64", NumberType::Float64},
   }};
   const std::string_view word = cursor.word();
-  for (const auto& [name, type] : types) {
+  for (const auto& [name, type] : named) {
     if (name == lower(word)) return type;
   }
   cursor.fail("unknown property type " + shown(word));

@@ -20,9 +20,9 @@ using fields::TetTree;
 using fields::Weights;
 
 /// A volume in which arrays can be evaluated.
-class Side {
+class FieldSide {
  public:
-  Side(const MeshData& mesh, int threads) : split_(cut(mesh)), cells_(split_, 3) {
+  FieldSide(const MeshData& mesh, int threads) : split_(cut(mesh)), cells_(split_, 3) {
     std::vector<std::uint32_t> all(cells_.size());
     std::iota(all.begin(), all.end(), 0u);
     tree_.emplace(cells_, all, threads);
@@ -72,7 +72,7 @@ struct Place {
 
 class Places {
  public:
-  Places(const Side& original, const Side& result, int threads)
+  Places(const FieldSide& original, const FieldSide& result, int threads)
       : original_(original), result_(result), threads_(threads) {
     add_middles();
     add_vertices();
@@ -119,13 +119,13 @@ class Places {
     return place;
   }
 
-  const Side &original_, &result_;
+  const FieldSide &original_, &result_;
   int threads_;
   std::vector<Place> middles_, vertices_;
 };
 
 /// Adds up an array's differences at places of volumes.
-void add_differences(const Side& original, const Side& result, const Attribute& before,
+void add_differences(const FieldSide& original, const FieldSide& result, const Attribute& before,
                      const Attribute& after, const std::vector<Place>& places,
                      DifferenceSums& sums) {
   for (const Place& place : places) {
@@ -200,7 +200,7 @@ FieldDifference described(const MeshData& original, const MeshData& result, cons
 
 std::vector<FieldDifference> fields_of_volumes(const MeshData& original, const MeshData& result,
                                                const Pairs& pairs, int threads) {
-  const Side before(original, threads), after(result, threads);
+  const FieldSide before(original, threads), after(result, threads);
   const Places places(before, after, threads);
   std::vector<FieldDifference> list;
   for (const auto& [i, k] : pairs) {

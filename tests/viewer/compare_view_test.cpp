@@ -198,7 +198,7 @@ TEST(Original, LookingBackChangesNothing) {
     EXPECT_EQ(result(false, strategy), result(true, strategy)) << strategy;
 }
 
-TEST(Compare, IsTwoPicturesOfASurfaceOnly) {
+TEST(CompareView, IsTwoPicturesOfASurfaceOnly) {
   Session s;
   drive(s, {"sample torus", "compare side"});
   EXPECT_TRUE(s.sheet().shows_reference());

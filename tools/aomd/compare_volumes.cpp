@@ -245,7 +245,7 @@ void print_rest(std::size_t shown, std::size_t all) {
   if (shown < all) std::cout << "  and " << all - shown << " more; --json has all\n";
 }
 
-void print_regions(const Compared& c) {
+void print_region_changes(const Compared& c) {
   columns("model region", "volume", "change, %", "regions", "Euler number", "parts");
   const std::size_t shown = std::min(c.changes.regions.size(), most_lines);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -341,7 +341,7 @@ void print_histograms(const Compared& c) {
 
 void print(const Compared& c) {
   std::cout << c.original.file << " and " << c.result.file << '\n';
-  print_regions(c);
+  print_region_changes(c);
   print_surfaces(c);
   print_differences(std::cout, c.fields, "volume");
   print_sides(c);

@@ -151,7 +151,7 @@ void add_info(CLI::App& app, Action& action) {
   command->add_flag("--json", batch->json, "As JSON; of several meshes a line each");
   command->callback([&action, batch] {
     action = reading(batch, [batch](const BatchFile& file) {
-      return run({file.input, batch->json, file.one_of_several()});
+      return run(InfoArguments{file.input, batch->json, file.one_of_several()});
     });
   });
 }

@@ -123,7 +123,6 @@ const char* check_help(std::string_view name) {
 
 /// The checks in their order: green is passed, red decided, grey was not reached.
 void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
-  using State = CheckResult::State;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(frame.fonts.small);
   for (std::size_t i = 0; i < checks.size(); ++i) {
@@ -131,18 +130,18 @@ void checks_line(const Frame& frame, const std::vector<CheckResult>& checks) {
     const float width = ImGui::CalcTextSize(c.name).x;
     if (i > 0 && ImGui::GetItemRectMax().x + 0.5f * em() + width < right)
       ImGui::SameLine(0, 0.5f * em());
-    const ImVec4 color = c.state == State::Passed   ? frame.colors.good
-                         : c.state == State::Failed ? frame.colors.bad
-                                                    : frame.colors.text_muted;
+    const ImVec4 color = c.state == CheckResult::State::Passed   ? frame.colors.good
+                         : c.state == CheckResult::State::Failed ? frame.colors.bad
+                                                                 : frame.colors.text_muted;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     text(c.name);
     ImGui::PopStyleColor();
-    if (c.state == State::Failed)
+    if (c.state == CheckResult::State::Failed)
       ImGui::GetWindowDrawList()->AddLine({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y},
                                           ImGui::GetItemRectMax(), ImGui::GetColorU32(color), 1.5f);
-    const char* outcome = c.state == State::Passed   ? "Passed. "
-                          : c.state == State::Failed ? "This one decided. "
-                                                     : "Not reached. ";
+    const char* outcome = c.state == CheckResult::State::Passed   ? "Passed. "
+                          : c.state == CheckResult::State::Failed ? "This one decided. "
+                                                                  : "Not reached. ";
     ImGui::PopFont();
     tooltip(std::string(outcome) + check_help(c.name));
     ImGui::PushFont(frame.fonts.small);

@@ -61,9 +61,9 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
   const double faces =
       by_factor ? mesh.count(2) / (options.factor * options.factor) : options.target_faces;
   const bool wanted = options.regularity < 0.5 && options.has(Idea::DensePoints);
-  const bool few =
+  const bool too_few =
       wanted && (mesh.count(0) < enough * faces || bent_vertices(mesh) < enough * faces);
-  return few ? Sampling::VerticesAndFaces : Sampling::Vertices;
+  return too_few ? Sampling::VerticesAndFaces : Sampling::Vertices;
 }
 
 }  // namespace
