@@ -90,7 +90,7 @@ struct DecimationOptions {
   /// the result is to keep beside its shape; none: the shape alone counts.
   std::shared_ptr<const CountedValues> values = {};
   /// Quality, of a surface: points of what the mesh, as it is when the decimation is made, stands
-  /// for already; none: the mesh is the original.
+  /// for already; none: the mesh is the original. The decimation copies them when it is made.
   std::shared_ptr<const OriginalSamples> original = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
   /// mesh lies on (check_against) and outlive the decimation.

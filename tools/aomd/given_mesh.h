@@ -33,9 +33,12 @@ class GivenMesh {
   /// The same to be changed: what another program holds is copied first.
   [[nodiscard]] MeshData& own();
   [[nodiscard]] bool is_volume() const { return !mesh().regions.empty(); }
-  /// Where it was read in blocks: what the file has, and what the mesh still knows of it.
+  /// Where it was read in blocks: what the file has.
   [[nodiscard]] const std::optional<InBlocks>& in_blocks() const { return in_blocks_; }
-  [[nodiscard]] const std::shared_ptr<const OriginalSamples>& samples() const { return samples_; }
+  /// The points of that, once: whoever takes them lets them go.
+  [[nodiscard]] std::shared_ptr<const OriginalSamples> take_samples() {
+    return std::move(samples_);
+  }
 
   /// Lets the vertices of the regions go, a fifth of what a decimation takes, unless they are asked
   /// for later or cannot be read again.

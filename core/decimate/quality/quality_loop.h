@@ -151,6 +151,7 @@ class QualityLoop final : public Loop {
   bool try_swap(Vertex a, Vertex b, Hand& hand);
   bool try_smooth(Vertex v, Hand& hand);
 
+  bool from_samples_;  ///< the original's points were given: the mesh stands for it already
   OriginalSurface original_;
   OriginalCurves curves_;
   std::unique_ptr<AttributeFit> values_;  ///< null: the shape alone counts

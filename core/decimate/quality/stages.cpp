@@ -70,7 +70,8 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 
 QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     : Loop(mesh, options),
-      original_(options.original
+      from_samples_(options.original != nullptr),
+      original_(from_samples_
                     ? OriginalSurface(mesh, *options.original)
                     : OriginalSurface(mesh, sampling(mesh, options), accuracy(options.regularity))),
       curves_(mesh),
@@ -83,7 +84,8 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     queue_.count(values_->original());
     fitter_.count(*values_);
   }
-  if (options.original) locate();
+  if (from_samples_) locate();
+  options_.original = nullptr;
   start(options);
 }
 
@@ -176,7 +178,7 @@ void QualityLoop::start(const DecimationOptions& options) {
 
 void QualityLoop::begin_stage() {
   partition_ = Partition(mesh_, part_count_, 0, options_.threads);
-  queue_.measure(stage_ > 0 || options_.original != nullptr);
+  queue_.measure(stage_ > 0 || from_samples_);
   rounds_.begin(goals_[stage_], part_count_);
   refusal_.assign(mesh_.capacity(1), Reason::None);
   round_ = 0;
