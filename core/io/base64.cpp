@@ -1,5 +1,6 @@
 #include "core/io/base64.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -35,6 +36,19 @@ std::string from_base64(std::string_view text) {
     bytes += static_cast<char>(bits >> known & 255u);
   }
   return bytes;
+}
+
+std::size_t decode_groups(std::string_view text, std::size_t most, char* to) {
+  const std::size_t groups = std::min(most, text.size() / 4);
+  for (std::size_t i = 0; i < groups; ++i, to += 3) {
+    const int a = base64_value(text[4 * i]), b = base64_value(text[4 * i + 1]),
+              c = base64_value(text[4 * i + 2]), d = base64_value(text[4 * i + 3]);
+    if ((a | b | c | d) < 0) return i;
+    to[0] = static_cast<char>(a << 2 | b >> 4);
+    to[1] = static_cast<char>(b << 4 | c >> 2);
+    to[2] = static_cast<char>(c << 6 | d);
+  }
+  return groups;
 }
 
 std::string to_base64(std::string_view bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 // Bytes as letters and digits.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ namespace aomd::io::detail {
 
 /// The bytes that the digits stand for, up to the first character that is none.
 [[nodiscard]] std::string from_base64(std::string_view text);
+/// Writes the three bytes of each group of four digits that `text` begins with, up to the first
+/// that has something else in it, and of no more groups than `most`. Returns of how many.
+std::size_t decode_groups(std::string_view text, std::size_t most, char* to);
 [[nodiscard]] std::string to_base64(std::string_view bytes);
 
 }  // namespace aomd::io::detail

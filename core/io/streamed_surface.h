@@ -34,7 +34,7 @@ class StreamedSurface {
 
   /// Looks at the headers, and for borders of tiles. Throws ReadError where a file has not all that
   /// it promises, or has what cannot be gone through piece by piece: another format, text,
-  /// compressed arrays, lists beside the one of corners; and where tiles have different properties;
+  /// lists beside the one of corners; and where tiles have different properties;
   /// LimitError where the tolerance holds dozens of border vertices around each.
   explicit StreamedSurface(const std::filesystem::path& path, const Weld& weld);
   explicit StreamedSurface(const std::filesystem::path& path) : StreamedSurface(path, Weld{}) {}

@@ -10,6 +10,7 @@
 #include "core/io/vtk_dataset.h"
 #include "core/io/vtk_numbers.h"
 #include "core/io/vtk_pieces.h"
+#include "core/io/vtu_packing.h"
 #include "core/mesh/handle.h"
 
 namespace aomd::io::detail {
@@ -30,14 +31,15 @@ Meaning meaning_in(const pugi::xml_node& data, const RecordArray& array) {
   return usual == Meaning::Any ? active : usual;
 }
 
+std::string name_of_cell(std::uint64_t number) { return "cell " + std::to_string(number); }
+
 /// The records of some tuples: what each column has of the first, then of the second, and so on.
-std::string woven(const std::vector<std::string>& columns, const std::vector<std::size_t>& sizes,
-                  std::size_t count) {
-  std::string records;
+void weave(const std::vector<std::string>& columns, const std::vector<std::size_t>& sizes,
+           std::size_t count, std::string& records) {
+  records.clear();
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = 0; k < columns.size(); ++k)
       records.append(columns[k], i * sizes[k], sizes[k]);
-  return records;
 }
 
 }  // namespace
@@ -61,12 +63,7 @@ void StreamedVtu::take_root(const pugi::xml_node& root) {
   if (std::string_view(root.name()) != "VTKFile") fail("the root element is not VTKFile");
   if (type != "UnstructuredGrid" || !root.child("UnstructuredGrid"))
     fail("a VTK file of type " + shown(type) + "; only UnstructuredGrid is read");
-  if (*root.attribute("compressor").value() != '\0') refuse("compressed VTU");
-  packing_.wide = std::string_view(root.attribute("header_type").value()) == "UInt64";
-  if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
-    packing_.order = std::endian::big;
-  appended_base64_ =
-      std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
+  packing_ = packing_of(root, [this](const std::string& what) { fail(what); });
 }
 
 std::uint32_t StreamedVtu::count_in(const pugi::xml_node& piece, const char* name) const {
@@ -141,8 +138,7 @@ StreamedVtu::Column StreamedVtu::column(const VtuSkeleton& skeleton, const pugi:
   return column;
 }
 
-VtuColumnPlace StreamedVtu::place_of(const VtuSkeleton& skeleton,
-                                     const pugi::xml_node& node) const {
+VtuPlace StreamedVtu::place_of(const VtuSkeleton& skeleton, const pugi::xml_node& node) const {
   const std::string_view format = node.attribute("format").value();
   const std::uint64_t file_size = std::filesystem::file_size(path());
   if (format == "ascii") refuse("VTU as text");
@@ -154,7 +150,7 @@ VtuColumnPlace StreamedVtu::place_of(const VtuSkeleton& skeleton,
   const std::uint64_t offset = node.attribute("offset").as_ullong();
   if (!skeleton.appended() || offset > file_size - *skeleton.appended())
     fail("offset " + std::to_string(offset) + " lies beyond the file's end");
-  return {*skeleton.appended() + offset, file_size, appended_base64_};
+  return {*skeleton.appended() + offset, file_size, packing_.appended_base64};
 }
 
 VtuColumn StreamedVtu::open(const Column& column) const {
@@ -171,13 +167,14 @@ class StreamedVtu::Rows {
       open_.push_back(file.open(column));
       sizes_.push_back(column.array.size());
     }
+    columns_.resize(columns.size());
   }
-  /// The records of the next ones.
-  std::string take(std::size_t count) {
-    columns_.clear();
-    for (std::size_t k = 0; k < open_.size(); ++k)
-      columns_.push_back(open_[k].take(count * sizes_[k]));
-    return woven(columns_, sizes_, count);
+  /// The records of the next ones, until the next call.
+  const std::string& take(std::size_t count) {
+    for (std::size_t k = 0; k < open_.size(); ++k) open_[k].take(count * sizes_[k], columns_[k]);
+    if (columns_.size() == 1) return columns_[0];
+    weave(columns_, sizes_, count, records_);
+    return records_;
   }
   /// What the first column has of them.
   [[nodiscard]] const std::string& first() const { return columns_[0]; }
@@ -186,6 +183,7 @@ class StreamedVtu::Rows {
   std::vector<VtuColumn> open_;
   std::vector<std::size_t> sizes_;
   std::vector<std::string> columns_;
+  std::string records_;
 };
 
 void StreamedVtu::each_vertices(const VisitVertices& visit) const {
@@ -194,7 +192,7 @@ void StreamedVtu::each_vertices(const VisitVertices& visit) const {
   std::vector<double> x;
   for (std::uint64_t first = 0; first < points_; first += tuples_a_piece) {
     const std::size_t count = std::min(tuples_a_piece, points_ - first);
-    const std::string records = rows.take(count);
+    const std::string& records = rows.take(count);
     x.clear();
     positions.clear();
     decode(rows.first(), layout_.coordinate, packing_.order, x);
@@ -210,11 +208,10 @@ void StreamedVtu::each_vertices(const VisitVertices& visit) const {
 void StreamedVtu::check_cells(std::uint64_t first, const std::vector<std::int64_t>& ends,
                               const std::vector<std::int64_t>& types) const {
   for (std::size_t i = 0; i < types.size(); ++i) {
-    const std::string cell = "cell " + std::to_string(first + i);
     if (types[i] != triangle_cell)
-      refuse(cell + " of type " + cell_type_name(static_cast<int>(types[i])));
+      refuse(name_of_cell(first + i) + " of type " + cell_type_name(static_cast<int>(types[i])));
     if (static_cast<std::uint64_t>(ends[i]) != 3 * (first + i + 1))
-      fail(cell + ": a triangle of other than 3 vertices");
+      fail(name_of_cell(first + i) + ": a triangle of other than 3 vertices");
   }
 }
 
@@ -234,8 +231,7 @@ void StreamedVtu::each_faces(const VisitFaces& visit) const {
     triangles.assign(count, {});
     for (std::size_t k = 0; k < v.size(); ++k) {
       if (v[k] < 0 || v[k] >= points_)
-        fail("cell " + std::to_string(first + k / 3) + ": there is no vertex " +
-             std::to_string(v[k]));
+        fail(name_of_cell(first + k / 3) + ": there is no vertex " + std::to_string(v[k]));
       triangles[k / 3][k % 3] = static_cast<std::uint32_t>(v[k]);
     }
     visit(triangles, rows.take(count));

@@ -15,8 +15,8 @@
 
 namespace aomd::io::detail {
 
-/// One piece of triangles, whose arrays are bytes: raw or base64, appended or in their elements.
-/// Compressed ones, and text, are refused. It may have neither points nor cells.
+/// One piece of triangles, whose arrays are bytes: raw or base64, appended or in their elements,
+/// compressed by zlib or not. Text is refused. It may have neither points nor cells.
 class StreamedVtu final : public StreamedFile {
  public:
   /// Looks at the elements, and at how long the arrays are. Throws ReadError and LimitError.
@@ -34,7 +34,7 @@ class StreamedVtu final : public StreamedFile {
   /// An array of the file.
   struct Column {
     RecordArray array;
-    VtuColumnPlace place;
+    VtuPlace place;
   };
   class Rows;
 
@@ -52,14 +52,12 @@ class StreamedVtu final : public StreamedFile {
                               std::uint64_t count, int components) const;
   [[nodiscard]] Column cells_column(const VtuSkeleton& skeleton, const pugi::xml_node& piece,
                                     const char* name, std::uint64_t count) const;
-  [[nodiscard]] VtuColumnPlace place_of(const VtuSkeleton& skeleton,
-                                        const pugi::xml_node& node) const;
+  [[nodiscard]] VtuPlace place_of(const VtuSkeleton& skeleton, const pugi::xml_node& node) const;
   [[nodiscard]] VtuColumn open(const Column& column) const;
   void check_cells(std::uint64_t first, const std::vector<std::int64_t>& ends,
                    const std::vector<std::int64_t>& types) const;
 
   VtuPacking packing_;
-  bool appended_base64_ = false;
   std::uint32_t points_ = 0, cells_ = 0;
   std::vector<Column> of_points_;  ///< the coordinates, and the arrays
   Column connectivity_, ends_, types_;

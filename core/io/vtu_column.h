@@ -1,47 +1,30 @@
 #pragma once
 // An array of a VTK XML file that need not fit into memory.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <string>
-#include <string_view>
 
-#include "core/io/vtu_data.h"
+#include "core/io/vtu_bytes.h"
 
 namespace aomd::io::detail {
 
-/// Where its encoded form lies in the file, at the most.
-struct VtuColumnPlace {
-  std::uint64_t begin = 0, end = 0;
-  bool base64 = false;
-};
-
-/// Its bytes from the first one on, which must not be compressed.
+/// Its bytes from the first one on. 200 KiB are in memory at the most, and 8 bytes for each block
+/// of a compressed one.
 class VtuColumn {
  public:
   /// Reads how many bytes there are. Throws ReadError where the file has not as many.
-  VtuColumn(const std::filesystem::path& path, const VtuColumnPlace& place,
-            const VtuPacking& packing);
+  VtuColumn(const std::filesystem::path& path, const VtuPlace& place, const VtuPacking& packing);
 
-  [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// The next n bytes.
-  [[nodiscard]] std::string take(std::size_t n);
+  [[nodiscard]] std::uint64_t size() const { return bytes_->size(); }
+  /// The next n bytes in place of what `into` holds.
+  void take(std::size_t n, std::string& into) { bytes_->take(n, into); }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const;
-  [[nodiscard]] std::uint64_t left() const;
-  bool fill();
-  [[nodiscard]] std::string take_raw(std::size_t n);
-  void decode_group(std::string& out);
-
-  std::string name_;
-  VtuColumnPlace place_;  ///< `begin` of what is in `buffer_` and behind
-  std::ifstream file_;
-  std::string buffer_;
-  std::size_t used_ = 0;  ///< of the buffer
-  std::string rest_;      ///< decoded, not yet asked for
-  std::uint64_t size_ = 0;
+  std::unique_ptr<VtuStream> stream_;
+  std::unique_ptr<VtuBytes> bytes_;
 };
 
 }  // namespace aomd::io::detail

@@ -1,21 +1,14 @@
 #pragma once
-// The encoded arrays of VTK XML files: base64 or raw bytes, compressed by zlib or not.
+// The encoded arrays of VTK XML files in memory: base64 or raw bytes, compressed by zlib or not.
 
-#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "core/io/source.h"
+#include "core/io/vtu_packing.h"
 
 namespace aomd::io::detail {
-
-/// How a file packs its arrays, as the attributes of its root element say.
-struct VtuPacking {
-  std::endian order = std::endian::little;
-  bool wide = false;  ///< 64-bit header words instead of 32-bit
-  bool compressed = false;
-};
 
 struct Unpacked {
   std::string bytes;

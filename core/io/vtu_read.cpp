@@ -106,16 +106,7 @@ class VtuReader {
     if (type != "UnstructuredGrid")
       fail(root, "a VTK file of type " + shown(type) +
                      "; only UnstructuredGrid is read: save it as .vtu, or as legacy .vtk");
-    const std::string_view compressor = root.attribute("compressor").value();
-    if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      fail(root, "compressed by " + shown(compressor) +
-                     "; only vtkZLibDataCompressor is read: save it with that, or uncompressed");
-    packing_.compressed = !compressor.empty();
-    packing_.wide = std::string_view(root.attribute("header_type").value()) == "UInt64";
-    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
-      packing_.order = std::endian::big;
-    appended_base64_ =
-        std::string_view(root.child("AppendedData").attribute("encoding").value()) == "base64";
+    packing_ = packing_of(root, [&](const std::string& what) { fail(root, what); });
   }
 
   std::uint64_t count(const pugi::xml_node& node, const char* name, std::uint64_t absent) const {
@@ -180,7 +171,8 @@ class VtuReader {
     if (!appended_ || offset > source_.bytes.size() - *appended_)
       fail(node, "offset " + std::to_string(offset) + " lies beyond the file's end");
     const std::size_t start = *appended_ + static_cast<std::size_t>(offset);
-    Unpacked data = unpack(source_, start, source_.bytes.size(), appended_base64_, packing_, most);
+    Unpacked data =
+        unpack(source_, start, source_.bytes.size(), packing_.appended_base64, packing_, most);
     used_ += data.end - start;
     if (used_ > source_.bytes.size())
       fail(node, "arrays share their data");  // memory would have no bound
@@ -336,7 +328,6 @@ class VtuReader {
   std::size_t xml_end_;
   std::optional<std::size_t> appended_;  ///< where offset 0 lies
   std::size_t used_ = 0;                 ///< bytes of the appended data
-  bool appended_base64_ = false;
   VtuPacking packing_;
   VtkDataset grid_;
   std::vector<PieceEnd> pieces_;

@@ -4,6 +4,7 @@
 #include "core/samples/samples.h"
 #include "tests/support/cli_helpers.h"
 #include "tests/support/surface_facts.h"
+#include "tests/support/vtu_blocks.h"
 
 namespace aomd::test::cli_blocks_test {
 namespace {
@@ -97,6 +98,45 @@ TEST_F(BlocksCommand, ReadsStl) {
   std::filesystem::resize_file(at("s.stl"), 1000);
   expect_failure("decimate s.stl o.ply --blocks 5 --target-faces 900", 3,
                  "s.stl: byte 1000: the file ends early");
+}
+
+/// The same file, its arrays compressed as VTK's writers do.
+std::string compressed(const std::string& vtu) {
+  const std::size_t first = vtu.find('_', vtu.find("<AppendedData")) + 1;
+  std::string data, text = vtu.substr(0, first);
+  std::size_t at = 0;
+  while ((at = text.find("offset=\"", at)) != std::string::npos) {
+    const std::size_t end = text.find('"', at += 8), from = first + std::stoul(text.substr(at));
+    std::uint64_t size = 0;
+    std::memcpy(&size, vtu.data() + from, sizeof(size));
+    text.replace(at, end - at, std::to_string(data.size()));
+    const Packed packed =
+        packed_in_blocks<std::uint64_t>(vtu.substr(from + sizeof(size), size), 32'768, Blocks::Vtk);
+    data += packed.head + packed.data;
+  }
+  text.insert(text.find("<VTKFile ") + 9, "compressor=\"vtkZLibDataCompressor\" ");
+  return text + data + "</AppendedData></VTKFile>";
+}
+
+TEST_F(BlocksCommand, ReadsCompressedVtu) {
+  ASSERT_EQ(aomd("convert s.ply plain.vtu --binary").code, 0);
+  const std::string packed = compressed(text("plain.vtu"));
+  EXPECT_LT(packed.size(), text("plain.vtu").size() / 2);
+  std::ofstream(at("packed.vtu"), std::ios::binary) << packed;
+  ASSERT_EQ(aomd("decimate plain.vtu a.ply --blocks 5 --target-faces 900").code, 0);
+  const Outcome run = aomd("decimate packed.vtu b.ply --blocks 5 --target-faces 900");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(text("a.ply"), text("b.ply"));
+  std::string damaged = packed;
+  damaged[damaged.size() / 2] ^= 1;
+  std::ofstream(at("packed.vtu"), std::ios::binary) << damaged;
+  expect_failure("decimate packed.vtu o.ply --blocks 5 --target-faces 900", 3,
+                 "of compressed data is damaged");
+  std::filesystem::resize_file(at("packed.vtu"), packed.size() - 200);
+  expect_failure("decimate packed.vtu o.ply --blocks 5 --target-faces 900", 3,
+                 "the data end early");
+  EXPECT_FALSE(exists("o.ply"));
 }
 
 TEST_F(BlocksCommand, WritesAndReadsPieces) {

@@ -1,42 +1,21 @@
 // VTU as other programs pack it: blocks of zlib, offsets, sizes that do not fit.
 
-#include <zlib.h>
-
 #include "tests/support/volume_helpers.h"
+#include "tests/support/vtu_blocks.h"
 #include "tests/support/vtu_texts.h"
 
 namespace aomd::io_vtu_packing_test {
 namespace {
 
+using test::Blocks;
 using test::expect_error;
 using test::Indices;
 using test::raw;
 
-/// How a writer splits an array into blocks, and what it says of the last.
-enum class Blocks { Vtk, Meshio };
-
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string packed(size, '\0');
-  EXPECT_EQ(::compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                        reinterpret_cast<const Bytef*>(bytes.data()),
-                        static_cast<uLong>(bytes.size()), 9),
-            Z_OK);
-  packed.resize(size);
-  return packed;
-}
-
 template <class Word>
 std::string packed(const std::string& bytes, std::size_t block, Blocks blocks) {
-  const std::size_t n = (bytes.size() + block - 1) / block, rest = bytes.size() - (n - 1) * block;
-  const std::size_t last = n > 0 && (blocks == Blocks::Meshio || rest != block) ? rest : 0;
-  std::string head = raw(Word(n)) + raw(Word(block)) + raw(Word(last)), data;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::string part = deflated(bytes.substr(i * block, block));
-    head += raw(Word(part.size()));
-    data += part;
-  }
-  return head + data;
+  const test::Packed result = test::packed_in_blocks<Word>(bytes, block, blocks);
+  return result.head + result.data;
 }
 
 /// A strip of n quads as a file with appended raw data; `offset` writes an offset.

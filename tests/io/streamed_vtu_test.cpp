@@ -176,8 +176,8 @@ TEST_F(StreamedVtuTest, SaysWhatIsWrong) {
           [](VtuText& v) { v.points[7] = std::numeric_limits<float>::infinity(); });
   refused("array \"Points\" has 48 bytes for 400000000 times 12",
           [](VtuText& v) { v.counts = R"(NumberOfPoints="400000000" NumberOfCells="2")"; });
-  refused("compressed VTU cannot be read in blocks, only as a whole: aomd convert",
-          [](VtuText& v) { v.root += R"( compressor="vtkZLibDataCompressor")"; });
+  refused("compressed by \"vtkLZ4DataCompressor\"; only vtkZLibDataCompressor is read: save it",
+          [](VtuText& v) { v.root += R"( compressor="vtkLZ4DataCompressor")"; });
   refused("a VTK file of type \"PolyData\"", [](VtuText& v) { v.root = R"(type="PolyData")"; });
   refused("has no vertices or no faces",
           [](VtuText& v) { v.counts = R"(NumberOfPoints="0" NumberOfCells="0")"; });
