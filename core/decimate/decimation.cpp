@@ -136,14 +136,14 @@ void keep_edges_for_quality(Mesh& mesh) {
   if (any_goes && !has_edges_without_face(mesh)) mesh.keep_model_edges_only();
 }
 
-Decimation::Decimation(Mesh& mesh, const DecimationOptions& options) : mesh_(decimable(mesh)) {
-  begin(options);
+Decimation::Decimation(Mesh& mesh, DecimationOptions options) : mesh_(decimable(mesh)) {
+  begin(std::move(options));
 }
 
 Decimation::~Decimation() = default;
 
-void Decimation::begin(const DecimationOptions& options) {
-  given_ = options;
+void Decimation::begin(DecimationOptions options) {
+  given_ = options.without_original();
   if (mesh_.count(3) > 0) return begin_volume(options);
   const bool paper = options.strategy == Strategy::Paper;
   const char* name = paper ? PaperLoop::name : QualityLoop::name;
@@ -161,7 +161,7 @@ void Decimation::begin(const DecimationOptions& options) {
   if (paper)
     loop_ = std::make_unique<SurfacePaperLoop>(mesh_, options);
   else
-    loop_ = std::make_unique<QualityLoop>(mesh_, options);
+    loop_ = std::make_unique<QualityLoop>(mesh_, std::move(options));
 }
 
 // The printed loop goes over all edges, quality names them by their ends; faces inside regions need
@@ -195,11 +195,12 @@ DecimationOptions Decimation::for_loop(const DecimationOptions& options) const {
 }
 
 void Decimation::set_options(const DecimationOptions& options) {
-  if (options == given_) return;
+  const DecimationOptions next = options.without_original();
+  if (next == given_) return;
   if (options.strategy != given_.strategy || options.exchange != given_.exchange)
     return begin(options);
-  given_ = options;
-  loop_->restart(for_loop(options));
+  given_ = next;
+  loop_->restart(for_loop(next));
 }
 
 void Decimation::invalidate() { loop_->restart(DecimationOptions(loop_->options())); }

@@ -45,11 +45,12 @@ class Decimation {
  public:
   /// Throws std::invalid_argument where there is an obstacle (above), and where a vertex lies on a
   /// model entity of higher dimension than what it bounds: classify() comes before a decimation.
-  explicit Decimation(Mesh& mesh, const DecimationOptions& options = {});
+  explicit Decimation(Mesh& mesh, DecimationOptions options = {});
   ~Decimation();
 
   enum class Stop { Done, Budget, Cancelled };
 
+  /// As given, but for the points of the original.
   [[nodiscard]] const DecimationOptions& options() const { return given_; }
   /// Takes new options at any time; everything is judged again. Another strategy starts from the
   /// mesh as it is.
@@ -103,7 +104,7 @@ class Decimation {
   [[nodiscard]] OriginalSamples original();
 
  private:
-  void begin(const DecimationOptions& options);
+  void begin(DecimationOptions options);
   void begin_volume(const DecimationOptions& options);
   [[nodiscard]] DecimationOptions for_loop(const DecimationOptions& options) const;
 

@@ -90,7 +90,8 @@ struct DecimationOptions {
   /// the result is to keep beside its shape; none: the shape alone counts.
   std::shared_ptr<const CountedValues> values = {};
   /// Quality, of a surface: points of what the mesh, as it is when the decimation is made, stands
-  /// for already; none: the mesh is the original. The decimation copies them when it is made.
+  /// for already; none: the mesh is the original. Who decimates lets go of them once it has copied
+  /// them.
   std::shared_ptr<const OriginalSamples> original = {};
   /// Smoothing puts vertices onto it; none: it does not. Not owned; must have every entity that the
   /// mesh lies on (check_against) and outlive the decimation.
@@ -98,6 +99,11 @@ struct DecimationOptions {
 
   friend bool operator==(const DecimationOptions&, const DecimationOptions&) = default;
 
+  [[nodiscard]] DecimationOptions without_original() const {
+    DecimationOptions rest = *this;
+    rest.original = nullptr;
+    return rest;
+  }
   [[nodiscard]] bool has(Idea idea) const { return !(without >> static_cast<int>(idea) & 1u); }
   [[nodiscard]] bool kept(Vertex v) const {
     return keep && v.index < keep->size() && (*keep)[v] != 0;

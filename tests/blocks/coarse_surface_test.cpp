@@ -217,6 +217,22 @@ TEST_F(Blocks, AreAsCloseAsOnePiece) {
   EXPECT_GT(rms_after(in_blocks.mesh, nullptr, mesh, 1500), 1.1 * one);
 }
 
+// As many bytes as what a decimation makes of them.
+TEST_F(Blocks, PointsAreLetGoOnceTheyAreCopied) {
+  const CoarseSurface in_blocks = coarse(make_sample("scan", 3'000), 2, rules(150));
+  auto samples = std::make_shared<const OriginalSamples>(*in_blocks.samples);
+  const std::weak_ptr<const OriginalSamples> given = samples;
+  Mesh mesh = test::classified(in_blocks.mesh, test::Edges::OnModelEdges);
+  DecimationOptions options = test::quality(150);
+  options.original = std::move(samples);
+  Decimation decimation(mesh, std::move(options));
+  EXPECT_TRUE(given.expired());
+  decimation.run();
+  decimation.set_options(decimation.options());
+  EXPECT_EQ(decimation.phase(), Phase::Done);
+  EXPECT_EQ(mesh.count(2), 150u);
+}
+
 TEST_F(Blocks, SameResultForAnyNumberOfThreads) {
   const MeshData mesh = make_sample("scan", 12'000);
   const CoarseSurface one = coarse(mesh, 4, rules(500, 1));

@@ -121,7 +121,6 @@ class Run {
     note(options_.input, given_.read(exchange_, progress_));
     if (given_.in_blocks()) lap("blocks");
     did_.in_blocks = given_.in_blocks();
-    steps_.original = given_.take_samples();
     prepare();
   }
 
@@ -322,8 +321,9 @@ class Run {
   }
 
   void decimate() {
-    Decimation decimation(mesh_, steps_);
-    steps_.original = nullptr;  // it has copied them
+    DecimationOptions steps = steps_;
+    steps.original = given_.take_samples();
+    Decimation decimation(mesh_, std::move(steps));
     lap("adjacency");
     const std::size_t entities = mesh_.entity_bytes(), adjacency = mesh_.adjacency_bytes();
     using namespace std::chrono_literals;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/blocks/exchange.h"
@@ -33,9 +34,9 @@ class GivenMesh {
   /// The same to be changed: what another program holds is copied first.
   [[nodiscard]] MeshData& own();
   [[nodiscard]] bool is_volume() const { return !mesh().regions.empty(); }
-  /// Where it was read in blocks: what the file has.
+  /// Where it was read in blocks: what the file has, ...
   [[nodiscard]] const std::optional<InBlocks>& in_blocks() const { return in_blocks_; }
-  /// The points of that, once: whoever takes them lets them go.
+  /// ... and what the mesh still knows of it, once, for the first decimation.
   [[nodiscard]] std::shared_ptr<const OriginalSamples> take_samples() {
     return std::move(samples_);
   }

@@ -28,7 +28,7 @@ class QualityLoop final : public Loop {
 
   /// T(2,0) and T(0,2) must be stored; T(0,1) too unless the edges of the mesh are those on model
   /// edges only.
-  QualityLoop(Mesh& mesh, const DecimationOptions& options);
+  QualityLoop(Mesh& mesh, DecimationOptions options);
 
   bool advance() override;
   bool advance_parts(const std::function<bool()>& cancelled) override;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/decimate/quality/quality_loop.h"
 #include "core/decimate/spacing/spacing.h"
@@ -68,11 +69,11 @@ Sampling sampling(const Mesh& mesh, const DecimationOptions& options) {
 
 }  // namespace
 
-QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
-    : Loop(mesh, options),
+QualityLoop::QualityLoop(Mesh& mesh, DecimationOptions options)
+    : Loop(mesh, options.without_original()),
       from_samples_(options.original != nullptr),
       original_(from_samples_
-                    ? OriginalSurface(mesh, *options.original)
+                    ? OriginalSurface(mesh, *std::exchange(options.original, nullptr))
                     : OriginalSurface(mesh, sampling(mesh, options), accuracy(options.regularity))),
       curves_(mesh),
       fitter_(mesh, original_, curves_),
@@ -85,7 +86,6 @@ QualityLoop::QualityLoop(Mesh& mesh, const DecimationOptions& options)
     fitter_.count(*values_);
   }
   if (from_samples_) locate();
-  options_.original = nullptr;
   start(options);
 }
 
