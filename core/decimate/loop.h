@@ -97,8 +97,7 @@ class Loop {
   }
   /// Counts an operation that was judged and made, and tells the guards.
   void made(StepKind kind, EntityRef entity, const Change& change) {
-    SweepStatistics& s = sweeps_.back();
-    ++(kind == StepKind::Collapse ? s.collapses : kind == StepKind::Swap ? s.swaps : s.smooths);
+    sweeps_.back().count(kind);
     last_ = {kind, entity};
     guards_.applied(change);
   }

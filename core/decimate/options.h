@@ -120,6 +120,9 @@ struct SweepStatistics {
   std::uint32_t faces = 0, regions = 0;  ///< after it
   std::array<std::uint32_t, reason_count> refused{};
 
+  void count(StepKind made) {
+    ++(made == StepKind::Collapse ? collapses : made == StepKind::Swap ? swaps : smooths);
+  }
   /// Adds what was made and refused; what is left of the mesh stays.
   SweepStatistics& operator+=(const SweepStatistics& other) {
     collapses += other.collapses;

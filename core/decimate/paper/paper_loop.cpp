@@ -15,12 +15,6 @@ constexpr std::uint32_t fewest_faces = 250'000;
 constexpr std::uint64_t fewest_share = 64;
 constexpr std::size_t fewest_edges_each = 64;  // in a part
 
-std::uint32_t& count_of(SweepStatistics& sweep, StepKind kind) {
-  return kind == StepKind::Collapse ? sweep.collapses
-         : kind == StepKind::Swap   ? sweep.swaps
-                                    : sweep.smooths;
-}
-
 }  // namespace
 
 PaperLoop::PaperLoop(Mesh& mesh, const DecimationOptions& options, int dimension)
@@ -176,7 +170,7 @@ void PaperLoop::refused(Reason reason, Hand& hand) {
 void PaperLoop::made_by(Hand& hand, StepKind kind, EntityRef entity) {
   ++hand.now;
   if (hand.edits)
-    ++count_of(hand.made, kind);
+    hand.made.count(kind);
   else
     made(kind, entity, hand.plan.change);
 }
